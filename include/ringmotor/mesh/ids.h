@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <deal.II/base/types.h>
+
+namespace ringmotor
+{
+  /**
+   * Material ids of cells and boundary ids of faces in every sector mesh, generated or read from a
+   * Gmsh file (where they are the physical ids of volumes and surfaces, see meshes/README.md).
+   */
+  namespace ids
+  {
+    constexpr dealii::types::material_id base  = 1; ///< metal of the base ring
+    constexpr dealii::types::material_id tooth = 2; ///< metal of the tooth, above the slot's bottom
+    constexpr dealii::types::material_id piezoceramic = 3; ///< ceramic ring bonded below the base
+
+    constexpr dealii::types::boundary_id free      = 0;  ///< no load, no condition
+    constexpr dealii::types::boundary_id mirror    = 11; ///< half sector: the plane theta = 0
+    constexpr dealii::types::boundary_id cut       = 12; ///< half sector: the plane theta = alpha/2
+    constexpr dealii::types::boundary_id cut_low   = 13; ///< whole sector: the cut at smaller theta
+    constexpr dealii::types::boundary_id cut_high  = 14; ///< whole sector: the cut at larger theta
+    constexpr dealii::types::boundary_id tooth_top = 15; ///< the face that can touch the rotor
+  }                                                      // namespace ids
+} // namespace ringmotor

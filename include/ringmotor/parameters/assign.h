@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/parameters/prm_file.h>
+
+#include <vector>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace ringmotor
+{
+  class DeclaredEntries;
+
+  /**
+   * Hands assignments of one origin (a file, or the command line) to @p prm, whose actions write to
+   * the variables that were declared.
+   *
+   * @throws UserError for an entry that is not @p declared or stands twice, and for a value that is
+   * not allowed.
+   */
+  void assign_all(const std::vector<PrmFile::Assignment> &assignments,
+                  const DeclaredEntries &declared, dealii::ParameterHandler &prm);
+} // namespace ringmotor

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ringmotor
+{
+  /**
+   * How a value of type T is written in a parameter file. `read(write(value))` is exactly `value`,
+   * which deal.II's own conversion (six digits) does not promise. `read` gives nothing for a text
+   * that is not allowed. `allowed` says in words what is; users see it in `--help` and in messages.
+   */
+  template <typename T>
+  struct Notation
+  {
+    std::function<std::string(const T &)> write;
+    std::function<std::optional<T>(const std::string &)> read;
+    std::string allowed;
+  };
+
+  /** A deal.II pattern that asks a predicate and describes itself in words. */
+  class WordedPattern : public dealii::Patterns::PatternBase
+  {
+  public:
+    WordedPattern(std::function<bool(const std::string &)> accepts, std::string allowed);
+
+    bool match(const std::string &text) const override;
+    std::string description(OutputStyle style = Machine) const override;
+    std::unique_ptr<PatternBase> clone() const override;
+
+  private:
+    std::function<bool(const std::string &)> accepts;
+    std::string allowed;
+  };
+
+  /** Whether a parameter file has to give an entry. */
+  enum class Presence
+  {
+    optional,
+    required
+  };
+
+  /**
+   * Declares entry @p name in the current subsection with the present value of @p variable as
+   * default, and keeps writing to @p variable whatever the entry is set to. The @p sentence ends
+   * with `Units: m.` where the entry has a dimension and with `Units: none.` where it is a plain
+   * number.
+   */
+  template <typename T>
+  void add_entry(dealii::ParameterHandler &prm, const std::string &name, T &variable,
+                 const Notation<T> &notation, const std::string &sentence,
+                 const Presence presence = Presence::optional)
+  {
+    const bool required = presence == Presence::required;
+    prm.declare_entry(name, notation.write(variable),
+                      WordedPattern([read = notation.read](const std::string &text)
+                                    { return read(text).has_value(); },
+                                    notation.allowed),
+                      sentence + " Allowed: " + notation.allowed + "." +
+                          (required ? " Required." : ""),
+                      required);
+    prm.add_action(name, [&variable, read = notation.read](const std::string &text)
+                   { variable = *read(text); });
+  }
+
+  /** Finite numbers of any sign. */
+  Notation<double> any_number();
+
+  /** Finite numbers above zero. */
+  Notation<double> positive_number();
+
+  /** Finite numbers from zero. */
+  Notation<double> non_negative_number();
+
+  /** Numbers from @p lower to @p upper, both included, described by @p allowed. */
+  Notation<double> number_within(double lower, double upper, const std::string &allowed);
+
+  /** A number, or the @p word that stands for no value. */
+  Notation<std::optional<double>> number_or(const std::string &word,
+                                            const Notation<double> &number);
+
+  /** Numbers separated by commas, or the @p word that stands for the empty list. */
+  Notation<std::vector<double>> numbers_or(const std::string &word, const Notation<double> &number);
+
+  /** Whole numbers from @p lower to @p upper, both included. */
+  Notation<unsigned int> whole_number(unsigned int lower, unsigned int upper);
+
+  /** `true` or `false`. */
+  Notation<bool> yes_or_no();
+
+  /** A text that fits on one line of a parameter file; not empty. */
+  Notation<std::string> any_text();
+
+  /** The path of a file, or the word `none`, which stands for the empty string. */
+  Notation<std::string> file_or_none();
+
+  /** One of some words, each with its meaning. */
+  template <typename Enum>
+  Notation<Enum> selection(const std::vector<std::pair<std::string, Enum>> &choices)
+  {
+    std::string allowed;
+    for (const auto &choice : choices)
+      allowed += (allowed.empty() ? "" : " | ") + choice.first;
+
+    const auto write = [choices](const Enum &value)
+    {
+      for (const auto &[word, meaning] : choices)
+        if (meaning == value)
+          return word;
+      AssertThrow(false, dealii::ExcInternalError());
+      return std::string();
+    };
+    const auto read = [choices](const std::string &text) -> std::optional<Enum>
+    {
+      for (const auto &[word, meaning] : choices)
+        if (word == text)
+          return meaning;
+      return {};
+    };
+    return {write, read, allowed};
+  }
+} // namespace ringmotor

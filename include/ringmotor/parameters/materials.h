@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace ringmotor
+{
+  /** A linear elastic isotropic material with hysteretic damping. */
+  struct Material
+  {
+    double young_modulus; ///< Pa, positive
+    double poisson_ratio; ///< above -1 and below 0.5
+    double density;       ///< kg/m^3, positive
+    double loss_factor;   ///< energy lost per radian over the stored energy
+
+    /** Declares the entries; those that have no sensible default may be marked as required. */
+    void declare(dealii::ParameterHandler &prm, bool required);
+  };
+
+  /** The materials of the parts. */
+  struct Materials
+  {
+    Material stator_metal{141.e9, 0.29, 8100., 1.e-3};
+    Material piezoceramic{81.e9, 0.31, 7600., 2.e-3};
+    Material rotor_metal{68.9e9, 0.33, 2700., 1.e-3};
+    Material target_plate{193.e9, 0.29, 8000., 1.e-3};
+
+    /** Declares one subsection for each material. */
+    void declare(dealii::ParameterHandler &prm);
+  };
+} // namespace ringmotor

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace ringmotor
+{
+  /** Whose modes are computed. */
+  enum class Body
+  {
+    stator,
+    rotor,
+    tooth
+  };
+
+  /** Which modes the program `stator` computes. */
+  struct Modes
+  {
+    Body body = Body::stator;
+
+    /**
+     * Nodal diameters in ascending order, each once. An empty list stands for all of them, and
+     * read_parameters() replaces it by 0 .. N/2.
+     */
+    std::vector<unsigned int> nodal_diameters = {7};
+
+    unsigned int n_modes    = 2;  ///< elastic modes for each nodal diameter
+    double frequency_target = 0.; ///< Hz; modes nearest to it are taken, 0: the lowest ones
+
+    /** Declares the entries; reading them changes the members. */
+    void declare(dealii::ParameterHandler &prm);
+  };
+
+  /** The travelling wave that drives the motor. */
+  struct Wave
+  {
+    double amplitude = 2.e-6; ///< m, normal, at the outer edge of the tooth top, zero to peak
+    std::optional<double> frequency; ///< Hz; without a value the computed frequency of the mode
+
+    /** Declares the entries; reading them changes the members. */
+    void declare(dealii::ParameterHandler &prm);
+  };
+} // namespace ringmotor

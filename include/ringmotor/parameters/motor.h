@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace ringmotor
+{
+  /** How a thin part of the motor is modelled. */
+  enum class ElementKind
+  {
+    solid,
+    shell
+  };
+
+  /** What makes the motor this motor: its name, its wave and its symmetry. */
+  struct Motor
+  {
+    std::string name     = "ring motor"; ///< used in titles only
+    unsigned int n_waves = 7;            ///< wavelengths around the ring
+    unsigned int n_teeth = 90;           ///< teeth, and so equal sectors, around the ring
+
+    /** Declares the entries; reading them changes the members. */
+    void declare(dealii::ParameterHandler &prm);
+  };
+
+  /**
+   * The stator: a metal ring with teeth on top and a piezoceramic ring below. Its cross-section is
+   * a trapezoid from the base (z = 0) to the tooth tops (z = base_thickness + tooth_height) with
+   * straight sides. Slots have parallel walls. All lengths in m. The dimensions describe the stator
+   * only while #mesh_file is empty.
+   */
+  struct StatorGeometry
+  {
+    double base_inner_radius         = 30.0e-3; ///< at z = 0
+    double base_outer_radius         = 36.0e-3; ///< at z = 0
+    double tip_inner_radius          = 30.0e-3; ///< at the tooth tops
+    double tip_outer_radius          = 34.2e-3; ///< at the tooth tops
+    double base_thickness            = 4.37e-3; ///< from z = 0 to the slot roots
+    double tooth_height              = 2.0e-3;  ///< from the slot roots to the tooth tops
+    double slot_width                = 0.6e-3;  ///< between the parallel walls
+    double piezoceramic_thickness    = 0.5e-3;  ///< of the ring below z = 0; 0 means no ring
+    ElementKind piezoceramic_element = ElementKind::solid;
+    std::string mesh_file; ///< Gmsh file of one sector, absolute path after reading; empty: none
+
+    /** Declares the entries; reading them changes the members. */
+    void declare(dealii::ParameterHandler &prm);
+  };
+
+  /**
+   * The rotor: a ring, a flange spring running inwards from it, and a lip at the flange's inner end
+   * that touches the teeth. Lengths in m; heights are above the plane of the tooth tops.
+   */
+  struct RotorGeometry
+  {
+    double ring_inner_radius    = 36.5e-3;
+    double ring_outer_radius    = 41.0e-3;
+    double ring_lower_face      = -3.0e-3;
+    double ring_upper_face      = 3.6e-3;
+    double flange_lower_face    = 0.;
+    double flange_thickness     = 0.60e-3;
+    ElementKind flange_element  = ElementKind::shell;
+    double lip_inner_radius     = 33.2e-3;
+    double lip_outer_radius     = 34.2e-3;
+    double radial_bar_stiffness = 1.e9; ///< N/m per m of circumference; 0 means no bars
+    std::string mesh_file; ///< Gmsh file of one sector, absolute path after reading; empty: none
+
+    /** Declares the entries; reading them changes the members. */
+    void declare(dealii::ParameterHandler &prm);
+  };
+} // namespace ringmotor

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace ringmotor
+{
+  /** The quantity that is prescribed at an operating point; the other one is the answer. */
+  enum class Control
+  {
+    torque,
+    speed
+  };
+
+  /** The operating points. */
+  struct Loading
+  {
+    double preload  = 14.; ///< N, total axial force on the top face of the rotor ring
+    Control control = Control::torque;
+
+    /** N m (torque) or rad/s (speed); an empty list stands for a whole torque-speed curve. */
+    std::vector<double> values;
+
+    unsigned int n_curve_points = 11;
+
+    /** Declares the entries; reading them changes the members. */
+    void declare(dealii::ParameterHandler &prm);
+  };
+
+  enum class FrictionLaw
+  {
+    coulomb,        ///< one coefficient, the dynamic one
+    static_dynamic, ///< a jump from the static to the dynamic coefficient
+    velocity,       ///< an exponential decay with the sliding velocity
+    slip_weakening  ///< a decay over a sliding length
+  };
+
+  /** Friction between lip and tooth tops. */
+  struct Friction
+  {
+    FrictionLaw law            = FrictionLaw::static_dynamic;
+    double static_coefficient  = 0.48;
+    double dynamic_coefficient = 0.40;
+    std::optional<double> decay_velocity;              ///< m/s, for the law `velocity`
+    std::optional<double> weakening_length;            ///< m, for the law `slip_weakening`
+    std::optional<double> lining_normal_stiffness;     ///< N/m^3, of a friction lining
+    std::optional<double> lining_tangential_stiffness; ///< N/m^3, of a friction lining
+
+    /** Declares the entries; reading them changes the members. */
+    void declare(dealii::ParameterHandler &prm);
+  };
+
+  /** The warp amplitude * cos(n_waves * theta) of the stator's tooth tops at rest. */
+  struct InitialDeformation
+  {
+    double amplitude     = 0.; ///< m
+    unsigned int n_waves = 2;
+
+    /** Declares the entries; reading them changes the members. */
+    void declare(dealii::ParameterHandler &prm);
+  };
+
+  /** The felt ring that carries the stator from below. */
+  struct Support
+  {
+    double felt_thickness    = 1.e-3;   ///< m
+    double felt_modulus      = 5.e5;    ///< Pa, in compression
+    double felt_loss_factor  = 0.3;     ///< energy lost per radian over the stored energy
+    double felt_inner_radius = 30.0e-3; ///< m
+    double felt_outer_radius = 36.0e-3; ///< m
+
+    /** Declares the entries; reading them changes the members. */
+    void declare(dealii::ParameterHandler &prm);
+  };
+
+  enum class ContactFormulation
+  {
+    mortar,
+    penalty
+  };
+
+  /** How contact is enforced. */
+  struct Contact
+  {
+    ContactFormulation formulation = ContactFormulation::mortar;
+    std::optional<double> normal_penalty;     ///< N/m at each node, for the penalty formulation
+    std::optional<double> tangential_penalty; ///< N/m at each node, for the penalty formulation
+
+    /** Declares the entries; reading them changes the members. */
+    void declare(dealii::ParameterHandler &prm);
+  };
+
+  enum class TimeScheme
+  {
+    automatic, ///< steady where the ring is uniform, else marching
+    steady,
+    marching
+  };
+
+  /** How an operating point is resolved in time. */
+  struct Time
+  {
+    TimeScheme scheme              = TimeScheme::automatic;
+    double time_step               = 5.e-7; ///< s, of the marching scheme
+    unsigned int n_steps           = 15;    ///< of the marching scheme
+    unsigned int average_from_step = 6;     ///< first step of the averages, counted from 1
+    unsigned int average_to_step   = 15;    ///< last step of the averages
+    unsigned int n_snapshots       = 1;     ///< interleaved snapshots of the steady scheme
+
+    /** Declares the entries; reading them changes the members. */
+    void declare(dealii::ParameterHandler &prm);
+  };
+} // namespace ringmotor

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace ringmotor
+{
+  /**
+   * What stands in a parameter file, before its meaning is looked at. deal.II reads such files too,
+   * but it lets a duplicate entry win silently and its messages are not made for users.
+   */
+  struct PrmFile
+  {
+    /** A line `set Entry = value`. */
+    struct Assignment
+    {
+      std::string path;  ///< `Section/Sub/Entry`
+      std::string value; ///< without surrounding blanks, may be empty
+      std::string place; ///< where it stands, for messages
+    };
+
+    /** A line `subsection Name`. */
+    struct Section
+    {
+      std::string path;  ///< `Section/Sub`
+      std::string place; ///< where it stands, for messages
+    };
+
+    std::vector<Section> sections;
+    std::vector<Assignment> assignments;
+  };
+
+  /**
+   * Splits the @p text of a parameter file into its lines: `subsection`, `set`, `end`, comments
+   * from
+   * `#` to the end of the line, and a backslash that joins the next line. The place of a line is
+   * `name:line`.
+   *
+   * @throws UserError for everything else, and for subsections that are not balanced.
+   */
+  PrmFile parse_prm(const std::string &text, const std::string &name);
+
+  /**
+   * Takes `Section/Sub/Entry = value` apart.
+   *
+   * @throws UserError without an equals sign or without an entry.
+   */
+  PrmFile::Assignment parse_override(const std::string &text);
+
+  /** @p text in quotes, fit for a message of one line: no control characters, not too long. */
+  std::string quoted(const std::string &text);
+} // namespace ringmotor

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace ringmotor
+{
+  enum class AccuracyMode
+  {
+    adaptive, ///< refine until the estimated error is below the target
+    fixed     ///< take degree and refinements as given
+  };
+
+  /** How accurate the results have to be, or how they are to be computed. */
+  struct Accuracy
+  {
+    double target                     = 1.e-4; ///< relative error of the results
+    AccuracyMode mode                 = AccuracyMode::adaptive;
+    unsigned int polynomial_degree    = 3; ///< mode fixed only
+    unsigned int refinement           = 0; ///< of the body meshes, mode fixed only
+    unsigned int interface_refinement = 0; ///< of the contact interface, mode fixed only
+
+    /** Declares the entries; reading them changes the members. */
+    void declare(dealii::ParameterHandler &prm);
+  };
+
+  enum class EffectChoice
+  {
+    off,
+    on,
+    automatic ///< on where its indicator exceeds the accuracy target
+  };
+
+  /** Which physical effects take part. The choices follow the paper's model. */
+  struct Effects
+  {
+    EffectChoice tooth_shear                 = EffectChoice::on;
+    EffectChoice rotor_tangential_compliance = EffectChoice::on;
+    EffectChoice initial_deformation         = EffectChoice::automatic;
+    EffectChoice static_friction_excess      = EffectChoice::on;
+    EffectChoice rotor_inertia               = EffectChoice::off;
+    EffectChoice tooth_inertia               = EffectChoice::off;
+    EffectChoice damping                     = EffectChoice::off;
+    EffectChoice stator_back_reaction        = EffectChoice::off;
+    EffectChoice spin_convection             = EffectChoice::off;
+    EffectChoice target_plates               = EffectChoice::off;
+    EffectChoice felt_support                = EffectChoice::off;
+    EffectChoice friction_lining             = EffectChoice::off;
+
+    /** Declares the entries; reading them changes the members. */
+    void declare(dealii::ParameterHandler &prm);
+  };
+
+  /** Where results go and which. */
+  struct Output
+  {
+    /**
+     * Folder of the case; each program writes into its own folder below. read_parameters() replaces
+     * `auto` by output/ and the name of the parameter file.
+     */
+    std::string directory          = "auto";
+    bool vtu                       = true; ///< write files for ParaView
+    unsigned int frames_per_period = 16;   ///< of the animated wave
+    bool figures                   = true; ///< draw figures at the end of a run
+
+    /** Declares the entries; reading them changes the members. */
+    void declare(dealii::ParameterHandler &prm);
+  };
+} // namespace ringmotor

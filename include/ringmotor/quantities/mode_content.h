@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/structure/modes.h>
+
+#include <string>
+
+namespace ringmotor
+{
+  /** What kind of motion of the ring's cross-section a mode mostly is. */
+  enum class Family
+  {
+    out_of_plane, ///< the cross-section moves along the axis: bending out of the ring's plane
+    in_plane,     ///< it moves radially and along the ring
+    torsion,      ///< it turns about the ring's centre line
+    cross_section ///< it changes its shape
+  };
+
+  std::string to_string(const Family family);
+
+  /**
+   * The kinetic energy of a mode in parts: rigid motions of the cross-section (axial shift with the
+   * tilt that goes with bending; radial and tangential shift with the turn about the axis; torsion)
+   * and what is left. The fractions add up to 1.
+   */
+  struct ModeContent
+  {
+    double axial = 0., in_plane = 0., torsion = 0., cross_section = 0.;
+    unsigned int nodal_circles =
+        0; ///< sign changes of the axial motion from the inner to the outer side
+
+    /** The kind of motion with the largest fraction. */
+    Family family() const;
+  };
+
+  /** Classifies @p mode, whatever its place in the spectrum. */
+  ModeContent mode_content(const CyclicSector &sector, const Mode &mode);
+} // namespace ringmotor

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/parameters/modes.h>
+#include <ringmotor/quantities/frequency_error.h>
+#include <ringmotor/quantities/mode_content.h>
+
+#include <map>
+#include <memory>
+
+namespace ringmotor
+{
+  /** An elastic mode with its kind and the error bar of its frequency. */
+  struct FoundMode
+  {
+    Mode mode;
+    ModeContent content;
+    std::vector<FrequencySample> samples; ///< one for each pass, the last one of this mesh
+    Estimate frequency;                   ///< Hz
+  };
+
+  /**
+   * Finds the requested modes on one mesh after the other, until their error bars are small enough:
+   * compute(), look at worst_relative_error(), refine() the mesh, and so on.
+   */
+  class ModeSearch
+  {
+  public:
+    ModeSearch(const MaterialTable &materials, const Modes &request);
+
+    /**
+     * Computes all requested modes on @p mesh with elements of @p degree. The first call, on a
+     * coarse mesh, also finds out where in the spectrum they lie. The mesh must outlive the use of
+     * sector().
+     * @throws ComputationError if the spectrum cannot be proven complete.
+     */
+    void compute(const SectorMesh &mesh, const unsigned int degree);
+
+    /** The largest relative error bar of a frequency. */
+    double worst_relative_error() const;
+
+    /**
+     * Cuts the sheets of @p mesh, the one of the last compute(), that carry most of the error for
+     * their number of cells. sector() and the modes' displacements are void afterwards.
+     */
+    void refine(SectorMesh &mesh);
+
+    const std::vector<FoundMode> &modes() const { return found; }
+    const CyclicSector &sector() const { return *model; }
+
+    /** The out-of-plane mode without nodal circle of nodal diameter @p n_waves, if it was asked
+     * for: the motor's. */
+    const FoundMode *working_mode(const unsigned int n_waves) const;
+
+    /** Solves with a factorised matrix in the last compute(). */
+    unsigned int n_solves() const { return solves; }
+
+  private:
+    std::vector<FrequencySample> earlier_samples(const Mode &mode, const Family family,
+                                                 const unsigned int rank) const;
+
+    const MaterialTable materials;
+    const Modes request;
+    std::map<unsigned int, double> shifts; ///< by nodal diameter, rad^2/s^2
+    std::unique_ptr<CyclicSector> model;
+    std::vector<FoundMode> found;
+    std::vector<double> sheet_error; ///< by sheet of the last mesh, summed over the modes
+    unsigned int solves = 0;
+  };
+} // namespace ringmotor

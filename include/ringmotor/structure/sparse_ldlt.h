@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <deal.II/base/mpi.h>
+
+#include <memory>
+#include <vector>
+
+namespace ringmotor
+{
+  /**
+   * Entries of a symmetric sparse matrix, lower triangle (row >= column), spread over the ranks in
+   * any way; entries given more than once are added.
+   */
+  struct SymmetricTriplets
+  {
+    std::vector<int> rows, columns; ///< counted from 1, as MUMPS wants them
+    std::vector<double> values;
+
+    void reserve(const std::size_t n_entries)
+    {
+      rows.reserve(n_entries);
+      columns.reserve(n_entries);
+      values.reserve(n_entries);
+    }
+
+    void add(const unsigned int row, const unsigned int column, const double value)
+    {
+      rows.push_back(1 + static_cast<int>(row >= column ? row : column));
+      columns.push_back(1 + static_cast<int>(row >= column ? column : row));
+      values.push_back(value);
+    }
+  };
+
+  /**
+   * L D L^T factorisation of a real symmetric indefinite sparse matrix by MUMPS, in parallel. Its
+   * inertia counts the eigenvalues below a shift (Sylvester's law).
+   */
+  class SparseLDLT
+  {
+  public:
+    SparseLDLT(const unsigned int size, MPI_Comm communicator);
+    ~SparseLDLT();
+    SparseLDLT(const SparseLDLT &)            = delete;
+    SparseLDLT &operator=(const SparseLDLT &) = delete;
+
+    /**
+     * Factorises the sum of @p triplets over all ranks. A repeated call with the same rows and
+     * columns reuses the symbolic analysis.
+     * @throws ComputationError if MUMPS fails or the matrix is singular.
+     */
+    void factorise(SymmetricTriplets &triplets);
+
+    /** Number of negative eigenvalues of the factorised matrix. */
+    unsigned int n_negative() const;
+
+    /** Number of entries in the factors. */
+    double n_factor_entries() const;
+
+    /** Replaces @p right_hand_side (the same on all ranks) by the solution (on all ranks). */
+    void solve(std::vector<double> &right_hand_side);
+
+  private:
+    void run(const int job, const char *what);
+
+    struct Mumps;
+    std::unique_ptr<Mumps> mumps;
+    MPI_Comm communicator;
+    bool analysed = false;
+  };
+} // namespace ringmotor

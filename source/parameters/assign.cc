@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/parameter_handler.h>
+
+#include <ringmotor/parameters/assign.h>
+#include <ringmotor/parameters/declared_entries.h>
+#include <ringmotor/parameters/errors.h>
+
+#include <boost/algorithm/string/split.hpp>
+#include <boost/algorithm/string/trim.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <optional>
+
+namespace ringmotor
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** The part of @p text after the number it starts with; nothing if it starts with none. */
+    std::optional<std::string> text_after_number(const std::string &text)
+    {
+      char *end = nullptr;
+      std::strtod(text.c_str(), &end);
+      if (end == text.c_str())
+        return {};
+      return boost::algorithm::trim_copy(std::string(end));
+    }
+
+    /** Whether one of the numbers, separated by commas, is followed by a letter, % or a micro sign.
+     */
+    bool has_unit(const std::string &value)
+    {
+      const auto starts_unit = [](const unsigned char character)
+      { return std::isalpha(character) || character == '%' || character >= 128; };
+      std::vector<std::string> numbers;
+      boost::algorithm::split(numbers, value, [](const char c) { return c == ','; });
+      return std::any_of(numbers.begin(), numbers.end(),
+                         [&](const std::string &number)
+                         {
+                           const auto rest = text_after_number(number);
+                           return rest && !rest->empty() && starts_unit(rest->front());
+                         });
+    }
+
+    /** What is wrong with a refused @p value, as far as it can be guessed, and what is allowed. */
+    std::string explain_refusal(const std::string &value, const DeclaredEntries::Entry &entry)
+    {
+      if (value.empty())
+        return " is empty; allowed: " + entry.allowed;
+
+      std::string guess     = "is not a valid value";
+      const bool is_number  = !entry.units.empty();
+      const auto rest       = text_after_number(value);
+      const auto is_decimal = [](const std::string &text) {
+        return text.size() > 1 && text[0] == ',' &&
+               std::isdigit(static_cast<unsigned char>(text[1]));
+      };
+      if (is_number && has_unit(value))
+        guess = "has a unit; give the number in SI, " +
+                (entry.units == "none" ? "here a plain number" : "here in " + entry.units) +
+                ", without the unit";
+      else if (is_number && rest && is_decimal(*rest))
+        guess = "has a decimal comma; write a decimal point";
+      else if (is_number && rest && rest->empty() &&
+               !std::isfinite(std::strtod(value.c_str(), nullptr)))
+        guess = "is not a finite number";
+      return " = " + quoted(value) + " " + guess + "; allowed: " + entry.allowed;
+    }
+
+    /** Hands one assignment to the handler, whose actions write to the parameters. */
+    void assign(const PrmFile::Assignment &assignment, const DeclaredEntries &declared,
+                ParameterHandler &prm)
+    {
+      const auto *const entry = declared.find(assignment.path);
+      if (entry == nullptr)
+        throw UserError(assignment.place + ": unknown entry " + quoted(assignment.path) + "; " +
+                        declared.advice_for_entry(assignment.path));
+
+      std::vector<std::string> names;
+      boost::algorithm::split(names, assignment.path, [](const char c) { return c == '/'; });
+      for (std::size_t i = 0; i + 1 < names.size(); ++i)
+        prm.enter_subsection(names[i]);
+      try
+      {
+        prm.set(names.back(), assignment.value);
+      }
+      catch (const ExceptionBase &) // a value outside the pattern; the text is deal.II's own
+      {
+        throw UserError(assignment.place + ": " + assignment.path +
+                        explain_refusal(assignment.value, *entry));
+      }
+      for (std::size_t i = 0; i + 1 < names.size(); ++i)
+        prm.leave_subsection();
+    }
+  } // namespace
+
+  void assign_all(const std::vector<PrmFile::Assignment> &assignments,
+                  const DeclaredEntries &declared, ParameterHandler &prm)
+  {
+    std::map<std::string, std::string> first_places;
+    for (const PrmFile::Assignment &assignment : assignments)
+    {
+      const auto [first, is_new] = first_places.emplace(assignment.path, assignment.place);
+      if (!is_new)
+        throw UserError(assignment.place + ": " + assignment.path +
+                        " is set a second time, the first is " + first->second +
+                        "; remove one of them");
+      assign(assignment, declared, prm);
+    }
+  }
+} // namespace ringmotor

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/parameters/errors.h>
+#include <ringmotor/parameters/parameters.h>
+#include <ringmotor/parameters/prm_file.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace ringmotor
+{
+  namespace
+  {
+    /** A length as the user writes it, with its entry: `Stator/Slot width = 0.0006 m`. */
+    std::string entry(const std::string &path, const double metres)
+    {
+      std::ostringstream text;
+      text << path << " = " << metres << " m";
+      return text.str();
+    }
+
+    std::string entry(const std::string &path, const unsigned int count)
+    {
+      return path + " = " + std::to_string(count);
+    }
+
+    void check_wave(const Motor &motor)
+    {
+      if (2 * motor.n_waves >= motor.n_teeth)
+        throw UserError(
+            entry("Motor/Number of waves", motor.n_waves) + " does not go with " +
+            entry("Motor/Number of teeth", motor.n_teeth) +
+            ": on N teeth, waves n and N - n are the same and n = N/2 cannot travel; "
+            "allowed: less than half the number of teeth; use fewer waves or more teeth");
+    }
+
+    void check_modes(const Modes &modes, const Motor &motor)
+    {
+      if (modes.body != Body::stator)
+        throw UserError(std::string("Modes/Body = ") +
+                        (modes.body == Body::rotor ? "rotor" : "tooth") +
+                        " is not available in this version; allowed: stator");
+      if (modes.nodal_diameters.empty() || modes.n_modes < 1)
+        throw UserError(
+            "Modes/Nodal diameters and Modes/Number of modes ask for no mode at all; give "
+            "at least one of each");
+      const unsigned int largest =
+          *std::max_element(modes.nodal_diameters.begin(), modes.nodal_diameters.end());
+      if (2 * largest > motor.n_teeth)
+        throw UserError(entry("Modes/Nodal diameters", largest) + " does not go with " +
+                        entry("Motor/Number of teeth", motor.n_teeth) +
+                        ": on N teeth, n and N - n are the same wave; allowed: 0 to " +
+                        std::to_string(motor.n_teeth / 2));
+    }
+
+    void check_effects(const StatorGeometry &stator, const Effects &effects)
+    {
+      if (stator.piezoceramic_element == ElementKind::shell)
+        throw UserError("Stator/Piezoceramic element = shell is not available in this version; "
+                        "allowed: solid");
+      const auto refuse_unless_off = [](const std::string &name, const EffectChoice choice)
+      {
+        if (choice != EffectChoice::off)
+          throw UserError("Effects/" + name + " = " + (choice == EffectChoice::on ? "on" : "auto") +
+                          " is not available in this version; allowed: off");
+      };
+      refuse_unless_off("Target plates", effects.target_plates);
+      refuse_unless_off("Felt support", effects.felt_support);
+    }
+
+    void check_mesh_file(const std::string &file)
+    {
+      std::error_code no_throw;
+      const std::string found = "Stator/Mesh file = " + quoted(file) + " ";
+      if (!std::filesystem::exists(file, no_throw))
+        throw UserError(
+            found + "does not exist; a relative path is searched in the folder of the parameter "
+                    "file first, then in the current directory; give a Gmsh file (.msh), or none "
+                    "to build the mesh from the dimensions");
+      if (std::filesystem::is_directory(file, no_throw))
+        throw UserError(found + "is a folder; give a Gmsh file (.msh)");
+      if (!std::ifstream(file))
+        throw UserError(found + "cannot be read; check its permissions");
+    }
+
+    /** Two radii of one face: in order, and not so close that no solid is left between them. */
+    void check_radii(const std::string &face, const double inner_radius, const double outer_radius)
+    {
+      constexpr double thinnest = 1.e-3;
+      if (outer_radius - inner_radius < thinnest * outer_radius)
+        throw UserError(entry("Stator/" + face + " inner radius", inner_radius) +
+                        " leaves no width below " +
+                        entry("Stator/" + face + " outer radius", outer_radius) +
+                        "; allowed: less than 0.999 of it, so that the sides of the cross-section "
+                        "do not meet");
+    }
+
+    void check_slot(const StatorGeometry &stator, const unsigned int n_teeth)
+    {
+      const double root_height_share =
+          stator.base_thickness / (stator.base_thickness + stator.tooth_height);
+      const double root_inner_radius =
+          stator.base_inner_radius +
+          root_height_share * (stator.tip_inner_radius - stator.base_inner_radius);
+      const double smallest_radius = std::min(root_inner_radius, stator.tip_inner_radius);
+
+      // Half a pitch, measured at right angles to the slot's wall, holds half the slot and half the
+      // tooth; at least 5 % must be left for the tooth.
+      constexpr double most_slot = 0.95;
+      const double widest        = most_slot * 2. * smallest_radius * std::sin(M_PI / n_teeth);
+      if (stator.slot_width > widest)
+        throw UserError(entry("Stator/Slot width", stator.slot_width) + " leaves no tooth with " +
+                        entry("Motor/Number of teeth", n_teeth) + " and " +
+                        entry("a smallest inner radius of the teeth", smallest_radius) + "; " +
+                        entry("allowed: up to 95 % of the pitch, here Stator/Slot width", widest));
+    }
+
+    /** Amplitudes in um are easily written as if the file took um. */
+    void check_amplitude(const Wave &wave, const StatorGeometry &stator)
+    {
+      constexpr double largest_share = 0.01;
+      if (wave.amplitude > largest_share * stator.base_thickness)
+        throw UserError(
+            entry("Wave/Amplitude", wave.amplitude) + " is not small against " +
+            entry("Stator/Base thickness", stator.base_thickness) +
+            ", as linear vibration has to be; allowed: up to 1 % of it; amplitudes are in "
+            "m (2 um is 2e-6)");
+    }
+  } // namespace
+
+  void check_for_stator(const Parameters &parameters)
+  {
+    const StatorGeometry &stator = parameters.stator;
+    check_wave(parameters.motor);
+    check_modes(parameters.modes, parameters.motor);
+    check_effects(stator, parameters.effects);
+    if (!stator.mesh_file.empty())
+    {
+      check_mesh_file(stator.mesh_file);
+      return;
+    }
+    check_radii("Base", stator.base_inner_radius, stator.base_outer_radius);
+    check_radii("Tip", stator.tip_inner_radius, stator.tip_outer_radius);
+    check_slot(stator, parameters.motor.n_teeth);
+    check_amplitude(parameters.wave, stator);
+  }
+} // namespace ringmotor

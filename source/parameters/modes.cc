@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/utilities.h>
+
+#include <ringmotor/parameters/declare.h>
+#include <ringmotor/parameters/modes.h>
+
+#include <set>
+
+namespace ringmotor
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using NodalDiameters = std::vector<unsigned int>;
+
+    /** Ascending numbers as ranges: "0-3, 7". */
+    std::string ranges_text(const NodalDiameters &numbers)
+    {
+      std::string text;
+      for (std::size_t first = 0, last = 0; first < numbers.size(); first = last + 1)
+      {
+        for (last = first; last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1;)
+          ++last;
+        text += (first == 0 ? "" : ", ") + std::to_string(numbers[first]);
+        if (last > first)
+          text += "-" + std::to_string(numbers[last]);
+      }
+      return text;
+    }
+
+    std::optional<NodalDiameters> numbers_in_ranges(const std::string &text)
+    {
+      const Notation<unsigned int> number = whole_number(0, 5000);
+      std::set<unsigned int> numbers;
+      for (const std::string &range : Utilities::split_string_list(text, ','))
+      {
+        const std::size_t dash = range.find('-');
+        const auto first       = number.read(range.substr(0, dash));
+        const auto last = dash == std::string::npos ? first : number.read(range.substr(dash + 1));
+        if (!first || !last || *last < *first)
+          return {};
+        for (unsigned int value = *first; value <= *last; ++value)
+          numbers.insert(value);
+      }
+      if (numbers.empty())
+        return {};
+      return NodalDiameters(numbers.begin(), numbers.end());
+    }
+
+    Notation<NodalDiameters> nodal_diameter_list()
+    {
+      const auto write = [](const NodalDiameters &numbers)
+      { return numbers.empty() ? "all" : ranges_text(numbers); };
+      const auto read = [](const std::string &text)
+      { return text == "all" ? NodalDiameters() : numbers_in_ranges(text); };
+      return {write, read,
+              "all, or whole numbers and ranges from 0 to half the number of teeth, such as \"7\", "
+              "\"0-12\" or \"2, 5-7\""};
+    }
+  } // namespace
+
+  void Modes::declare(ParameterHandler &prm)
+  {
+    add_entry(
+        prm, "Body", body,
+        selection<Body>({{"stator", Body::stator}, {"rotor", Body::rotor}, {"tooth", Body::tooth}}),
+        "The body whose modes are computed.");
+    add_entry(prm, "Nodal diameters", nodal_diameters, nodal_diameter_list(),
+              "The numbers of waves around the ring for which modes are computed.");
+    add_entry(prm, "Number of modes", n_modes, whole_number(1, 1000),
+              "Number of elastic modes for each nodal diameter.");
+    add_entry(prm, "Frequency target", frequency_target, non_negative_number(),
+              "The modes nearest to this frequency are computed; 0 stands for the lowest elastic "
+              "ones. Units: Hz.");
+  }
+
+  void Wave::declare(ParameterHandler &prm)
+  {
+    add_entry(prm, "Amplitude", amplitude, positive_number(),
+              "Normal amplitude of the wave at the outer edge of the tooth tops, zero to peak. "
+              "Units: m.",
+              Presence::required);
+    add_entry(prm, "Frequency", frequency, number_or("mode", positive_number()),
+              "Frequency at which the motor is driven; \"mode\" takes the computed one of the "
+              "driving mode. Units: Hz.");
+  }
+} // namespace ringmotor

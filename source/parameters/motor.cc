@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/parameters/declare.h>
+#include <ringmotor/parameters/motor.h>
+
+namespace ringmotor
+{
+  using namespace dealii;
+
+  namespace
+  {
+    Notation<ElementKind> element_kind()
+    {
+      return selection<ElementKind>({{"solid", ElementKind::solid}, {"shell", ElementKind::shell}});
+    }
+
+    const std::string mesh_file_sentence =
+        "Gmsh file (.msh) of one sector, which replaces the dimensions above; a relative path is "
+        "searched in the folder of this parameter file first, then in the current directory.";
+  } // namespace
+
+  void Motor::declare(ParameterHandler &prm)
+  {
+    add_entry(prm, "Name", name, any_text(), "Name of the motor, used in titles.");
+    add_entry(prm, "Number of waves", n_waves, whole_number(1, 4999),
+              "Number of wavelengths n of the travelling wave around the ring.",
+              Presence::required);
+    add_entry(prm, "Number of teeth", n_teeth, whole_number(3, 10000),
+              "Number of teeth N around the ring, which is also the number of its equal sectors.",
+              Presence::required);
+  }
+
+  void StatorGeometry::declare(ParameterHandler &prm)
+  {
+    const auto add_length =
+        [&prm](const std::string &name, double &variable, const std::string &sentence)
+    { add_entry(prm, name, variable, positive_number(), sentence, Presence::required); };
+
+    add_length("Base inner radius", base_inner_radius,
+               "Inner radius of the metal base at its lower face, where z = 0. Units: m.");
+    add_length("Base outer radius", base_outer_radius,
+               "Outer radius of the metal base at its lower face, where z = 0. Units: m.");
+    add_length("Tip inner radius", tip_inner_radius,
+               "Inner radius of the tooth tops; the inner side is straight from the base to here. "
+               "Units: m.");
+    add_length("Tip outer radius", tip_outer_radius,
+               "Outer radius of the tooth tops; the outer side is straight from the base to here. "
+               "Units: m.");
+    add_length("Base thickness", base_thickness,
+               "Thickness of the metal base, from its lower face to the slot roots. Units: m.");
+    add_length("Tooth height", tooth_height,
+               "Height of the teeth, from the slot roots to the tooth tops. Units: m.");
+    add_length("Slot width", slot_width,
+               "Distance between the parallel walls of a slot. Units: m.");
+    add_entry(
+        prm, "Piezoceramic thickness", piezoceramic_thickness, non_negative_number(),
+        "Thickness of the piezoceramic ring bonded below the base, which has the radii of the "
+        "base's lower face; 0 leaves the ring out. Units: m.",
+        Presence::required);
+    add_entry(prm, "Piezoceramic element", piezoceramic_element, element_kind(),
+              "Elements of the piezoceramic ring.");
+    add_entry(prm, "Mesh file", mesh_file, file_or_none(), mesh_file_sentence);
+  }
+
+  void RotorGeometry::declare(ParameterHandler &prm)
+  {
+    add_entry(prm, "Ring inner radius", ring_inner_radius, positive_number(),
+              "Inner radius of the rotor ring. Units: m.");
+    add_entry(prm, "Ring outer radius", ring_outer_radius, positive_number(),
+              "Outer radius of the rotor ring. Units: m.");
+    add_entry(prm, "Ring lower face", ring_lower_face, any_number(),
+              "Height of the ring's lower face above the plane of the tooth tops. Units: m.");
+    add_entry(prm, "Ring upper face", ring_upper_face, any_number(),
+              "Height of the ring's upper face above the plane of the tooth tops. Units: m.");
+    add_entry(prm, "Flange lower face", flange_lower_face, any_number(),
+              "Height of the flange's lower face above the plane of the tooth tops. Units: m.");
+    add_entry(prm, "Flange thickness", flange_thickness, positive_number(),
+              "Thickness of the flange spring between ring and lip. Units: m.");
+    add_entry(prm, "Flange element", flange_element, element_kind(),
+              "Elements of the flange spring.");
+    add_entry(prm, "Lip inner radius", lip_inner_radius, positive_number(),
+              "Inner radius of the lip, the part of the rotor that can touch. Units: m.");
+    add_entry(prm, "Lip outer radius", lip_outer_radius, positive_number(),
+              "Outer radius of the lip, the part of the rotor that can touch. Units: m.");
+    add_entry(
+        prm, "Radial bar stiffness", radial_bar_stiffness, non_negative_number(),
+        "Radial stiffness, per length of circumference, of the bars that hold the upper edge of "
+        "the ring's inner face; 0 leaves the bars out. Units: N/m^2.");
+    add_entry(prm, "Mesh file", mesh_file, file_or_none(), mesh_file_sentence);
+  }
+} // namespace ringmotor

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/parameters/declare.h>
+#include <ringmotor/parameters/operation.h>
+
+namespace ringmotor
+{
+  using namespace dealii;
+
+  void Loading::declare(ParameterHandler &prm)
+  {
+    add_entry(prm, "Preload", preload, positive_number(),
+              "Total axial force that presses the rotor ring down on its top face. Units: N.");
+    add_entry(prm, "Control", control,
+              selection<Control>({{"torque", Control::torque}, {"speed", Control::speed}}),
+              "The quantity that is prescribed; the other one is computed.");
+    add_entry(prm, "Values", values, numbers_or("curve", any_number()),
+              "The prescribed torques or speeds; \"curve\" covers no load to stall. Units: N m for "
+              "torque and rad/s for speed.");
+    add_entry(prm, "Number of curve points", n_curve_points, whole_number(2, 1000),
+              "Number of operating points of a curve.");
+  }
+
+  void Friction::declare(ParameterHandler &prm)
+  {
+    add_entry(
+        prm, "Law", law,
+        selection<FrictionLaw>({{"coulomb", FrictionLaw::coulomb},
+                                {"static-dynamic", FrictionLaw::static_dynamic},
+                                {"velocity", FrictionLaw::velocity},
+                                {"slip-weakening", FrictionLaw::slip_weakening}}),
+        "Friction law: one coefficient (the dynamic one), a jump from the static to the dynamic "
+        "one, a decay with the sliding velocity, or a decay over a sliding length.");
+    add_entry(prm, "Static coefficient", static_coefficient, non_negative_number(),
+              "Coefficient of friction of points that stick. Units: none.");
+    add_entry(prm, "Dynamic coefficient", dynamic_coefficient, non_negative_number(),
+              "Coefficient of friction of points that slip. Units: none.");
+    add_entry(prm, "Decay velocity", decay_velocity, number_or("none", positive_number()),
+              "Sliding velocity over which the law \"velocity\" decays. Units: m/s.");
+    add_entry(prm, "Weakening length", weakening_length, number_or("none", positive_number()),
+              "Sliding length over which the law \"slip-weakening\" decays. Units: m.");
+    add_entry(prm, "Lining normal stiffness", lining_normal_stiffness,
+              number_or("none", positive_number()),
+              "Normal stiffness per area of a friction lining. Units: N/m^3.");
+    add_entry(prm, "Lining tangential stiffness", lining_tangential_stiffness,
+              number_or("none", positive_number()),
+              "Tangential stiffness per area of a friction lining. Units: N/m^3.");
+  }
+
+  void InitialDeformation::declare(ParameterHandler &prm)
+  {
+    add_entry(prm, "Amplitude", amplitude, non_negative_number(),
+              "Amplitude A of the warp A cos(m theta) of the tooth tops at rest. Units: m.");
+    add_entry(prm, "Number of waves", n_waves, whole_number(0, 5000),
+              "Number of waves m of the warp around the ring.");
+  }
+
+  void Support::declare(ParameterHandler &prm)
+  {
+    add_entry(prm, "Felt thickness", felt_thickness, positive_number(),
+              "Thickness of the felt ring under the stator. Units: m.");
+    add_entry(prm, "Felt modulus", felt_modulus, positive_number(),
+              "Modulus of elasticity of the felt in compression. Units: Pa.");
+    add_entry(prm, "Felt loss factor", felt_loss_factor,
+              number_within(0., 10., "a number from 0 to 10"),
+              "Energy lost per radian of vibration over the largest stored energy. Units: none.");
+    add_entry(prm, "Felt inner radius", felt_inner_radius, positive_number(),
+              "Inner radius of the felt ring. Units: m.");
+    add_entry(prm, "Felt outer radius", felt_outer_radius, positive_number(),
+              "Outer radius of the felt ring. Units: m.");
+  }
+
+  void Contact::declare(ParameterHandler &prm)
+  {
+    add_entry(prm, "Formulation", formulation,
+              selection<ContactFormulation>({{"mortar", ContactFormulation::mortar},
+                                             {"penalty", ContactFormulation::penalty}}),
+              "How contact is enforced: by mortar integrals, or by springs at the nodes as in the "
+              "paper.");
+    add_entry(prm, "Normal penalty", normal_penalty, number_or("none", positive_number()),
+              "Stiffness of the normal springs of the formulation \"penalty\". Units: N/m.");
+    add_entry(prm, "Tangential penalty", tangential_penalty, number_or("none", positive_number()),
+              "Stiffness of the tangential springs of the formulation \"penalty\". Units: N/m.");
+  }
+
+  void Time::declare(ParameterHandler &prm)
+  {
+    constexpr unsigned int most_steps = 1000000;
+    add_entry(
+        prm, "Scheme", scheme,
+        selection<TimeScheme>({{"auto", TimeScheme::automatic},
+                               {"steady", TimeScheme::steady},
+                               {"marching", TimeScheme::marching}}),
+        "How the period is resolved: as one steady state, or step by step from rest; \"auto\" "
+        "takes the steady state where the ring is uniform.");
+    add_entry(prm, "Time step", time_step, positive_number(),
+              "Step of the scheme \"marching\". Units: s.");
+    add_entry(prm, "Number of steps", n_steps, whole_number(1, most_steps),
+              "Number of steps of the scheme \"marching\".");
+    add_entry(prm, "Average from step", average_from_step, whole_number(1, most_steps),
+              "First step, counted from 1, over which results are averaged.");
+    add_entry(prm, "Average to step", average_to_step, whole_number(1, most_steps),
+              "Last step over which results are averaged.");
+    add_entry(
+        prm, "Snapshots", n_snapshots, whole_number(1, 1000),
+        "Number of interleaved snapshots of the scheme \"steady\"; more of them mean a smaller "
+        "time step.");
+  }
+} // namespace ringmotor

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/parameter_handler.h>
+
+#include <ringmotor/parameters/assign.h>
+#include <ringmotor/parameters/declared_entries.h>
+#include <ringmotor/parameters/errors.h>
+#include <ringmotor/parameters/parameters.h>
+#include <ringmotor/parameters/prm_file.h>
+
+#include <boost/algorithm/string/predicate.hpp>
+#include <boost/algorithm/string/replace.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <numeric>
+
+namespace ringmotor
+{
+  using namespace dealii;
+
+  void Parameters::declare(ParameterHandler &prm)
+  {
+    const auto declare_section = [&prm](const std::string &name, auto &section)
+    {
+      prm.enter_subsection(name);
+      section.declare(prm);
+      prm.leave_subsection();
+    };
+    declare_section("Motor", motor);
+    declare_section("Stator", stator);
+    declare_section("Rotor", rotor);
+    declare_section("Materials", materials);
+    declare_section("Modes", modes);
+    declare_section("Wave", wave);
+    declare_section("Loading", loading);
+    declare_section("Friction", friction);
+    declare_section("Initial deformation", initial_deformation);
+    declare_section("Support", support);
+    declare_section("Contact", contact);
+    declare_section("Time", time);
+    declare_section("Accuracy", accuracy);
+    declare_section("Effects", effects);
+    declare_section("Output", output);
+  }
+
+  namespace
+  {
+    /** Refuses a file that leaves the motor itself open. */
+    void check_required(const Parameters &parameters, const ParameterHandler &prm,
+                        const std::string &name)
+    {
+      std::vector<std::string> missing;
+      for (std::string path : prm.get_entries_wrongly_not_set())
+      {
+        // deal.II gives its internal names: points for slashes and _20 for blanks.
+        boost::algorithm::replace_all(path, ".", "/");
+        boost::algorithm::replace_all(path, "_20", " ");
+        const bool replaced_by_mesh =
+            !parameters.stator.mesh_file.empty() && boost::algorithm::starts_with(path, "Stator/");
+        const bool part_left_out = parameters.stator.piezoceramic_thickness == 0. &&
+                                   boost::algorithm::starts_with(path, "Materials/Piezoceramic/");
+        if (!replaced_by_mesh && !part_left_out)
+          missing.push_back(path);
+      }
+      if (missing.empty())
+        return;
+
+      constexpr std::size_t most_shown = 4;
+      std::string names;
+      for (std::size_t i = 0; i < std::min(missing.size(), most_shown); ++i)
+        names += (i == 0 ? "" : ", ") + missing[i];
+      if (missing.size() > most_shown)
+        names += " and " + std::to_string(missing.size() - most_shown) + " more";
+      throw UserError(name + ": missing " + names +
+                      "; the motor itself has no default values, see --help for what to give");
+    }
+
+    /** The path of a mesh file as the program can open it from anywhere. */
+    std::string resolve_mesh_file(const std::string &mesh_file, const std::filesystem::path &folder)
+    {
+      if (mesh_file.empty())
+        return mesh_file;
+      std::error_code no_throw;
+      std::filesystem::path path = folder / mesh_file;
+      if (!std::filesystem::exists(path, no_throw) && std::filesystem::exists(mesh_file, no_throw))
+        path = mesh_file;
+      return std::filesystem::absolute(path).lexically_normal().string();
+    }
+
+    /** Replaces the values that stand for something else. */
+    void resolve(Parameters &parameters, const std::filesystem::path &file)
+    {
+      std::vector<unsigned int> &nodal_diameters = parameters.modes.nodal_diameters;
+      if (nodal_diameters.empty())
+      {
+        nodal_diameters.resize(parameters.motor.n_teeth / 2 + 1);
+        std::iota(nodal_diameters.begin(), nodal_diameters.end(), 0);
+      }
+      if (parameters.output.directory == "auto")
+        parameters.output.directory = "output/" + file.stem().string();
+      for (std::string *const mesh_file :
+           {&parameters.stator.mesh_file, &parameters.rotor.mesh_file})
+        *mesh_file = resolve_mesh_file(*mesh_file, file.parent_path());
+    }
+  } // namespace
+
+  Parameters read_parameters_from_text(const std::string &text, const std::string &name,
+                                       const std::vector<std::string> &overrides)
+  {
+    Parameters parameters;
+    ParameterHandler prm;
+    parameters.declare(prm);
+    const DeclaredEntries declared(prm);
+
+    const PrmFile file = parse_prm(text, name);
+    for (const PrmFile::Section &section : file.sections)
+      if (!declared.has_section(section.path))
+        throw UserError(section.place + ": unknown subsection " + quoted(section.path) + "; " +
+                        declared.advice_for_section(section.path));
+    assign_all(file.assignments, declared, prm);
+
+    std::vector<PrmFile::Assignment> assignments;
+    for (const std::string &override_text : overrides)
+      assignments.push_back(parse_override(override_text));
+    assign_all(assignments, declared, prm);
+
+    check_required(parameters, prm, name);
+    resolve(parameters, name);
+    return parameters;
+  }
+
+  Parameters read_parameters(const std::string &file, const std::vector<std::string> &overrides)
+  {
+    std::error_code no_throw;
+    if (!std::filesystem::exists(file, no_throw))
+      throw UserError(file + ": no such parameter file; examples are in the folder prm");
+    if (std::filesystem::is_directory(file, no_throw))
+      throw UserError(file + ": is a folder; give a parameter file (.prm)");
+    std::ifstream stream(file);
+    const std::string text((std::istreambuf_iterator<char>(stream)),
+                           std::istreambuf_iterator<char>());
+    if (!stream.is_open() || stream.bad())
+      throw UserError(file + ": cannot be read; check its permissions");
+    return read_parameters_from_text(text, file, overrides);
+  }
+
+  void print_parameters(std::ostream &out, const Parameters &parameters)
+  {
+    Parameters copy = parameters;
+    ParameterHandler prm;
+    copy.declare(prm);
+    prm.print_parameters(out, ParameterHandler::PRM | ParameterHandler::KeepDeclarationOrder);
+  }
+} // namespace ringmotor

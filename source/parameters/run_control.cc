@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/parameters/declare.h>
+#include <ringmotor/parameters/run_control.h>
+
+namespace ringmotor
+{
+  using namespace dealii;
+
+  void Accuracy::declare(ParameterHandler &prm)
+  {
+    add_entry(prm, "Target", target, number_within(1.e-8, 0.1, "a number from 1e-8 to 0.1"),
+              "Relative error below which the estimated error of the results has to be. Units: "
+              "none.");
+    add_entry(prm, "Mode", mode,
+              selection<AccuracyMode>(
+                  {{"adaptive", AccuracyMode::adaptive}, {"fixed", AccuracyMode::fixed}}),
+              "Refine until the target is met, or take the three entries below as they are.");
+    add_entry(prm, "Polynomial degree", polynomial_degree, whole_number(1, 8),
+              "Degree of the solid elements; used with Mode = fixed only.");
+    add_entry(prm, "Refinement", refinement, whole_number(0, 6),
+              "Uniform refinements of the body meshes; used with Mode = fixed only.");
+    add_entry(prm, "Interface refinement", interface_refinement, whole_number(0, 6),
+              "Refinements of the contact interface; used with Mode = fixed only.");
+  }
+
+  void Effects::declare(ParameterHandler &prm)
+  {
+    const auto add_effect =
+        [&prm](const std::string &name, EffectChoice &choice, const std::string &sentence)
+    {
+      add_entry(prm, name, choice,
+                selection<EffectChoice>({{"off", EffectChoice::off},
+                                         {"on", EffectChoice::on},
+                                         {"auto", EffectChoice::automatic}}),
+                sentence);
+    };
+    add_effect(
+        "Tooth shear", tooth_shear,
+        "Elasticity of the teeth under contact forces; \"auto\", here and below, switches an "
+        "effect on where it would change a result by more than Accuracy/Target.");
+    add_effect("Rotor tangential compliance", rotor_tangential_compliance,
+               "Elasticity of the rotor under friction forces.");
+    add_effect("Initial deformation", initial_deformation,
+               "Warp of the stator at rest, given in the section Initial deformation.");
+    add_effect("Static friction excess", static_friction_excess,
+               "A static coefficient of friction above the dynamic one.");
+    add_effect("Rotor inertia", rotor_inertia, "Inertia of the rotor's vibration.");
+    add_effect("Tooth inertia", tooth_inertia, "Inertia of the teeth under contact forces.");
+    add_effect("Damping", damping, "Internal damping by the loss factors of the materials.");
+    add_effect("Stator back-reaction", stator_back_reaction,
+               "Change of the stator's wave by the contact forces.");
+    add_effect("Spin convection", spin_convection,
+               "Convection of the rotor's deformation by its own rotation.");
+    add_effect("Target plates", target_plates,
+               "Thin plates bonded to the tooth edges as targets of an optical measurement.");
+    add_effect("Felt support", felt_support, "Stiffness and loss of the felt under the stator.");
+    add_effect("Friction lining", friction_lining,
+               "Finite stiffness of a friction lining, given in the section Friction.");
+  }
+
+  void Output::declare(ParameterHandler &prm)
+  {
+    add_entry(
+        prm, "Directory", directory, any_text(),
+        "Folder of the results, in which each program has its own folder; a relative path "
+        "starts in the current directory, and \"auto\" stands for output/ and the name of the "
+        "parameter file.");
+    add_entry(prm, "VTU", vtu, yes_or_no(), "Write fields for ParaView.");
+    add_entry(prm, "Frames per period", frames_per_period, whole_number(2, 360),
+              "Number of pictures of one period in animations.");
+    add_entry(prm, "Figures", figures, yes_or_no(), "Draw the figures at the end of a run.");
+  }
+} // namespace ringmotor

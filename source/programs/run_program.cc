@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/parameters/errors.h>
+#include <ringmotor/programs/run_program.h>
+#include <ringmotor/version.h>
+
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/mpi.h>
+
+#include <getopt.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <iostream>
+#include <thread>
+#include <vector>
+
+namespace ringmotor
+{
+  namespace
+  {
+    struct CommandLine
+    {
+      std::string file;
+      std::vector<std::string> overrides;
+      bool help = false, version = false;
+    };
+
+    CommandLine read_command_line(int argc, char **argv, const std::string &name)
+    {
+      const option options[]  = {{"set", required_argument, nullptr, 's'},
+                                 {"output", required_argument, nullptr, 'o'},
+                                 {"help", no_argument, nullptr, 'h'},
+                                 {"version", no_argument, nullptr, 'v'},
+                                 {nullptr, 0, nullptr, 0}};
+      const std::string usage = "; usage: " + name +
+                                " FILE.prm [--set 'Section/Entry = value']... [--output DIR], or " +
+                                name + " --help for all entries";
+      CommandLine line;
+      opterr = 0;
+      for (int found; (found = getopt_long(argc, argv, ":h", options, nullptr)) != -1;)
+        switch (found)
+        {
+        case 's':
+          line.overrides.emplace_back(optarg);
+          break;
+        case 'o':
+          line.overrides.push_back("Output/Directory = " + std::string(optarg));
+          break;
+        case 'h':
+          line.help = true;
+          break;
+        case 'v':
+          line.version = true;
+          break;
+        case ':':
+          throw UserError("the option " + std::string(argv[optind - 1]) + " needs a value" + usage);
+        default:
+          throw UserError("unknown option " + std::string(argv[optind - 1]) + usage);
+        }
+      if (line.help || line.version)
+        return line;
+      if (argc - optind != 1)
+        throw UserError(
+            (optind == argc ? "no parameter file given" : "more than one parameter file given") +
+            usage);
+      line.file = argv[optind];
+      return line;
+    }
+
+    void work(int argc, char **argv, const std::string &name, const std::string &purpose,
+              const std::function<void(const Parameters &)> &check,
+              const std::function<void(const Parameters &)> &run)
+    {
+      const CommandLine line = read_command_line(argc, argv, name);
+      const bool speaks      = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+      if (line.version)
+      {
+        if (speaks)
+          std::cout << name << " of ringmotor " << version << " (" << git_revision << ")\n";
+      }
+      else if (line.help)
+      {
+        if (speaks)
+        {
+          std::cout << "# " << name
+                    << " FILE.prm [--set 'Section/Sub/Entry = value']... [--output DIR] [--help] "
+                       "[--version]\n# "
+                    << purpose
+                    << "\n# A parameter file looks like this; the values are those of the "
+                       "reference motor.\n\n";
+          print_parameters(std::cout, Parameters());
+        }
+      }
+      else
+      {
+        const Parameters parameters = read_parameters(line.file, line.overrides);
+        check(parameters);
+        run(parameters);
+      }
+    }
+
+    /** Prints once and ends all ranks: a rank that fails alone would leave the others waiting. */
+    int fail(const std::string &name, const std::string &message, const int status)
+    {
+      const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
+      const bool alone        = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1;
+      if (rank != 0) // most errors happen on all ranks: let rank 0 speak
+        std::this_thread::sleep_for(std::chrono::seconds(2));
+      std::cerr << name << (rank == 0 ? "" : " (rank " + std::to_string(rank) + ")") << ": "
+                << message << std::endl;
+      if (!alone)
+        MPI_Abort(MPI_COMM_WORLD, status);
+      return status;
+    }
+
+    /** A program started without mpirun needs no network: not looking for one saves a third of a
+     * second. */
+    void spare_the_network_search()
+    {
+      if (std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr)
+        return;
+      setenv("OMPI_MCA_ess_singleton_isolated", "1", /*overwrite =*/0);
+      setenv("OMPI_MCA_pml", "ob1", 0);
+      setenv("OMPI_MCA_btl", "self", 0);
+    }
+  } // namespace
+
+  int run_program(int argc, char **argv, const std::string &name, const std::string &purpose,
+                  const std::function<void(const Parameters &)> &check,
+                  const std::function<void(const Parameters &)> &run)
+  {
+    spare_the_network_search();
+    std::signal(SIGXFSZ, SIG_IGN); // a file grown too large shall be an error that can be told
+    const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+    try
+    {
+      work(argc, argv, name, purpose, check, run);
+      return 0;
+    }
+    catch (const UserError &error)
+    {
+      return fail(name, error.what(), 1);
+    }
+    catch (const ComputationError &error)
+    {
+      return fail(name, error.what(), 2);
+    }
+    catch (const std::bad_alloc &)
+    {
+      return fail(
+          name, "out of memory; choose a larger Accuracy/Target or a smaller Modes/Nodal diameters",
+          2);
+    }
+    catch (const dealii::ExceptionBase &error)
+    {
+      // what() carries a stack trace, of use to programmers only
+      std::ostringstream message;
+      error.print_info(message);
+      return fail(name, "internal error: " + message.str(), 2);
+    }
+    catch (const std::exception &error)
+    {
+      return fail(name, std::string("internal error: ") + error.what(), 2);
+    }
+  }
+} // namespace ringmotor

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/parameters/errors.h>
+#include <ringmotor/quantities/mode_search.h>
+#include <ringmotor/structure/refinement_indicator.h>
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+
+namespace ringmotor
+{
+  using namespace dealii;
+
+  ModeSearch::ModeSearch(const MaterialTable &materials, const Modes &request)
+      : materials(materials), request(request)
+  {
+  }
+
+  void ModeSearch::compute(const SectorMesh &mesh, const unsigned int degree)
+  {
+    model = std::make_unique<CyclicSector>(mesh, materials, degree);
+    ModeSolver solver(*model);
+    const Sheets sheets(mesh);
+    sheet_error.assign(sheets.n_sheets(), 0.);
+
+    std::vector<FoundMode> now;
+    for (const unsigned int k : request.nodal_diameters)
+    {
+      if (shifts.count(k) == 0)
+        shifts[k] = solver.shift_above(k, request.n_modes, request.frequency_target);
+      std::vector<Mode> modes =
+          nearest_elastic(solver.below(k, shifts[k]), request.n_modes, request.frequency_target);
+      if (modes.size() < request.n_modes)
+        throw ComputationError("nodal diameter " + std::to_string(k) + ": only " +
+                               std::to_string(modes.size()) + " of " +
+                               std::to_string(request.n_modes) + " elastic modes lie below " +
+                               std::to_string(std::sqrt(shifts[k]) / (2. * numbers::PI)) + " Hz");
+      std::map<Family, unsigned int> rank;
+      for (Mode &mode : modes)
+      {
+        const std::vector<double> indicators = sheet_indicators(*model, sheets, mode.displacement);
+        const ModeContent content            = mode_content(*model, mode);
+        std::vector<FrequencySample> samples =
+            earlier_samples(mode, content.family(), rank[content.family()]++);
+        samples.push_back(
+            {degree, mode.frequency(), std::accumulate(indicators.begin(), indicators.end(), 0.)});
+        for (unsigned int sheet = 0; sheet < indicators.size(); ++sheet)
+          sheet_error[sheet] += indicators[sheet];
+        const Estimate estimate = frequency_estimate(samples);
+        now.push_back({std::move(mode), content, std::move(samples), estimate});
+      }
+    }
+    found  = std::move(now);
+    solves = solver.n_solves();
+  }
+
+  std::vector<FrequencySample> ModeSearch::earlier_samples(const Mode &mode, const Family family,
+                                                           const unsigned int rank) const
+  {
+    unsigned int seen = 0;
+    for (const FoundMode &earlier : found)
+      if (earlier.mode.nodal_diameter == mode.nodal_diameter &&
+          earlier.content.family() == family && seen++ == rank)
+        return earlier.samples;
+    return {};
+  }
+
+  double ModeSearch::worst_relative_error() const
+  {
+    double worst = 0.;
+    for (const FoundMode &mode : found)
+      worst = std::max(worst, mode.frequency.error / mode.frequency.value);
+    return worst;
+  }
+
+  void ModeSearch::refine(SectorMesh &mesh)
+  {
+    const Sheets sheets(mesh);
+    std::vector<double> n_cells(sheets.n_sheets(), 0.);
+    for (const auto &cell : mesh.triangulation->active_cell_iterators())
+      for (unsigned int direction = 0; direction < 3; ++direction)
+        n_cells[sheets.sheet(cell, direction)] += 1.;
+
+    // Most error for the least new cells first, until three fifths of the error are dealt with.
+    std::vector<unsigned int> order(sheets.n_sheets());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(),
+              [&](const unsigned int a, const unsigned int b)
+              { return sheet_error[a] / n_cells[a] > sheet_error[b] / n_cells[b]; });
+    const double total = std::accumulate(sheet_error.begin(), sheet_error.end(), 0.);
+    std::vector<bool> chosen(sheets.n_sheets(), false);
+    double covered = 0.;
+    for (const unsigned int sheet : order)
+      if (covered < 0.6 * total)
+      {
+        chosen[sheet] = true;
+        covered += sheet_error[sheet];
+      }
+
+    model.reset();
+    sheets.refine(mesh, chosen);
+  }
+
+  const FoundMode *ModeSearch::working_mode(const unsigned int n_waves) const
+  {
+    for (const FoundMode &mode : found)
+      if (mode.mode.nodal_diameter == n_waves && mode.content.family() == Family::out_of_plane &&
+          mode.content.nodal_circles == 0)
+        return &mode;
+    return nullptr;
+  }
+} // namespace ringmotor

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/mesh/ids.h>
+#include <ringmotor/quantities/surface_trace.h>
+
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/fe_values_extractors.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ringmotor
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Cell    = DoFHandler<3>::active_cell_iterator;
+    using Complex = std::complex<double>;
+
+    bool belongs_to(const Cell &cell, const unsigned int face, const Surface surface,
+                    const double lowest)
+    {
+      switch (surface)
+      {
+      case Surface::tooth_top:
+        return cell->at_boundary(face) && cell->face(face)->boundary_id() == ids::tooth_top;
+      case Surface::tooth_foot:
+        return cell->material_id() == ids::tooth && !cell->at_boundary(face) &&
+               cell->neighbor(face)->material_id() == ids::base;
+      case Surface::bottom:
+        return cell->at_boundary(face) && cell->face(face)->boundary_id() == ids::free &&
+               std::abs(cell->face(face)->center()[2] - lowest) < 1e-6 * cell->diameter();
+      }
+      return false;
+    }
+
+    Quadrature<2> lattice(const unsigned int order)
+    {
+      std::vector<Point<2>> points;
+      for (unsigned int j = 0; j <= order; ++j)
+        for (unsigned int i = 0; i <= order; ++i)
+          points.emplace_back(static_cast<double>(i) / order, static_cast<double>(j) / order);
+      return Quadrature<2>(points);
+    }
+
+    void add_mirror_image(SurfaceTrace &trace)
+    {
+      const std::size_t n_points = trace.points.size();
+      for (std::size_t i = 0; i < n_points; ++i)
+      {
+        const Point<3> x               = trace.points[i];
+        const std::array<Complex, 3> u = trace.displacement[i];
+        trace.points.emplace_back(x[0], -x[1], x[2]);
+        trace.displacement.push_back({{std::conj(u[0]), -std::conj(u[1]), std::conj(u[2])}});
+      }
+      trace.n_faces *= 2;
+    }
+  } // namespace
+
+  SurfaceTrace surface_trace(const CyclicSector &sector, const Mode &mode, const Surface surface)
+  {
+    const FiniteElement<3> &fe = sector.dofs().get_fe();
+    SurfaceTrace trace;
+    trace.order                = fe.degree;
+    const Quadrature<2> points = lattice(trace.order);
+    FEFaceValues<3> values(sector.geometry(), fe, points, update_values | update_quadrature_points);
+    const FEValuesExtractors::Vector displacement(0);
+    std::vector<Tensor<1, 3>> real(points.size()), imaginary(points.size());
+
+    double lowest = 0.;
+    for (const Point<3> &vertex : sector.sector_mesh().triangulation->get_vertices())
+      lowest = std::min(lowest, vertex[2]);
+    for (const auto &cell : sector.dofs().active_cell_iterators())
+      for (const unsigned int face : cell->face_indices())
+        if (belongs_to(cell, face, surface, lowest))
+        {
+          values.reinit(cell, face);
+          values[displacement].get_function_values(mode.displacement.real, real);
+          values[displacement].get_function_values(mode.displacement.imaginary, imaginary);
+          for (unsigned int q = 0; q < points.size(); ++q)
+          {
+            const Point<3> x = values.quadrature_point(q);
+            const double r   = std::hypot(x[0], x[1]);
+            const auto part  = [&](const unsigned int d)
+            { return Complex(real[q][d], imaginary[q][d]); };
+            trace.points.push_back(x);
+            trace.displacement.push_back({{(x[0] * part(0) + x[1] * part(1)) / r,
+                                           (x[0] * part(1) - x[1] * part(0)) / r, part(2)}});
+          }
+          ++trace.n_faces;
+        }
+    if (sector.sector_mesh().form == SectorForm::half)
+      add_mirror_image(trace);
+    return trace;
+  }
+} // namespace ringmotor

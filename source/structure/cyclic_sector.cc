@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/mesh/ids.h>
+#include <ringmotor/structure/cyclic_sector.h>
+#include <ringmotor/structure/sector_nodes.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/lac/sparsity_tools.h>
+
+#include <Epetra_CrsMatrix.h>
+#include <Epetra_MultiVector.h>
+
+#include <cmath>
+
+namespace ringmotor
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** Calls @p use(row, column, value) for every entry of this rank's rows at or below the
+     * diagonal. */
+    template <typename Use>
+    void for_each_lower_entry(const TrilinosWrappers::SparseMatrix &wrapped, const Use &use)
+    {
+      const Epetra_CrsMatrix &matrix = wrapped.trilinos_matrix();
+      for (int local_row = 0; local_row < matrix.NumMyRows(); ++local_row)
+      {
+        int n_entries = 0, *columns = nullptr;
+        double *values = nullptr;
+        matrix.ExtractMyRowView(local_row, n_entries, values, columns);
+        const int row = matrix.GRID(local_row);
+        for (int entry = 0; entry < n_entries; ++entry)
+          if (const int column = matrix.GCID(columns[entry]); column <= row)
+            use(row, column, values[entry]);
+      }
+    }
+  } // namespace
+
+  CyclicSector::CyclicSector(const SectorMesh &mesh, const MaterialTable &materials,
+                             const unsigned int degree)
+      : mesh(mesh), materials(materials), mapping(2), fe(FE_Q<3>(degree), 3),
+        dof_handler(*mesh.triangulation)
+  {
+    dof_handler.distribute_dofs(fe);
+    nodes         = SectorNodes(dof_handler, mapping, mesh);
+    hanging_nodes = nodes.hanging_node_constraints(dof_handler);
+    if (mesh.form == SectorForm::half)
+      number_half_sector();
+    else
+      number_whole_sector();
+    assemble();
+  }
+
+  void CyclicSector::number_half_sector()
+  {
+    using Factor = Term::Factor;
+    for (auto &field_terms : terms)
+      field_terms.resize(dof_handler.n_dofs());
+    std::array<std::vector<Terms>, 2> &field = terms;
+
+    for (types::global_dof_index dof = 0; dof < dof_handler.n_dofs(); ++dof)
+    {
+      if (hanging_nodes.is_constrained(dof))
+        continue;
+      const bool tangential = nodes.component(dof) == 1;
+      if (nodes.on(dof, ids::mirror)) // there, theta is the y direction
+        field[tangential ? 1 : 0][dof].add(unknown_count++, Factor::one);
+      else if (nodes.on(dof, ids::cut))
+      {
+        field[0][dof].add(unknown_count, tangential ? Factor::sine : Factor::cosine);
+        field[1][dof].add(unknown_count, tangential ? Factor::cosine : Factor::minus_sine);
+        ++unknown_count;
+      }
+      else
+      {
+        field[0][dof].add(unknown_count++, Factor::one);
+        field[1][dof].add(unknown_count++, Factor::one);
+      }
+    }
+  }
+
+  void CyclicSector::number_whole_sector()
+  {
+    using Factor = Term::Factor;
+    for (auto &field_terms : terms)
+      field_terms.resize(dof_handler.n_dofs());
+
+    const auto is_master = [&](const types::global_dof_index dof)
+    { return !hanging_nodes.is_constrained(dof) && !nodes.on(dof, ids::cut_high); };
+    unsigned int n_complex = 0;
+    for (types::global_dof_index dof = 0; dof < dof_handler.n_dofs(); ++dof)
+      n_complex += is_master(dof);
+    unknown_count = 2 * n_complex;
+
+    unsigned int next = 0;
+    for (types::global_dof_index dof = 0; dof < dof_handler.n_dofs(); ++dof)
+      if (is_master(dof))
+      {
+        terms[0][dof].add(next, Factor::one);
+        terms[1][dof].add(n_complex + next, Factor::one);
+        ++next;
+      }
+
+    // exp(-i k alpha) (a + i b) = (c a + s b) + i (c b - s a)
+    for (const auto &[high, low] : nodes.partners(hanging_nodes))
+    {
+      const unsigned int real      = terms[0][low].term[0].unknown;
+      const unsigned int imaginary = terms[1][low].term[0].unknown;
+      terms[0][high].add(real, Factor::cosine);
+      terms[0][high].add(imaginary, Factor::sine);
+      terms[1][high].add(imaginary, Factor::cosine);
+      terms[1][high].add(real, Factor::minus_sine);
+    }
+  }
+
+  DynamicSparsityPattern CyclicSector::sparsity(const Table<2, DoFTools::Coupling> &coupling) const
+  {
+    DynamicSparsityPattern pattern(dof_handler.n_dofs());
+    DoFTools::make_sparsity_pattern(dof_handler, coupling, pattern, hanging_nodes,
+                                    /*keep_constrained_dofs =*/false);
+    SparsityTools::distribute_sparsity_pattern(pattern, dof_handler.locally_owned_dofs(),
+                                               dof_handler.get_communicator(),
+                                               complete_index_set(dof_handler.n_dofs()));
+    return pattern;
+  }
+
+  void CyclicSector::assemble()
+  {
+    const IndexSet &owned       = dof_handler.locally_owned_dofs();
+    const MPI_Comm communicator = dof_handler.get_communicator();
+    Table<2, DoFTools::Coupling> coupling(3, 3);
+    coupling.fill(DoFTools::always);
+    stiffness.reinit(owned, owned, sparsity(coupling), communicator);
+    // The mass couples equal components only, and x with y where a cell has nodes with turned axes.
+    for (unsigned int component = 0; component < 2; ++component)
+      coupling(2, component) = coupling(component, 2) = DoFTools::none;
+    mass.reinit(owned, owned, sparsity(coupling), communicator);
+
+    std::vector<types::global_dof_index> cell_dofs(fe.n_dofs_per_cell());
+    for_each_owned_cell(
+        [&](const auto &cell, FullMatrix<double> cell_stiffness, FullMatrix<double> cell_mass)
+        {
+          cell->get_dof_indices(cell_dofs);
+          nodes.rotate_to_axes(cell_dofs, cell_stiffness);
+          nodes.rotate_to_axes(cell_dofs, cell_mass);
+          hanging_nodes.distribute_local_to_global(cell_stiffness, cell_dofs, stiffness);
+          hanging_nodes.distribute_local_to_global(cell_mass, cell_dofs, mass);
+        });
+    stiffness.compress(VectorOperation::add);
+    mass.compress(VectorOperation::add);
+  }
+
+  void CyclicSector::for_each_owned_cell(const CellVisitor &visit) const
+  {
+    SolidElement element(mapping, fe);
+    FullMatrix<double> cell_stiffness(fe.n_dofs_per_cell(), fe.n_dofs_per_cell()),
+        cell_mass(cell_stiffness);
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned())
+      {
+        element.compute(cell, materials.at(cell->material_id()), cell_stiffness, cell_mass);
+        visit(cell, cell_stiffness, cell_mass);
+      }
+  }
+
+  std::array<double, 4> CyclicSector::factors(const unsigned int k) const
+  {
+    const double pitch = 2. * numbers::PI / mesh.n_sectors;
+    const double angle = k * (mesh.form == SectorForm::half ? 0.5 * pitch : pitch);
+    return {{1., std::cos(angle), std::sin(angle), -std::sin(angle)}};
+  }
+
+  SymmetricTriplets CyclicSector::shifted_stiffness(const unsigned int k, const double shift) const
+  {
+    const std::array<double, 4> factor = factors(k);
+    const auto weight                  = [&](const Term &term)
+    { return factor[static_cast<unsigned int>(term.factor)]; };
+    SymmetricTriplets triplets;
+    triplets.reserve(stiffness.trilinos_matrix().NumMyNonzeros() +
+                     mass.trilinos_matrix().NumMyNonzeros());
+    const auto add = [&](const unsigned int row, const unsigned int column, const double value)
+    {
+      for (const auto &field_terms : terms)
+      {
+        const Terms &of_row = field_terms[row], &of_column = field_terms[column];
+        for (unsigned int i = 0; i < of_row.size; ++i)
+          // On the diagonal the pair (i, j) stands for (j, i) too.
+          for (unsigned int j = 0; j < (row == column ? i + 1 : of_column.size); ++j)
+          {
+            const Term &first = of_row.term[i], &second = of_column.term[j];
+            const bool folded = row != column && first.unknown == second.unknown;
+            triplets.add(first.unknown, second.unknown,
+                         (folded ? 2. : 1.) * weight(first) * weight(second) * value);
+          }
+      }
+    };
+    for_each_lower_entry(stiffness, add);
+    for_each_lower_entry(mass, [&](const unsigned int row, const unsigned int column,
+                                   const double value) { add(row, column, -shift * value); });
+    return triplets;
+  }
+
+  std::array<Vector<double>, 2> CyclicSector::to_fields(const unsigned int k,
+                                                        const std::vector<double> &unknowns) const
+  {
+    const std::array<double, 4> factor = factors(k);
+    std::array<Vector<double>, 2> fields;
+    for (unsigned int part = 0; part < 2; ++part)
+    {
+      fields[part].reinit(dof_handler.n_dofs());
+      for (types::global_dof_index dof = 0; dof < dof_handler.n_dofs(); ++dof)
+        for (unsigned int i = 0; i < terms[part][dof].size; ++i)
+        {
+          const Term &term = terms[part][dof].term[i];
+          fields[part][dof] +=
+              factor[static_cast<unsigned int>(term.factor)] * unknowns[term.unknown];
+        }
+    }
+    return fields;
+  }
+
+  void CyclicSector::multiply_mass(const unsigned int k, const std::vector<double> &unknowns,
+                                   std::vector<double> &product) const
+  {
+    const std::array<double, 4> factor         = factors(k);
+    const std::array<Vector<double>, 2> fields = to_fields(k, unknowns);
+    const Epetra_Map &owned                    = mass.trilinos_matrix().RowMap();
+    Epetra_MultiVector both_fields(owned, 2), mass_times_fields(owned, 2);
+    for (int part = 0; part < 2; ++part)
+      for (int row = 0; row < owned.NumMyElements(); ++row)
+        both_fields[part][row] = fields[part][owned.GID(row)];
+    mass.trilinos_matrix().Multiply(false, both_fields, mass_times_fields);
+
+    product.assign(unknown_count, 0.);
+    for (int part = 0; part < 2; ++part)
+      for (int row = 0; row < owned.NumMyElements(); ++row)
+      {
+        const Terms &of_row = terms[part][owned.GID(row)];
+        for (unsigned int i = 0; i < of_row.size; ++i)
+          product[of_row.term[i].unknown] +=
+              factor[static_cast<unsigned int>(of_row.term[i].factor)] *
+              mass_times_fields[part][row];
+      }
+    Utilities::MPI::sum(product, dof_handler.get_communicator(), product);
+  }
+
+  std::vector<double> CyclicSector::unknowns_of(
+      const unsigned int k,
+      const std::function<std::array<std::complex<double>, 3>(const Point<3> &)> &displacement)
+      const
+  {
+    std::array<Vector<double>, 2> fields{
+        {Vector<double>(dof_handler.n_dofs()), Vector<double>(dof_handler.n_dofs())}};
+    nodes.interpolate(displacement, fields[0], fields[1]);
+
+    // Each unknown drives its degrees of freedom with known factors: least squares inverts that.
+    const std::array<double, 4> factor = factors(k);
+    std::vector<double> unknowns(unknown_count, 0.), weights(unknown_count, 0.);
+    for (unsigned int part = 0; part < 2; ++part)
+      for (types::global_dof_index dof = 0; dof < dof_handler.n_dofs(); ++dof)
+        for (unsigned int i = 0; i < terms[part][dof].size; ++i)
+        {
+          const Term &term    = terms[part][dof].term[i];
+          const double weight = factor[static_cast<unsigned int>(term.factor)];
+          unknowns[term.unknown] += weight * fields[part][dof];
+          weights[term.unknown] += weight * weight;
+        }
+    for (unsigned int i = 0; i < unknown_count; ++i)
+      unknowns[i] /= weights[i];
+    return unknowns;
+  }
+
+  ComplexField CyclicSector::expand(const unsigned int k, const std::vector<double> &unknowns) const
+  {
+    std::array<Vector<double>, 2> fields = to_fields(k, unknowns);
+    for (Vector<double> &field : fields)
+    {
+      hanging_nodes.distribute(field);
+      nodes.rotate_to_cartesian(field);
+    }
+    return {std::move(fields[0]), std::move(fields[1])};
+  }
+} // namespace ringmotor

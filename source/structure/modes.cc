@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/parameters/errors.h>
+#include <ringmotor/structure/modes.h>
+#include <ringmotor/structure/rigid_motions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+
+namespace ringmotor
+{
+  using namespace dealii;
+
+  double Mode::frequency() const
+  {
+    return std::sqrt(std::max(0., eigenvalue)) / (2. * numbers::PI);
+  }
+
+  std::vector<Mode> nearest_elastic(const std::vector<Mode> &modes, const unsigned int n_wanted,
+                                    const double target)
+  {
+    std::vector<Mode> chosen;
+    std::copy_if(modes.begin(), modes.end(), std::back_inserter(chosen),
+                 [](const Mode &mode) { return !mode.rigid; });
+    std::stable_sort(chosen.begin(), chosen.end(),
+                     [&](const Mode &a, const Mode &b) {
+                       return std::abs(a.frequency() - target) < std::abs(b.frequency() - target);
+                     });
+    if (chosen.size() > n_wanted)
+      chosen.erase(chosen.begin() + n_wanted, chosen.end());
+    std::sort(chosen.begin(), chosen.end(),
+              [](const Mode &a, const Mode &b) { return a.eigenvalue < b.eigenvalue; });
+    return chosen;
+  }
+
+  ModeSolver::ModeSolver(const CyclicSector &sector)
+      : sector(sector), factors(sector.n_unknowns(), sector.dofs().get_communicator())
+  {
+  }
+
+  void ModeSolver::factorise(const unsigned int k, const double shift)
+  {
+    SymmetricTriplets triplets = sector.shifted_stiffness(k, shift);
+    factors.factorise(triplets);
+    ++factorisations;
+  }
+
+  unsigned int ModeSolver::count_below(const unsigned int k, const double shift)
+  {
+    factorise(k, shift);
+    // A complex Hermitian problem written in real numbers has every eigenvalue twice.
+    return factors.n_negative() / (sector.is_complex() ? 2 : 1);
+  }
+
+  std::vector<Mode> ModeSolver::below(const unsigned int k, const double shift)
+  {
+    const unsigned int count = count_below(k, shift);
+    std::vector<Mode> modes  = solve(k, shift, EigenvalueChoice::below, count);
+    if (modes.size() != count || (count > 0 && modes.back().eigenvalue > shift))
+      throw ComputationError("nodal diameter " + std::to_string(k) + ": the factorisation counts " +
+                             std::to_string(count) + " modes below " +
+                             std::to_string(std::sqrt(shift) / (2. * numbers::PI)) +
+                             " Hz, the eigensolver did not find them all");
+    return modes;
+  }
+
+  double ModeSolver::shift_above(const unsigned int k, const unsigned int n_wanted,
+                                 const double target)
+  {
+    const unsigned int n_below =
+        target > 0. ? count_below(k, std::pow(2. * numbers::PI * target, 2)) : 0;
+    const unsigned int n_spare = 3;
+    std::vector<Mode> modes    = lowest(k, n_below + n_wanted + n_spare);
+    modes.erase(
+        std::remove_if(modes.begin(), modes.end(), [](const Mode &mode) { return mode.rigid; }),
+        modes.end());
+    const double highest_wanted = nearest_elastic(modes, n_wanted, target).back().eigenvalue;
+
+    double shift = 0., widest_gap = 0.;
+    for (unsigned int i = 0; i + 1 < modes.size(); ++i)
+    {
+      const double gap = modes[i + 1].eigenvalue / modes[i].eigenvalue - 1.;
+      if (modes[i].eigenvalue >= highest_wanted && gap > widest_gap)
+      {
+        widest_gap = gap;
+        shift      = 0.5 * (modes[i].eigenvalue + modes[i + 1].eigenvalue);
+      }
+    }
+    return shift;
+  }
+
+  std::vector<Mode> ModeSolver::lowest(const unsigned int k, const unsigned int n_elastic)
+  {
+    // A little below zero the shifted stiffness is definite, rigid motions or not: far enough away
+    // from their rounding errors, close enough to tell slow elastic modes apart.
+    double fastest = 0., radius = 0.;
+    for (const auto &entry : sector.material_table())
+      fastest = std::max(fastest, std::sqrt(entry.second.young_modulus / entry.second.density));
+    for (const Point<3> &vertex : sector.sector_mesh().triangulation->get_vertices())
+      radius = std::max(radius, std::hypot(vertex[0], vertex[1]));
+    const double shift = -std::pow(1e-3 * fastest / radius, 2);
+
+    factorise(k, shift);
+    return solve(k, shift, EigenvalueChoice::nearest, n_elastic + (k < 2 ? 2 : 0));
+  }
+
+  std::vector<Mode> ModeSolver::solve(const unsigned int k, const double shift,
+                                      const EigenvalueChoice choice, const unsigned int count)
+  {
+    ShiftInvertedPencil pencil;
+    pencil.size    = sector.n_unknowns();
+    pencil.complex = sector.is_complex();
+    pencil.shift   = shift;
+    pencil.solve   = [&](std::vector<double> &x)
+    {
+      factors.solve(x);
+      ++solves;
+    };
+    pencil.mass = [&](const std::vector<double> &x, std::vector<double> &product)
+    { sector.multiply_mass(k, x, product); };
+    // Generic, so that no mode is orthogonal to it, and the same in every run.
+    std::vector<double> start(pencil.size);
+    std::mt19937 random;
+    for (double &entry : start)
+      entry = std::generate_canonical<double, 53>(random) - 0.5;
+
+    const auto rigid = rigid_motions(sector, k);
+    std::vector<Mode> modes;
+    for (const Eigenpair &pair : eigenpairs(pencil, choice, count, start))
+      modes.push_back({k, pair.value, rigid_fraction(sector, k, rigid, pair.vector) > 0.99,
+                       sector.expand(k, pair.vector)});
+    return modes;
+  }
+} // namespace ringmotor

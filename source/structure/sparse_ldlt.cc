@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/parameters/errors.h>
+#include <ringmotor/structure/sparse_ldlt.h>
+
+#include <dmumps_c.h>
+
+#include <string>
+
+namespace ringmotor
+{
+  struct SparseLDLT::Mumps
+  {
+    DMUMPS_STRUC_C data{};
+
+    /** Control parameter @p i in the counting of the MUMPS manual. */
+    int &control(const int i) { return data.icntl[i - 1]; }
+    int information(const int i) const { return data.infog[i - 1]; }
+  };
+
+  SparseLDLT::SparseLDLT(const unsigned int size, MPI_Comm communicator)
+      : mumps(std::make_unique<Mumps>()), communicator(communicator)
+  {
+    mumps->data.comm_fortran = MPI_Comm_c2f(communicator);
+    mumps->data.par          = 1; // rank 0 works too
+    mumps->data.sym          = 2; // symmetric, indefinite
+    run(-1, "start");
+    mumps->data.n = static_cast<int>(size);
+    for (const int stream : {1, 2, 3})
+      mumps->control(stream) = -1;
+    mumps->control(4) = 0;
+    mumps->control(7) =
+        2; // approximate minimum fill: a quarter of PORD's operations on these matrices
+    mumps->control(18) = 3; // every rank gives its own entries
+  }
+
+  SparseLDLT::~SparseLDLT()
+  {
+    mumps->data.job = -2;
+    dmumps_c(&mumps->data);
+  }
+
+  void SparseLDLT::factorise(SymmetricTriplets &triplets)
+  {
+    mumps->data.nnz_loc = static_cast<MUMPS_INT8>(triplets.rows.size());
+    mumps->data.irn_loc = triplets.rows.data();
+    mumps->data.jcn_loc = triplets.columns.data();
+    mumps->data.a_loc   = triplets.values.data();
+    if (!analysed)
+      run(1, "analysis");
+    analysed = true;
+
+    // Delayed pivots may need more room than the analysis foresaw: MUMPS then asks to be given
+    // more.
+    const int not_enough_room = -9;
+    for (mumps->control(14) = 30; mumps->control(14) < 1000; mumps->control(14) *= 3)
+    {
+      mumps->data.job = 2;
+      dmumps_c(&mumps->data);
+      if (mumps->information(1) != not_enough_room)
+        break;
+    }
+    if (mumps->information(1) < 0)
+      run(2, "factorisation");
+  }
+
+  unsigned int SparseLDLT::n_negative() const
+  {
+    return static_cast<unsigned int>(mumps->information(12));
+  }
+
+  double SparseLDLT::n_factor_entries() const
+  {
+    const int entries = mumps->information(29);
+    return entries < 0 ? -1e6 * entries : entries; // MUMPS counts millions when the number is large
+  }
+
+  void SparseLDLT::solve(std::vector<double> &right_hand_side)
+  {
+    mumps->data.nrhs = 1;
+    mumps->data.lrhs = mumps->data.n;
+    mumps->data.rhs  = right_hand_side.data();
+    run(3, "solution");
+    MPI_Bcast(right_hand_side.data(), mumps->data.n, MPI_DOUBLE, 0, communicator);
+  }
+
+  void SparseLDLT::run(const int job, const char *what)
+  {
+    mumps->data.job = job;
+    dmumps_c(&mumps->data);
+    if (mumps->information(1) < 0)
+      throw ComputationError("the sparse direct solver (MUMPS) failed in its " + std::string(what) +
+                             " of " + std::to_string(mumps->data.n) + " unknowns, code " +
+                             std::to_string(mumps->information(1)) + " (" +
+                             std::to_string(mumps->information(2)) + ")");
+  }
+} // namespace ringmotor

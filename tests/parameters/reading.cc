@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// What a valid parameter file means. The expected numbers are the reference motor's data sheet (the
+// paper's values where it states them, see prm/canon_ring.prm), written out once more here; texts
+// written by the test itself; and, for round trips, the value that went in.
+
+#include "sample.h"
+
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <numeric>
+
+using namespace ringmotor;
+using ringmotor::sample::complete_text;
+using ringmotor::sample::with;
+
+namespace
+{
+  std::string printed(const Parameters &parameters)
+  {
+    std::ostringstream text;
+    print_parameters(text, parameters);
+    return text.str();
+  }
+
+  const std::string source_folder = RINGMOTOR_SOURCE_DIR;
+
+  void expect_reference_motor(const Parameters &parameters)
+  {
+    EXPECT_EQ(parameters.motor.n_waves, 7u);
+    EXPECT_EQ(parameters.motor.n_teeth, 90u);
+
+    EXPECT_DOUBLE_EQ(parameters.stator.base_inner_radius, 0.030);
+    EXPECT_DOUBLE_EQ(parameters.stator.base_outer_radius, 0.036);
+    EXPECT_DOUBLE_EQ(parameters.stator.tip_inner_radius, 0.030);
+    EXPECT_DOUBLE_EQ(parameters.stator.tip_outer_radius, 0.0342);
+    EXPECT_DOUBLE_EQ(parameters.stator.base_thickness, 0.00437);
+    EXPECT_DOUBLE_EQ(parameters.stator.tooth_height, 0.002);
+    EXPECT_DOUBLE_EQ(parameters.stator.slot_width, 0.0006);
+    EXPECT_DOUBLE_EQ(parameters.stator.piezoceramic_thickness, 0.0005);
+    EXPECT_EQ(parameters.stator.piezoceramic_element, ElementKind::solid);
+    EXPECT_EQ(parameters.stator.mesh_file, "");
+
+    EXPECT_DOUBLE_EQ(parameters.rotor.ring_inner_radius, 0.0365);
+    EXPECT_DOUBLE_EQ(parameters.rotor.ring_outer_radius, 0.041);
+    EXPECT_DOUBLE_EQ(parameters.rotor.ring_lower_face, -0.003);
+    EXPECT_DOUBLE_EQ(parameters.rotor.ring_upper_face, 0.0036);
+    EXPECT_EQ(parameters.rotor.flange_lower_face, 0.);
+    EXPECT_DOUBLE_EQ(parameters.rotor.flange_thickness, 0.0006);
+    EXPECT_EQ(parameters.rotor.flange_element, ElementKind::shell);
+    EXPECT_DOUBLE_EQ(parameters.rotor.lip_inner_radius, 0.0332);
+    EXPECT_DOUBLE_EQ(parameters.rotor.lip_outer_radius, 0.0342);
+    EXPECT_DOUBLE_EQ(parameters.rotor.radial_bar_stiffness, 1e9);
+
+    const auto expect_material =
+        [](const Material &material, const double modulus, const double ratio, const double density)
+    {
+      EXPECT_DOUBLE_EQ(material.young_modulus, modulus);
+      EXPECT_DOUBLE_EQ(material.poisson_ratio, ratio);
+      EXPECT_DOUBLE_EQ(material.density, density);
+    };
+    expect_material(parameters.materials.stator_metal, 141e9, 0.29, 8100.);
+    expect_material(parameters.materials.piezoceramic, 81e9, 0.31, 7600.);
+    expect_material(parameters.materials.rotor_metal, 68.9e9, 0.33, 2700.);
+
+    EXPECT_DOUBLE_EQ(parameters.wave.amplitude, 2e-6);
+    EXPECT_FALSE(parameters.wave.frequency.has_value());
+    EXPECT_DOUBLE_EQ(parameters.loading.preload, 14.);
+    EXPECT_EQ(parameters.loading.control, Control::torque);
+    EXPECT_EQ(parameters.friction.law, FrictionLaw::static_dynamic);
+    EXPECT_DOUBLE_EQ(parameters.friction.static_coefficient, 0.48);
+    EXPECT_DOUBLE_EQ(parameters.friction.dynamic_coefficient, 0.40);
+    EXPECT_EQ(parameters.initial_deformation.amplitude, 0.);
+    EXPECT_EQ(parameters.initial_deformation.n_waves, 2u);
+    EXPECT_DOUBLE_EQ(parameters.time.time_step, 5e-7);
+    EXPECT_EQ(parameters.time.n_steps, 15u);
+    EXPECT_EQ(parameters.time.average_from_step, 6u);
+    EXPECT_EQ(parameters.time.average_to_step, 15u);
+    EXPECT_EQ(parameters.effects.rotor_inertia, EffectChoice::off);
+    EXPECT_EQ(parameters.effects.tooth_inertia, EffectChoice::off);
+    EXPECT_EQ(parameters.effects.initial_deformation, EffectChoice::automatic);
+    EXPECT_EQ(parameters.modes.nodal_diameters, std::vector<unsigned int>{7});
+    EXPECT_EQ(parameters.modes.n_modes, 2u);
+  }
+} // namespace
+
+TEST(Reading, DefaultsAreTheReferenceMotor)
+{
+  expect_reference_motor(Parameters());
+  EXPECT_NO_THROW(check_for_stator(Parameters()));
+}
+
+TEST(Reading, CanonRingFileIsTheReferenceMotor)
+{
+  const Parameters parameters = read_parameters(source_folder + "/prm/canon_ring.prm");
+  expect_reference_motor(parameters);
+  EXPECT_EQ(parameters.accuracy.target, 1e-4);
+  EXPECT_EQ(parameters.accuracy.mode, AccuracyMode::adaptive);
+  EXPECT_EQ(parameters.output.directory, "output/canon_ring");
+  EXPECT_NO_THROW(check_for_stator(parameters));
+}
+
+TEST(Reading, CanonRingFileAgreesWithTheDefaults)
+{
+  Parameters parameters       = read_parameters(source_folder + "/prm/canon_ring.prm");
+  parameters.motor.name       = Parameters().motor.name;
+  parameters.output.directory = Parameters().output.directory;
+  EXPECT_EQ(printed(parameters), complete_text());
+}
+
+TEST(Reading, QuickFileIsTheReferenceMotorAtLessAccuracy)
+{
+  const Parameters parameters = read_parameters(source_folder + "/prm/quick.prm");
+  expect_reference_motor(parameters);
+  EXPECT_EQ(parameters.accuracy.target, 1e-2);
+  EXPECT_EQ(parameters.output.frames_per_period, 8u);
+  EXPECT_NO_THROW(check_for_stator(parameters));
+}
+
+TEST(Reading, PrintedTextIsReadBackAndPrintedTheSame)
+{
+  const Parameters first  = read_parameters_from_text(complete_text(), "some/where/ring.prm");
+  const Parameters second = read_parameters_from_text(printed(first), "other.prm");
+  EXPECT_EQ(printed(first), printed(second));
+
+  // The one value that depends on the file: its name is the name of the case.
+  EXPECT_EQ(first.output.directory, "output/ring");
+  Parameters default_case       = first;
+  default_case.output.directory = Parameters().output.directory;
+  EXPECT_EQ(printed(default_case), complete_text());
+}
+
+TEST(Reading, NumbersAreShortAndExactInPrint)
+{
+  Parameters parameters;
+  parameters.wave.amplitude          = 2e-6 * (1. + std::numeric_limits<double>::epsilon());
+  parameters.stator.slot_width       = 0.1 + 0.2;
+  parameters.materials.piezoceramic  = {1. / 3. * 1e11, 0.1 / 3., 7600., 0.};
+  parameters.friction.decay_velocity = std::sqrt(2.);
+  parameters.loading.values          = {0., 0.05, 1. / 7.};
+  parameters.modes.nodal_diameters   = {0, 2, 3, 4, 9, 44, 45};
+  parameters.effects.rotor_inertia   = EffectChoice::automatic;
+  parameters.output.vtu              = false;
+  const std::string text             = printed(parameters);
+  const Parameters back              = read_parameters_from_text(text, "exact.prm");
+
+  EXPECT_EQ(back.wave.amplitude, parameters.wave.amplitude);
+  EXPECT_EQ(back.stator.slot_width, parameters.stator.slot_width);
+  EXPECT_EQ(back.materials.piezoceramic.young_modulus, 1. / 3. * 1e11);
+  EXPECT_EQ(back.materials.piezoceramic.poisson_ratio, 0.1 / 3.);
+  EXPECT_EQ(back.friction.decay_velocity, parameters.friction.decay_velocity);
+  EXPECT_EQ(back.loading.values, parameters.loading.values);
+  EXPECT_EQ(back.modes.nodal_diameters, parameters.modes.nodal_diameters);
+  EXPECT_EQ(back.effects.rotor_inertia, EffectChoice::automatic);
+  EXPECT_FALSE(back.output.vtu);
+
+  EXPECT_NE(text.find("= 0.0342\n"), std::string::npos);
+  EXPECT_NE(text.find("= 5e-07\n"), std::string::npos);
+  EXPECT_NE(text.find("= 0, 2-4, 9, 44-45\n"), std::string::npos);
+}
+
+TEST(Reading, NodalDiametersAsListRangesAndAll)
+{
+  using Numbers      = std::vector<unsigned int>;
+  const auto numbers = [](const std::string &text)
+  { return with({"Modes/Nodal diameters = " + text}).modes.nodal_diameters; };
+  EXPECT_EQ(numbers("7"), Numbers{7});
+  EXPECT_EQ(numbers("2, 5-7"), (Numbers{2, 5, 6, 7}));
+  EXPECT_EQ(numbers("5 - 7,6, 2 "), (Numbers{2, 5, 6, 7}));
+  Numbers expected(13);
+  std::iota(expected.begin(), expected.end(), 0);
+  EXPECT_EQ(numbers("0-12"), expected);
+
+  EXPECT_EQ(numbers("all").size(), 46u);
+  EXPECT_EQ(numbers("all").back(), 45u);
+  const Parameters odd = with({"Motor/Number of teeth = 15", "Modes/Nodal diameters = all"});
+  EXPECT_EQ(odd.modes.nodal_diameters, (Numbers{0, 1, 2, 3, 4, 5, 6, 7}));
+}
+
+TEST(Reading, OverridesWinOverTheFile)
+{
+  const Parameters parameters =
+      with({"Wave/Amplitude = 3e-6", "Materials/Stator metal/Density=7850",
+            " Loading / Values = 0, 0.05", "Wave/Frequency = 31000", "Motor/Name = a = b"});
+  EXPECT_EQ(parameters.wave.amplitude, 3e-6);
+  EXPECT_EQ(parameters.materials.stator_metal.density, 7850.);
+  EXPECT_EQ(parameters.loading.values, (std::vector<double>{0., 0.05}));
+  EXPECT_EQ(parameters.wave.frequency, 31000.);
+  EXPECT_EQ(parameters.motor.name, "a = b");
+}
+
+TEST(Reading, CommentsBlanksContinuationAndLineEndings)
+{
+  std::string text  = complete_text();
+  const auto begin  = text.find("subsection Wave");
+  const auto length = text.find("subsection Loading") - begin;
+  text.replace(begin, length,
+               "subsection  Wave # a comment does not join lines \\\r\n"
+               "\tset   Amplitude=\\\r\n"
+               "    4e-6 # zero to peak\r\n"
+               "end\r\n"
+               "subsection Wave\n"
+               "set Frequency = \\\n"
+               "  mode\n"
+               "end # Wave\n");
+  const Parameters parameters = read_parameters_from_text(text, "spaced.prm");
+  EXPECT_EQ(parameters.wave.amplitude, 4e-6);
+  EXPECT_FALSE(parameters.wave.frequency.has_value());
+}
+
+TEST(Reading, AMeshFileReplacesTheStatorDimensions)
+{
+  const auto folder = std::filesystem::temp_directory_path() /
+                      ("ringmotor_test_reading_" + std::to_string(getpid()));
+  std::filesystem::create_directories(folder / "meshes");
+  std::ofstream(folder / "meshes" / "sector.msh") << "a mesh";
+  std::ofstream(folder / "motor.prm") << "subsection Motor\n"
+                                         "set Number of waves = 7\n"
+                                         "set Number of teeth = 90\n"
+                                         "end\n"
+                                         "subsection Stator\n"
+                                         "set Mesh file = meshes/sector.msh\n"
+                                         "end\n"
+                                         "subsection Materials\n"
+                                         "subsection Stator metal\n"
+                                         "set Young modulus = 1e11\n"
+                                         "set Poisson ratio = 0.3\n"
+                                         "set Density = 8000\n"
+                                         "end\n"
+                                         "subsection Piezoceramic\n"
+                                         "set Young modulus = 1e11\n"
+                                         "set Poisson ratio = 0.3\n"
+                                         "set Density = 8000\n"
+                                         "end\n"
+                                         "end\n"
+                                         "subsection Wave\n"
+                                         "set Amplitude = 1e-6\n"
+                                         "end\n";
+  const std::string file = (folder / "motor.prm").string();
+
+  // Beside the parameter file, whatever the current directory is.
+  const Parameters parameters = read_parameters(file);
+  EXPECT_EQ(parameters.stator.mesh_file, (folder / "meshes" / "sector.msh").string());
+  EXPECT_NO_THROW(check_for_stator(parameters));
+
+  // Only then in the current directory.
+  const auto former_folder = std::filesystem::current_path();
+  std::filesystem::create_directories(folder / "here");
+  std::ofstream(folder / "here" / "other.msh") << "a mesh";
+  std::filesystem::current_path(folder / "here");
+  std::filesystem::create_directories("meshes");
+  std::ofstream("meshes/sector.msh") << "another mesh";
+  EXPECT_EQ(read_parameters(file).stator.mesh_file, (folder / "meshes" / "sector.msh").string());
+  EXPECT_EQ(read_parameters(file, {"Stator/Mesh file = other.msh"}).stator.mesh_file,
+            (folder / "here" / "other.msh").string());
+  std::filesystem::current_path(former_folder);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Reading, EveryEntryExplainsItselfInHelp)
+{
+  std::istringstream text(complete_text());
+  bool explained = false;
+  for (std::string line; std::getline(text, line);)
+  {
+    if (line.find("  # ") != std::string::npos)
+      explained = true;
+    else if (line.find(" set ") != std::string::npos)
+    {
+      EXPECT_TRUE(explained) << line;
+      explained = false;
+    }
+  }
+}

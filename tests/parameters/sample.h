@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <gtest/gtest.h>
+#include <ringmotor/parameters/errors.h>
+#include <ringmotor/parameters/parameters.h>
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace ringmotor::sample
+{
+  /** All entries with the values of the reference motor, as `--help` prints them. */
+  inline std::string complete_text()
+  {
+    std::ostringstream text;
+    print_parameters(text, Parameters());
+    return text.str();
+  }
+
+  /** The parameters of complete_text() after `--set`. */
+  inline Parameters with(const std::vector<std::string> &overrides)
+  {
+    return read_parameters_from_text(complete_text(), "complete.prm", overrides);
+  }
+
+  /** The message of the UserError that @p action throws; a failure of the test without one. */
+  template <typename Action>
+  std::string message_of(const Action &action)
+  {
+    try
+    {
+      action();
+    }
+    catch (const UserError &error)
+    {
+      return error.what();
+    }
+    ADD_FAILURE() << "no UserError was thrown";
+    return "";
+  }
+
+  /** The message has all the @p words, is one line and shows no deal.II internals. */
+  inline void expect_message(const std::string &message, const std::vector<std::string> &words)
+  {
+    for (const std::string &word : words)
+      EXPECT_NE(message.find(word), std::string::npos) << '"' << word << "\" not in: " << message;
+    for (const std::string unwanted : {"\n", "Stacktrace", "dealii", "MAX_DOUBLE"})
+      EXPECT_EQ(message.find(unwanted), std::string::npos) << unwanted << " in: " << message;
+  }
+} // namespace ringmotor::sample
