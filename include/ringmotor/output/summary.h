@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace ringmotor
+{
+  /** What a run computed, how well, and what it cost: the content of `summary.json`. */
+  struct Summary
+  {
+    /** One result with its error bar. */
+    struct Quantity
+    {
+      std::string name;
+      double value = 0.;
+      std::string unit;                           ///< "1" for a pure number
+      double error = 0.;                          ///< absolute, in the unit of the value
+      std::map<std::string, double> error_causes; ///< parts of the error, in the same unit
+      double seconds = 0.;
+      /** What tells quantities of one name apart, e.g. n = 7, family = "axial". */
+      std::map<std::string, std::variant<int, unsigned int, double, std::string>> labels;
+    };
+
+    /** One physical effect and whether this run took it in. */
+    struct Effect
+    {
+      std::string name;
+      double indicator = 0.;   ///< estimated relative change of the result
+      std::string choice;      ///< "on" or "off"
+      double seconds     = 0.; ///< what it added
+      std::uint64_t dofs = 0;  ///< what it added
+    };
+
+    /** One proof that the results stand: it holds if the value does not exceed the limit. */
+    struct Check
+    {
+      std::string name;
+      double value = 0.;
+      double limit = 0.;
+    };
+
+    std::string program, version, git;
+    std::string prm;                                     ///< the parameters of the run, as text
+    std::vector<std::pair<std::string, double>> seconds; ///< per phase, in the order of the run
+    double peak_memory_MB = 0.;
+    std::uint64_t dofs    = 0;
+    std::vector<Quantity> quantities;
+    std::vector<Effect> effects;
+    std::vector<Check> certificate;
+  };
+
+  /** True if there is at least one check and all of them hold. */
+  bool is_certified(const Summary &summary);
+
+  /**
+   * Writes a summary as JSON with the keys named as the members above; `seconds` is an object with
+   * one key per phase, the labels of a quantity stand beside its name, and `certificate` is an
+   * object with `holds` (see is_certified()) and `checks`.
+   *
+   * @throw ComputationError for a number that is not finite, naming it: no file is written
+   * @throw UserError if the disk refuses
+   */
+  void write_summary(const std::string &path, const Summary &summary);
+} // namespace ringmotor

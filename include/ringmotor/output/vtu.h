@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/quantities/sector_field.h>
+
+#include <string>
+
+namespace ringmotor
+{
+  /**
+   * Writes one sector as a VTU file of Lagrange cells. Point fields: `displacement_real`,
+   * `displacement_imaginary` (Cartesian vectors, m; the motion is real cos(omega t) - imaginary
+   * sin(omega t)), `amplitude_radial`, `amplitude_tangential`, `amplitude_axial` (zero-to-peak, m;
+   * three scalars, as the components of a vector would be called X, Y, Z on the screen), `material`
+   * (see mesh/ids.h).
+   *
+   * @throw UserError if the disk refuses
+   */
+  void write_sector(const std::string &path, const SectorField &field);
+
+  /**
+   * Writes the travelling wave on the whole ring over one period: @p n_frames files
+   * `<base_name>_00.vtu`, ... of Lagrange cells, frame k at the time k T / n_frames, and at last
+   * `<base_name>.pvd` with the times in seconds. Point fields: `displacement` (Cartesian vector, m;
+   * for "Warp By Vector") and `material`.
+   *
+   * @throw UserError if the disk refuses; then there is no PVD file
+   */
+  void write_ring_animation(const std::string &folder, const std::string &base_name,
+                            const SectorField &field, unsigned int n_frames);
+} // namespace ringmotor

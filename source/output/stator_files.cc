@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/mesh/ids.h>
+#include <ringmotor/output/hdf5.h>
+#include <ringmotor/output/stator_files.h>
+#include <ringmotor/output/table.h>
+
+#include <cmath>
+
+namespace ringmotor
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr double micrometre = 1e-6, millimetre = 1e-3, degree = numbers::PI / 180.;
+
+    void write_materials(Hdf5Writer &file, const Materials &materials)
+    {
+      const std::vector<std::pair<std::string, const Material *>> table{
+          {"materials/stator_metal", &materials.stator_metal},
+          {"materials/piezoceramic", &materials.piezoceramic}};
+      for (const auto &[group, material] : table)
+      {
+        file.set_attribute(group, "young_modulus_Pa", material->young_modulus);
+        file.set_attribute(group, "poisson_ratio", material->poisson_ratio);
+        file.set_attribute(group, "density_kg_per_m3", material->density);
+        file.set_attribute(group, "loss_factor", material->loss_factor);
+      }
+    }
+
+    void write_mode_list(Hdf5Writer &file, const std::vector<FoundMode> &modes)
+    {
+      std::vector<unsigned int> nodal_diameter;
+      std::vector<std::string> family;
+      std::vector<double> frequency, error;
+      for (const FoundMode &found : modes)
+      {
+        nodal_diameter.push_back(found.mode.nodal_diameter);
+        family.push_back(to_string(found.content.family()));
+        frequency.push_back(found.frequency.value);
+        error.push_back(found.frequency.error);
+      }
+      const std::vector<std::size_t> dims{modes.size()};
+      file.write("modes/nodal_diameter", nodal_diameter, dims, "1",
+                 "waves around the ring of each mode");
+      file.write("modes/family", family, dims, "",
+                 "what kind of motion of the cross-section the mode mostly is");
+      file.write("modes/frequency", frequency, dims, "Hz", "natural frequency of each mode");
+      file.write("modes/frequency_error", error, dims, "Hz", "error bar of the natural frequency");
+    }
+
+    void write_trace(Hdf5Writer &file, const std::string &group, const SurfaceTrace &trace)
+    {
+      const std::size_t n_face_points = (trace.order + 1) * (trace.order + 1);
+      std::vector<double> points, real, imaginary;
+      for (const Point<3> &point : trace.points)
+        points.insert(points.end(), {point[0], point[1], point[2]});
+      for (const auto &u : trace.displacement)
+        for (const std::complex<double> &component : u)
+        {
+          real.push_back(component.real());
+          imaginary.push_back(component.imag());
+        }
+      const std::vector<std::size_t> dims{trace.n_faces, n_face_points, 3};
+      file.write(group + "/points", points, dims, "m",
+                 "x, y, z of a lattice of (order + 1)^2 points on each face");
+      file.write(group + "/displacement_real", real, dims, "m",
+                 "real part of the r, theta, z components of U at the points");
+      file.write(group + "/displacement_imaginary", imaginary, dims, "m",
+                 "imaginary part of the same");
+      file.set_attribute(group, "order", trace.order);
+    }
+
+    void write_wave(Hdf5Writer &file, const CyclicSector &sector, const WaveResult &wave)
+    {
+      const std::string group = "wave";
+      file.set_attribute(group, "nodal_diameter", wave.found.mode.nodal_diameter);
+      file.set_attribute(group, "natural_frequency_Hz", wave.found.frequency.value);
+      file.set_attribute(group, "natural_frequency_error_Hz", wave.found.frequency.error);
+      file.set_attribute(group, "angular_frequency_rad_per_s", wave.angular_frequency);
+      file.set_attribute(group, "amplitude_m", wave.amplitude);
+      file.set_attribute(group, "modal_mass_kg", wave.modal_mass);
+      file.set_attribute(group, "strain_energy_base_J", wave.energy.strain.at(ids::base));
+      file.set_attribute(group, "strain_energy_tooth_J", wave.energy.strain.at(ids::tooth));
+      file.set_attribute(group, "strain_energy_piezoceramic_J",
+                         wave.energy.strain.at(ids::piezoceramic));
+      file.set_attribute(
+          group, "convention",
+          std::string(
+              "motion is Re(U exp(i omega t)); sector j has exp(-i n j alpha) times the turned "
+              "displacement; theta = 0 is the centre of tooth 0; wave travels towards +theta"));
+      write_trace(file, "wave/tooth_top",
+                  surface_trace(sector, wave.found.mode, Surface::tooth_top));
+      write_trace(file, "wave/tooth_foot",
+                  surface_trace(sector, wave.found.mode, Surface::tooth_foot));
+      write_trace(file, "wave/bottom", surface_trace(sector, wave.found.mode, Surface::bottom));
+    }
+  } // namespace
+
+  void write_frequencies(const std::string &path, const std::vector<FoundMode> &modes)
+  {
+    CsvTable table({"n", "family", "frequency_Hz", "error_Hz", "axial", "in_plane", "torsion",
+                    "nodal_circles"});
+    for (const FoundMode &found : modes)
+      table.add_row({found.mode.nodal_diameter, to_string(found.content.family()),
+                     found.frequency.value, found.frequency.error, found.content.axial,
+                     found.content.in_plane, found.content.torsion, found.content.nodal_circles});
+    table.write(path);
+  }
+
+  void write_ellipses(const std::string &path, const WaveResult &wave)
+  {
+    CsvTable table({"point", "r_mm", "theta_deg", "z_mm", "A_n_um", "A_t_um", "A_r_um",
+                    "phase_n_deg", "phi_deg", "phase_r_deg"});
+    for (const PointResult &result : wave.points)
+    {
+      const Point<3> &x            = result.point.position;
+      const EllipticMotion &motion = result.motion;
+      table.add_row({result.point.name, std::hypot(x[0], x[1]) / millimetre,
+                     std::atan2(x[1], x[0]) / degree, x[2] / millimetre, motion.normal / micrometre,
+                     motion.tangential / micrometre, motion.radial / micrometre,
+                     motion.phase_n / degree, motion.phi / degree, motion.phase_r / degree});
+    }
+    table.write(path);
+  }
+
+  void write_modes_h5(const std::string &path, const Parameters &parameters,
+                      const CyclicSector &sector, const std::vector<FoundMode> &modes,
+                      const WaveResult *wave)
+  {
+    Hdf5Writer file("ringmotor modes", modes_format_version);
+    file.set_attribute("/", "motor", parameters.motor.name);
+    file.set_attribute("/", "n_waves", parameters.motor.n_waves);
+    file.set_attribute("/", "n_teeth", parameters.motor.n_teeth);
+    file.set_attribute("/", "polynomial_degree", sector.dofs().get_fe().degree);
+    write_materials(file, parameters.materials);
+    write_mode_list(file, modes);
+    if (wave != nullptr)
+      write_wave(file, sector, *wave);
+    file.save(path);
+  }
+} // namespace ringmotor

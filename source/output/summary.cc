@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/output/files.h>
+#include <ringmotor/output/summary.h>
+#include <ringmotor/parameters/errors.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace ringmotor
+{
+  namespace
+  {
+    // Keeps the keys in the order in which they are written here.
+    using Json = nlohmann::ordered_json;
+
+    /** JSON knows neither nan nor inf (the library would silently write null). */
+    double finite(const double number, const std::string &owner)
+    {
+      if (!std::isfinite(number))
+        throw ComputationError("The summary of the run cannot be written: " + owner + " is " +
+                               std::to_string(number) + ", which is not a result");
+      return number;
+    }
+
+    bool holds(const Summary::Check &check)
+    {
+      return check.value <= check.limit;
+    }
+
+    Json to_json(const Summary::Quantity &quantity)
+    {
+      const std::string owner = "the quantity '" + quantity.name + "'";
+
+      Json json = {{"name", quantity.name}};
+      for (const auto &[key, label] : quantity.labels)
+        std::visit([&json, &key = key](const auto &value) { json[key] = value; }, label);
+      json["value"]        = finite(quantity.value, owner);
+      json["unit"]         = quantity.unit;
+      json["error"]        = finite(quantity.error, "the error of " + owner);
+      json["error_causes"] = Json::object();
+      for (const auto &[cause, error] : quantity.error_causes)
+        json["error_causes"][cause] = finite(error, "the error '" + cause + "' of " + owner);
+      json["seconds"] = quantity.seconds;
+      return json;
+    }
+
+    Json to_json(const Summary::Effect &effect)
+    {
+      return {{"name", effect.name},
+              {"indicator", finite(effect.indicator, "the indicator of '" + effect.name + "'")},
+              {"choice", effect.choice},
+              {"seconds", effect.seconds},
+              {"dofs", effect.dofs}};
+    }
+
+    Json to_json(const Summary::Check &check)
+    {
+      return {{"name", check.name},
+              {"value", finite(check.value, "the check '" + check.name + "'")},
+              {"limit", finite(check.limit, "the limit of the check '" + check.name + "'")},
+              {"holds", holds(check)}};
+    }
+
+    template <typename Item>
+    Json list(const std::vector<Item> &items)
+    {
+      Json json = Json::array();
+      for (const Item &item : items)
+        json.push_back(to_json(item));
+      return json;
+    }
+  } // namespace
+
+  bool is_certified(const Summary &summary)
+  {
+    return !summary.certificate.empty() &&
+           std::all_of(summary.certificate.begin(), summary.certificate.end(), holds);
+  }
+
+  void write_summary(const std::string &path, const Summary &summary)
+  {
+    Json seconds = Json::object();
+    for (const auto &[phase, duration] : summary.seconds)
+      seconds[phase] = duration;
+
+    const Json json = {
+        {"program", summary.program},
+        {"version", summary.version},
+        {"git", summary.git},
+        {"prm", summary.prm},
+        {"seconds", seconds},
+        {"peak_memory_MB", summary.peak_memory_MB},
+        {"dofs", summary.dofs},
+        {"quantities", list(summary.quantities)},
+        {"effects", list(summary.effects)},
+        {"certificate", {{"holds", is_certified(summary)}, {"checks", list(summary.certificate)}}}};
+    // The prm is the user's text and may hold bytes that are not UTF-8: not worth losing a run.
+    write_file(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+  }
+} // namespace ringmotor

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/output/files.h>
+#include <ringmotor/output/table.h>
+#include <ringmotor/parameters/errors.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+using namespace dealii;
+
+namespace ringmotor
+{
+  namespace
+  {
+    std::string formatted(const std::string &text)
+    {
+      if (text.find_first_of(",\"\r\n") == std::string::npos)
+        return text;
+      std::string quoted = "\"";
+      for (const char letter : text)
+        quoted += letter == '"' ? "\"\"" : std::string(1, letter);
+      return quoted + '"';
+    }
+
+    template <typename Number>
+    std::string formatted(const Number number)
+    {
+      std::array<char, 32> digits;
+      const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), number);
+      return std::string(digits.data(), result.ptr);
+    }
+  } // namespace
+
+  CsvTable::CsvTable(const std::vector<std::string> &columns) : columns(columns) {}
+
+  void CsvTable::add_row(const std::vector<Entry> &row)
+  {
+    AssertDimension(row.size(), columns.size());
+    for (std::size_t column = 0; column < row.size(); ++column)
+      if (const double *number = std::get_if<double>(&row[column]))
+        if (!std::isfinite(*number))
+          throw ComputationError("The column '" + columns[column] + "' of a table got the value " +
+                                 formatted(*number) + ", which is not a result");
+    rows.push_back(row);
+  }
+
+  std::string CsvTable::to_csv() const
+  {
+    std::string csv;
+    for (std::size_t column = 0; column < columns.size(); ++column)
+      csv += (column > 0 ? "," : "") + formatted(columns[column]);
+    csv += '\n';
+
+    const auto format = [](const auto &entry) { return formatted(entry); };
+    for (const auto &row : rows)
+    {
+      for (std::size_t column = 0; column < row.size(); ++column)
+        csv += (column > 0 ? "," : "") + std::visit(format, row[column]);
+      csv += '\n';
+    }
+    return csv;
+  }
+
+  void CsvTable::write(const std::string &path) const
+  {
+    write_file(path, to_csv());
+  }
+} // namespace ringmotor

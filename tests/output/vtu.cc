@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// VTU files against the known wave of wave_field.h, evaluated at the positions found in the file.
+// The order of the nodes in a Lagrange hexahedron is VTK's: corners, edges, faces, inside; the last
+// two edges are 2-6, 3-7 in files of version 2.2 and the other way round before (release notes of
+// VTK 9.1, "node numbering for VTK_LAGRANGE_HEXAHEDRON").
+
+#include "scratch.h"
+#include "wave_field.h"
+
+#include <ringmotor/output/files.h>
+#include <ringmotor/output/vtu.h>
+#include <ringmotor/parameters/errors.h>
+
+#include <algorithm>
+#include <boost/archive/iterators/binary_from_base64.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
+#include <cstdint>
+#include <cstring>
+#include <gtest/gtest.h>
+#include <numeric>
+#include <regex>
+#include <zlib.h>
+
+using namespace ringmotor;
+using namespace ringmotor::tests;
+
+namespace
+{
+  std::string from_base64(std::string text)
+  {
+    using namespace boost::archive::iterators;
+    using Decoder = transform_width<binary_from_base64<std::string::const_iterator>, 8, 6>;
+
+    const std::size_t n_padding = std::count(text.begin(), text.end(), '=');
+    std::replace(text.begin(), text.end(), '=', 'A');
+    std::string bytes(Decoder(text.cbegin()), Decoder(text.cend()));
+    bytes.resize(bytes.size() - n_padding);
+    return bytes;
+  }
+
+  /** A VTU file as written by deal.II: one piece, every array one block compressed with zlib. */
+  class VtuFile
+  {
+  public:
+    explicit VtuFile(const std::string &path) : text(content_of(path)) {}
+
+    unsigned int count(const std::string &what) const
+    {
+      std::smatch match;
+      const std::string head = text.substr(0, 1000);
+      return std::regex_search(head, match, std::regex("NumberOf" + what + "=\"(\\d+)\""))
+                 ? std::stoul(match[1])
+                 : 0;
+    }
+
+    bool has_old_node_order() const
+    {
+      return text.find("type=\"UnstructuredGrid\" version=\"2.2\"") == std::string::npos;
+    }
+
+    /** An array by its name, or the positions for "". */
+    template <typename Number>
+    std::vector<Number> array(const std::string &name) const
+    {
+      const std::string key = name.empty() ? "<Points>" : "Name=\"" + name + "\"";
+      const std::size_t tag = text.find(key);
+      if (tag == std::string::npos)
+        throw std::runtime_error("no array " + name);
+      const std::size_t first = text.find('\n', text.find("binary", tag)) + 1;
+      const std::string code  = text.substr(first, text.find('\n', first) - first);
+
+      // number of blocks, their size, the last one's size, compressed size: 16 bytes, 24 letters
+      std::array<std::uint32_t, 4> head;
+      std::memcpy(head.data(), from_base64(code.substr(0, 24)).data(), sizeof(head));
+      const std::string packed = from_base64(code.substr(24));
+      std::vector<Number> values(head[1] / sizeof(Number));
+      uLongf n_bytes = head[1];
+      if (head[0] != 1 || packed.size() != head[3] ||
+          uncompress(reinterpret_cast<Bytef *>(values.data()), &n_bytes,
+                     reinterpret_cast<const Bytef *>(packed.data()), packed.size()) != Z_OK)
+        throw std::runtime_error("damaged array " + name);
+      return values;
+    }
+
+    /** The values of a vector field, or the positions for "". */
+    std::vector<std::array<double, 3>> vectors(const std::string &name) const
+    {
+      const std::vector<float> flat = array<float>(name);
+      std::vector<std::array<double, 3>> result;
+      for (std::size_t i = 0; i + 2 < flat.size(); i += 3)
+        result.push_back({{flat[i], flat[i + 1], flat[i + 2]}});
+      return result;
+    }
+
+  private:
+    const std::string text;
+  };
+
+  // Files hold floats, so positions are good to 2e-9 m and the wave to 1e-6 of its amplitude.
+  constexpr double tolerance = 5e-12;
+
+  void expect_motion(const VtuFile &file, const std::string &name, const WaveRing &ring,
+                     const double time_angle)
+  {
+    const auto places = file.vectors(""), motions = file.vectors(name);
+    ASSERT_EQ(places.size(), motions.size());
+    double worst = 0.;
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+      const auto exact = ring.motion(places[i], time_angle);
+      for (unsigned int d = 0; d < 3; ++d)
+        worst = std::max(worst, std::abs(motions[i][d] - exact[d]));
+    }
+    EXPECT_LT(worst, tolerance) << name;
+  }
+
+  void expect_materials(const VtuFile &file, const WaveRing &ring)
+  {
+    // Points are not shared by cells: on the interface, half the points belong to each material.
+    const auto places    = file.vectors("");
+    const auto materials = file.array<float>("material");
+    ASSERT_EQ(places.size(), materials.size());
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (std::abs(places[i][2] - ring.height / 2.) > 1e-6)
+      {
+        EXPECT_EQ(materials[i], places[i][2] < ring.height / 2. ? 1.f : 2.f);
+      }
+  }
+} // namespace
+
+TEST(Vtu, SectorShowsTheComplexAmplitude)
+{
+  const Scratch scratch;
+  const WaveRing ring;
+  write_sector(scratch.path("sector.vtu"), ring.field());
+  const VtuFile file(scratch.path("sector.vtu"));
+
+  EXPECT_EQ(file.count("Cells"), 8u);
+  EXPECT_EQ(file.count("Points"), 8u * 27u);
+  // Re(U e^{i omega t}): at omega t = 0 the real part, at a quarter of a period minus the
+  // imaginary one, which is what the wave shows three quarters of a period after the start.
+  expect_motion(file, "displacement_real", ring, 0.);
+  expect_motion(file, "displacement_imaginary", ring, 1.5 * M_PI);
+  expect_materials(file, ring);
+
+  const auto places                           = file.vectors("");
+  const std::array<std::string, 3> components = {{"radial", "tangential", "axial"}};
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    const auto amplitudes = file.array<float>("amplitude_" + components[d]);
+    ASSERT_EQ(amplitudes.size(), places.size());
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+      const double radius = std::hypot(places[i][0], places[i][1]);
+      EXPECT_NEAR(amplitudes[i], std::abs(ring.profile(radius, places[i][2])[d]), tolerance);
+    }
+  }
+}
+
+TEST(Vtu, CellsAreLagrangeHexahedraInTheOrderOfVtk)
+{
+  const Scratch scratch;
+  const WaveRing ring;
+  write_sector(scratch.path("sector.vtu"), ring.field());
+  const VtuFile file(scratch.path("sector.vtu"));
+
+  const std::uint8_t lagrange_hexahedron = 72;
+  EXPECT_EQ(file.array<std::uint8_t>("types"), std::vector<std::uint8_t>(8, lagrange_hexahedron));
+  const auto offsets = file.array<std::int32_t>("offsets");
+  for (unsigned int cell = 0; cell < 8; ++cell)
+    EXPECT_EQ(offsets.at(cell), 27 * (static_cast<int>(cell) + 1));
+
+  // Cells are boxes in (r, theta, z): a node between others is their mean there.
+  const auto places                              = file.vectors("");
+  const auto nodes                               = file.array<std::int32_t>("connectivity");
+  std::vector<std::vector<unsigned int>> between = {{0, 1},
+                                                    {1, 2},
+                                                    {3, 2},
+                                                    {0, 3},
+                                                    {4, 5},
+                                                    {5, 6},
+                                                    {7, 6},
+                                                    {4, 7},
+                                                    {0, 4},
+                                                    {1, 5},
+                                                    {2, 6},
+                                                    {3, 7},
+                                                    {0, 3, 4, 7},
+                                                    {1, 2, 5, 6},
+                                                    {0, 1, 4, 5},
+                                                    {3, 2, 7, 6},
+                                                    {0, 1, 2, 3},
+                                                    {4, 5, 6, 7},
+                                                    {0, 1, 2, 3, 4, 5, 6, 7}};
+  if (file.has_old_node_order())
+    std::swap(between[10], between[11]);
+  for (unsigned int cell = 0; cell < 8; ++cell)
+  {
+    const auto box = [&](const unsigned int node) -> std::array<double, 3>
+    {
+      const auto &place = places.at(nodes.at(27 * cell + node));
+      return {{std::hypot(place[0], place[1]), std::atan2(place[1], place[0]), place[2]}};
+    };
+    // right-handed: 0-1 along r, 0-3 along theta, 0-4 along z
+    EXPECT_GT(box(1)[0], box(0)[0] + 1e-3);
+    EXPECT_GT(box(3)[1], box(0)[1] + 0.1);
+    EXPECT_GT(box(4)[2], box(0)[2] + 1e-3);
+    for (unsigned int i = 0; i < between.size(); ++i)
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        double mean = 0.;
+        for (const unsigned int corner : between[i])
+          mean += box(corner)[d] / between[i].size();
+        EXPECT_NEAR(box(8 + i)[d], mean, 1e-6) << "node " << 8 + i;
+      }
+  }
+}
+
+TEST(Vtu, RingAnimationIsTheTravellingWave)
+{
+  const Scratch scratch;
+  WaveRing ring;
+  ring.order = 3;
+  write_ring_animation(scratch.path(""), "wave", ring.field(), 8);
+  EXPECT_EQ(scratch.n_entries(), 9u);
+
+  const std::string record = content_of(scratch.path("wave.pvd"));
+  const std::regex entry("timestep=\"([^\"]+)\"[^>]*file=\"([^\"]+)\"");
+  unsigned int frame = 0;
+  for (std::sregex_iterator match(record.begin(), record.end(), entry), end; match != end;
+       ++match, ++frame)
+  {
+    const double time = std::stod((*match)[1]);
+    EXPECT_NEAR(time, frame / 8. / 30e3, 1e-16);
+    const VtuFile file(scratch.path((*match)[2]));
+    EXPECT_EQ(file.count("Cells"), 12u * 8u);
+    EXPECT_EQ(file.count("Points"), 12u * 8u * 64u);
+    expect_motion(file, "displacement", ring, ring.angular_frequency * time);
+    if (frame == 0)
+      expect_materials(file, ring);
+  }
+  EXPECT_EQ(frame, 8u);
+}
+
+TEST(Vtu, RingIsClosed)
+{
+  const Scratch scratch;
+  const WaveRing ring;
+  write_ring_animation(scratch.path(""), "wave", ring.field(), 1);
+  // One of the corners per cell lies on each of 24 rays: 12 sectors of 2 cells.
+  std::vector<unsigned int> n_per_ray(24, 0);
+  const VtuFile file(scratch.path("wave_00.vtu"));
+  const auto places = file.vectors("");
+  const auto nodes  = file.array<std::int32_t>("connectivity");
+  for (unsigned int cell = 0; cell < file.count("Cells"); ++cell)
+  {
+    const auto &corner = places.at(nodes.at(27 * cell));
+    const double rays  = std::atan2(corner[1], corner[0]) / (2. * M_PI) * 24. + 24.;
+    EXPECT_NEAR(rays, std::round(rays), 1e-5);
+    ++n_per_ray[std::lround(rays) % 24];
+  }
+  EXPECT_EQ(n_per_ray, std::vector<unsigned int>(24, 4));
+}
+
+TEST(Vtu, NoRecordOfFramesThatWereNotWritten)
+{
+  const Scratch scratch;
+  write_ring_animation(scratch.path(""), "wave", WaveRing().field(), 2);
+  std::filesystem::create_symlink("/dev/full", scratch.path("wave_01.vtu.part"));
+  const std::string message = message_of<UserError>(
+      [&]() { write_ring_animation(scratch.path(""), "wave", WaveRing().field(), 2); });
+  EXPECT_NE(message.find("wave_01.vtu"), std::string::npos) << message;
+  EXPECT_FALSE(std::filesystem::exists(scratch.path("wave.pvd")));
+}
