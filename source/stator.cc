@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/mesh/ids.h>
-#include <ringmotor/mesh/read_sector.h>
-#include <ringmotor/mesh/stator_sector.h>
 #include <ringmotor/output/files.h>
 #include <ringmotor/output/log.h>
 #include <ringmotor/output/stator_files.h>
@@ -9,12 +7,12 @@
 #include <ringmotor/output/vtu.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/programs/run_program.h>
+#include <ringmotor/quantities/stator_modes.h>
 #include <ringmotor/version.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <iomanip>
 #include <optional>
@@ -44,26 +42,21 @@ namespace ringmotor
       void run();
 
     private:
-      SectorMesh make_mesh(const unsigned int level) const;
-      void find_modes();
-      void compute_pass(const unsigned int degree);
-      bool accurate_enough() const;
+      void after_pass(const Pass &pass);
       WaveResult make_wave(const FoundMode &working) const;
       std::vector<Quantity> quantities_of(const WaveResult &wave) const;
       void report();
       void write_results();
       void write_summary_file(const std::string &folder);
       void add_wave_quantities(Summary &summary, const double seconds) const;
+      double algebra_error() const;
 
       const Parameters &parameters;
-      const MPI_Comm communicator = MPI_COMM_WORLD;
       const bool speaks;
       Log log;
-      Phases phases;
-
-      SectorMesh mesh;
-      ModeSearch search;
-      unsigned int n_passes = 0;
+      StatorModes stator;
+      std::vector<std::pair<std::string, double>> pass_seconds;
+      Phases phases; ///< what comes after the passes
 
       // Quantities of the wave's shape, pass by pass: their change is what their error bars are
       // made from.
@@ -83,16 +76,17 @@ namespace ringmotor
       return out.str();
     }
 
-    MaterialTable material_table(const Materials &materials)
+    /** `f(n = 7, out-of-plane) = 30.00238 +- 0.00222 kHz` */
+    std::string describe(const FoundMode &found)
     {
-      return {{ids::base, materials.stator_metal},
-              {ids::tooth, materials.stator_metal},
-              {ids::piezoceramic, materials.piezoceramic}};
+      return "f(n = " + std::to_string(found.mode.nodal_diameter) + ", " +
+             to_string(found.content.family()) + ") = " + text(1e-3 * found.frequency.value, 5) +
+             " +- " + text(1e-3 * found.frequency.error, 5) + " kHz";
     }
 
     StatorProgram::StatorProgram(const Parameters &parameters)
-        : parameters(parameters), speaks(Utilities::MPI::this_mpi_process(communicator) == 0),
-          log(speaks), search(material_table(parameters.materials), parameters.modes)
+        : parameters(parameters), speaks(Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0),
+          log(speaks), stator(parameters, MPI_COMM_WORLD)
     {
     }
 
@@ -100,88 +94,26 @@ namespace ringmotor
     {
       if (speaks)
         prepare_directory(parameters.output.directory + "/stator");
-      find_modes();
+      stator.find([&](const Pass &pass) { after_pass(pass); });
       report();
       write_results();
     }
 
-    SectorMesh StatorProgram::make_mesh(const unsigned int level) const
+    void StatorProgram::after_pass(const Pass &pass)
     {
-      if (parameters.stator.mesh_file.empty())
-        return make_stator_sector(parameters.stator, parameters.motor.n_teeth, SectorForm::half,
-                                  SectorGrading::level(level), communicator);
-      SectorMesh sector =
-          read_sector(parameters.stator.mesh_file, parameters.motor.n_teeth, communicator);
-      if (parameters.accuracy.mode == AccuracyMode::fixed)
-        sector.triangulation->refine_global(level);
-      return sector;
-    }
-
-    /** Degree and grading that reach a target in one pass for stators like the reference one. */
-    struct Start
-    {
-      unsigned int degree, level;
-    };
-    Start start_for(const double target)
-    {
-      return target >= 2e-3     ? Start{3, 0}
-             : target >= 6e-4   ? Start{3, 1}
-             : target >= 1.5e-4 ? Start{3, 2}
-             : target >= 5e-5   ? Start{3, 3}
-                                : Start{4, 3};
-    }
-
-    void StatorProgram::find_modes()
-    {
-      const bool fixed = parameters.accuracy.mode == AccuracyMode::fixed;
-      const Start start =
-          fixed ? Start{parameters.accuracy.polynomial_degree, parameters.accuracy.refinement}
-                : start_for(parameters.accuracy.target);
-      // A cheap first pass finds out where the modes lie and gives the error bars something to
-      // compare with.
-      mesh = make_mesh(0);
-      compute_pass(start.degree - 1);
-
-      mesh = make_mesh(start.level);
-      compute_pass(start.degree);
-      const unsigned int most_passes = 12, most_dofs = 600000;
-      while (!fixed && !accurate_enough())
-      {
-        if (n_passes == most_passes || search.sector().dofs().n_dofs() > most_dofs)
-          throw ComputationError(
-              "the frequencies are known to " + text(1e6 * search.worst_relative_error(), 1) +
-              "e-6 after " + std::to_string(n_passes) + " passes, the last one with " +
-              std::to_string(search.sector().dofs().n_dofs()) +
-              " degrees of freedom, not to Accuracy/Target = " +
-              std::to_string(parameters.accuracy.target) + "; choose a larger target");
-        search.refine(mesh);
-        compute_pass(start.degree);
-      }
-    }
-
-    bool StatorProgram::accurate_enough() const
-    {
-      return search.worst_relative_error() <= parameters.accuracy.target;
-    }
-
-    void StatorProgram::compute_pass(const unsigned int degree)
-    {
-      const auto scope = phases.measure("modes, pass " + std::to_string(++n_passes));
-      const auto begin = std::chrono::steady_clock::now();
-      search.compute(mesh, degree);
-      const double seconds =
-          std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-
+      pass_seconds.emplace_back("modes, pass " + std::to_string(pass.number), pass.seconds);
+      const ModeSearch &search = stator.search();
       const FoundMode *working = search.working_mode(parameters.motor.n_waves);
       const FoundMode &shown   = working != nullptr ? *working : search.modes().front();
-      log.line("pass " + std::to_string(n_passes) + ": degree " + std::to_string(degree) + ", " +
-               std::to_string(mesh.triangulation->n_active_cells()) + " cells, " +
-               std::to_string(search.sector().dofs().n_dofs()) +
-               " dofs: f(n = " + std::to_string(shown.mode.nodal_diameter) + ", " +
-               to_string(shown.content.family()) + ") = " + text(1e-3 * shown.frequency.value, 5) +
-               " +- " + text(1e-3 * shown.frequency.error, 5) +
-               " kHz, worst relative error of all modes " +
-               text(1e6 * search.worst_relative_error(), 0) + "e-6, " + text(seconds, 2) + " s");
+      std::ostringstream line;
+      line << "pass " << pass.number << ": degree " << pass.degree << ", " << pass.n_cells
+           << " cells, " << pass.n_dofs << " dofs: " << describe(shown)
+           << ", largest relative error " << std::scientific << std::setprecision(1)
+           << search.worst_relative_error() << ", " << std::fixed << std::setprecision(2)
+           << pass.seconds << " s";
+      log.line(line.str());
+
+      wave.reset();
       if (working != nullptr)
       {
         wave = make_wave(*working);
@@ -191,7 +123,7 @@ namespace ringmotor
 
     WaveResult StatorProgram::make_wave(const FoundMode &working) const
     {
-      const std::vector<ToothPoint> points = tooth_points(search.sector());
+      const std::vector<ToothPoint> points = tooth_points(stator.search().sector());
       WaveResult result;
       result.found     = working;
       result.amplitude = parameters.wave.amplitude;
@@ -200,9 +132,9 @@ namespace ringmotor
       normalise_to_amplitude(result.found.mode, points, result.amplitude);
       for (const ToothPoint &point : points)
         result.points.push_back({point, elliptic_motion(point, result.found.mode)});
-      result.energy     = wave_energy(search.sector(), result.found.mode);
+      result.energy     = wave_energy(stator.search().sector(), result.found.mode);
       result.modal_mass = modal_mass(result.energy, result.found.mode, result.amplitude);
-      for (const FoundMode &other : search.modes())
+      for (const FoundMode &other : stator.search().modes())
         if (other.mode.nodal_diameter == working.mode.nodal_diameter)
         {
           const double gap = other.frequency.value / working.frequency.value - 1.;
@@ -234,14 +166,19 @@ namespace ringmotor
 
     void StatorProgram::report()
     {
-      for (const FoundMode &found : search.modes())
-        log.line("n = " + std::to_string(found.mode.nodal_diameter) + " " +
-                 to_string(found.content.family()) + ": " + text(1e-3 * found.frequency.value, 5) +
-                 " +- " + text(1e-3 * found.frequency.error, 5) + " kHz");
+      for (const FoundMode &found : stator.search().modes())
+        log.line(describe(found));
+      if (wave && shape_samples.size() < 2)
+        throw ComputationError(
+            "the motor's wave was recognised on the last mesh only, so that nothing tells the "
+            "error of its shape; choose a smaller Accuracy/Target or a finer mesh");
       if (wave)
-        log.line("wave: A_t/A_n = " + text(shape_samples.back().quantities[0].value, 4) +
-                 " at the outer edge of the tooth top, gap to the next mode " +
-                 text(100. * wave->gap_above, 1) + " % above");
+        log.line("motor's wave: A_t/A_n = " + text(shape_samples.back().quantities[0].value, 4) +
+                 " at the outer edge of the tooth top" +
+                 (wave->gap_above > 0.
+                      ? ", next mode of n = " + std::to_string(parameters.motor.n_waves) + " " +
+                            text(100. * wave->gap_above, 1) + " % above"
+                      : ""));
       else
         log.line("the motor's wave (n = " + std::to_string(parameters.motor.n_waves) +
                  ", out-of-plane) is not among the modes asked for: no ellipses, no wave for the "
@@ -261,19 +198,21 @@ namespace ringmotor
                          << ")\n";
                      print_parameters(out, parameters);
                    });
-        write_frequencies(folder + "frequencies.csv", search.modes());
-        write_modes_h5(folder + "modes.h5", parameters, search.sector(), search.modes(),
-                       wave ? &*wave : nullptr);
+        write_frequencies(folder + "frequencies.csv", stator.search().modes());
+        write_modes_h5(folder + "modes.h5", parameters, stator.search().sector(),
+                       stator.search().modes(), wave ? &*wave : nullptr);
         if (wave)
           write_ellipses(folder + "ellipses.csv", *wave);
       }
       if (speaks && wave && parameters.output.vtu)
       {
-        const auto scope          = phases.measure("output for ParaView");
-        const unsigned int degree = search.sector().dofs().get_fe().degree;
+        const auto scope           = phases.measure("output for ParaView");
+        const CyclicSector &sector = stator.search().sector();
         write_sector(folder + "sector.vtu",
-                     sample_sector(search.sector(), wave->found.mode, degree));
-        write_ring_animation(folder, "ring", sample_sector(search.sector(), wave->found.mode, 2),
+                     sample_sector(sector, wave->found.mode, sector.dofs().get_fe().degree));
+        // Many frames of all sectors: where cells are small already, straight ones will do.
+        const bool fine = sector.sector_mesh().triangulation->n_active_cells() > 60;
+        write_ring_animation(folder, "ring", sample_sector(sector, wave->found.mode, fine ? 1 : 2),
                              parameters.output.frames_per_period);
       }
       if (speaks)
@@ -289,14 +228,16 @@ namespace ringmotor
       summary.git     = git_revision;
       std::ostringstream prm;
       print_parameters(prm, parameters);
-      summary.prm            = prm.str();
-      summary.seconds        = phases.seconds();
+      summary.prm     = prm.str();
+      summary.seconds = pass_seconds;
+      summary.seconds.insert(summary.seconds.end(), phases.seconds().begin(),
+                             phases.seconds().end());
       summary.peak_memory_MB = peak_memory_MB();
-      summary.dofs           = search.sector().dofs().n_dofs();
+      summary.dofs           = stator.search().sector().dofs().n_dofs();
       double seconds         = 0.;
-      for (const auto &phase : phases.seconds())
-        seconds += phase.second;
-      for (const FoundMode &found : search.modes())
+      for (const auto &pass : pass_seconds)
+        seconds += pass.second;
+      for (const FoundMode &found : stator.search().modes())
         summary.quantities.push_back(
             {"frequency",
              found.frequency.value,
@@ -308,11 +249,22 @@ namespace ringmotor
       if (wave)
         add_wave_quantities(summary, seconds);
       summary.effects.push_back({"Target plates", 0., "off", 0., 0});
-      summary.certificate.push_back({"modes missed by the eigensolver (Sturm count)", 0., 0.});
+      summary.certificate.push_back({"modes counted (Sturm) but not found",
+                                     static_cast<double>(stator.search().n_missed()), 0.});
+      if (wave)
+        summary.certificate.push_back(
+            {"strain and kinetic energy of the wave, relative difference", algebra_error(), 1e-7});
       if (parameters.accuracy.mode == AccuracyMode::adaptive)
         summary.certificate.push_back({"largest relative error bar of a frequency",
-                                       search.worst_relative_error(), parameters.accuracy.target});
+                                       stator.search().worst_relative_error(),
+                                       parameters.accuracy.target});
       write_summary(folder + "summary.json", summary);
+    }
+
+    /** In a natural mode both energies are equal: what is left is rounding in the algebra. */
+    double StatorProgram::algebra_error() const
+    {
+      return std::abs(wave->energy.total_strain / wave->energy.kinetic - 1.);
     }
 
     void StatorProgram::add_wave_quantities(Summary &summary, const double seconds) const
@@ -331,8 +283,13 @@ namespace ringmotor
                                       seconds,
                                       {}});
       }
+      const double gap_error = 2. * stator.search().worst_relative_error();
+      for (const auto &[name, gap] : {std::make_pair("gap_above", wave->gap_above),
+                                      std::make_pair("gap_below", wave->gap_below)})
+        if (gap > 0.)
+          summary.quantities.push_back(
+              {name, gap, "1", gap_error, {{"body mesh", gap_error}}, seconds, {}});
     }
-
   } // namespace
 } // namespace ringmotor
 

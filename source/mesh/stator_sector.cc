@@ -27,6 +27,9 @@ namespace ringmotor
       // A last cell less than sqrt(ratio) of the one before it would only add a sliver.
       for (double distance = finest; distance < physical * std::sqrt(ratio); distance /= ratio)
         lines.push_back(distance);
+      // A cell over most of the cross-section's height is too long for its bending.
+      if (physical - lines.back() > 0.6 * physical)
+        lines.push_back(0.5 * (lines.back() + physical));
       lines.push_back(physical);
 
       std::vector<double> widths;

@@ -15,7 +15,7 @@ namespace ringmotor
               selection<AccuracyMode>(
                   {{"adaptive", AccuracyMode::adaptive}, {"fixed", AccuracyMode::fixed}}),
               "Refine until the target is met, or take the three entries below as they are.");
-    add_entry(prm, "Polynomial degree", polynomial_degree, whole_number(1, 8),
+    add_entry(prm, "Polynomial degree", polynomial_degree, whole_number(2, 8),
               "Degree of the solid elements; used with Mode = fixed only.");
     add_entry(prm, "Refinement", refinement, whole_number(0, 6),
               "Uniform refinements of the body meshes; used with Mode = fixed only.");

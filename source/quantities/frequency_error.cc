@@ -13,13 +13,16 @@ namespace ringmotor
     Assert(!samples.empty(), dealii::ExcInternalError());
     const FrequencySample &best = samples.back();
 
-    double kappa = std::max(0.15, 0.3 * best.degree - 0.45);
+    const double largest = best.degree <= 2 ? 16. : 4.6;
+    double kappa         = largest;
     for (const FrequencySample &sample : samples)
-      // Two meshes of one degree show the slope, if they differ enough.
+      // Two meshes of one degree show the slope, if they differ enough. Its own uncertainty bounds
+      // the gain.
       if (sample.degree == best.degree && sample.indicator > 1.5 * best.indicator)
       {
         const double eigenvalue_excess = std::pow(sample.frequency / best.frequency, 2) - 1.;
-        kappa = std::max(kappa, eigenvalue_excess / (sample.indicator - best.indicator));
+        const double slope             = eigenvalue_excess / (sample.indicator - best.indicator);
+        kappa                          = std::clamp(1.2 * slope, 0.65 * largest, largest);
       }
     const double half_width = 0.25 * kappa * best.indicator * best.frequency;
     return {best.frequency - half_width, half_width};

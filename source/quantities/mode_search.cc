@@ -20,38 +20,48 @@ namespace ringmotor
   {
     model = std::make_unique<CyclicSector>(mesh, materials, degree);
     ModeSolver solver(*model);
-    const Sheets sheets(mesh);
-    sheet_error.assign(sheets.n_sheets(), 0.);
-
-    std::vector<FoundMode> now;
+    std::vector<Mode> modes;
     for (const unsigned int k : request.nodal_diameters)
+      for (Mode &mode : modes_of(solver, k))
+        modes.push_back(std::move(mode));
+    missed = solver.n_counted() - solver.n_found();
+
+    const Sheets sheets(mesh);
+    std::vector<const ComplexField *> fields;
+    for (const Mode &mode : modes)
+      fields.push_back(&mode.displacement);
+    const std::vector<std::vector<double>> indicators = sheet_indicators(*model, sheets, fields);
+
+    sheet_error.assign(sheets.n_sheets(), 0.);
+    std::map<std::pair<unsigned int, Family>, unsigned int> rank;
+    std::vector<FoundMode> now;
+    for (unsigned int i = 0; i < modes.size(); ++i)
     {
-      if (shifts.count(k) == 0)
-        shifts[k] = solver.shift_above(k, request.n_modes, request.frequency_target);
-      std::vector<Mode> modes =
-          nearest_elastic(solver.below(k, shifts[k]), request.n_modes, request.frequency_target);
-      if (modes.size() < request.n_modes)
-        throw ComputationError("nodal diameter " + std::to_string(k) + ": only " +
-                               std::to_string(modes.size()) + " of " +
-                               std::to_string(request.n_modes) + " elastic modes lie below " +
-                               std::to_string(std::sqrt(shifts[k]) / (2. * numbers::PI)) + " Hz");
-      std::map<Family, unsigned int> rank;
-      for (Mode &mode : modes)
-      {
-        const std::vector<double> indicators = sheet_indicators(*model, sheets, mode.displacement);
-        const ModeContent content            = mode_content(*model, mode);
-        std::vector<FrequencySample> samples =
-            earlier_samples(mode, content.family(), rank[content.family()]++);
-        samples.push_back(
-            {degree, mode.frequency(), std::accumulate(indicators.begin(), indicators.end(), 0.)});
-        for (unsigned int sheet = 0; sheet < indicators.size(); ++sheet)
-          sheet_error[sheet] += indicators[sheet];
-        const Estimate estimate = frequency_estimate(samples);
-        now.push_back({std::move(mode), content, std::move(samples), estimate});
-      }
+      const ModeContent content            = mode_content(*model, modes[i]);
+      std::vector<FrequencySample> samples = earlier_samples(
+          modes[i], content.family(), rank[{modes[i].nodal_diameter, content.family()}]++);
+      samples.push_back({degree, modes[i].frequency(),
+                         std::accumulate(indicators[i].begin(), indicators[i].end(), 0.)});
+      for (unsigned int sheet = 0; sheet < sheets.n_sheets(); ++sheet)
+        sheet_error[sheet] += indicators[i][sheet];
+      const Estimate estimate = frequency_estimate(samples);
+      now.push_back({std::move(modes[i]), content, std::move(samples), estimate});
     }
-    found  = std::move(now);
-    solves = solver.n_solves();
+    found = std::move(now);
+  }
+
+  std::vector<Mode> ModeSearch::modes_of(ModeSolver &solver, const unsigned int k)
+  {
+    if (shifts.count(k) == 0)
+      shifts[k] = solver.shift_above(k, request.n_modes, request.frequency_target);
+    std::vector<Mode> modes =
+        nearest_elastic(solver.below(k, shifts[k]), request.n_modes, request.frequency_target);
+    if (modes.size() < request.n_modes)
+      throw ComputationError("nodal diameter " + std::to_string(k) + ": only " +
+                             std::to_string(modes.size()) + " of " +
+                             std::to_string(request.n_modes) + " elastic modes lie below " +
+                             std::to_string(std::sqrt(shifts[k]) / (2. * numbers::PI)) + " Hz");
+    return modes;
   }
 
   std::vector<FrequencySample> ModeSearch::earlier_samples(const Mode &mode, const Family family,

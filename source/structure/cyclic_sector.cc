@@ -18,21 +18,32 @@ namespace ringmotor
 
   namespace
   {
-    /** Calls @p use(row, column, value) for every entry of this rank's rows at or below the
-     * diagonal. */
+    /**
+     * Calls @p use(row, column, value) for the entries of stiffness - shift * mass at or below the
+     * diagonal in this rank's rows. The pattern of the mass is part of that of the stiffness.
+     */
     template <typename Use>
-    void for_each_lower_entry(const TrilinosWrappers::SparseMatrix &wrapped, const Use &use)
+    void for_each_lower_entry(const Epetra_CrsMatrix &stiffness, const Epetra_CrsMatrix &mass,
+                              const double shift, const Use &use)
     {
-      const Epetra_CrsMatrix &matrix = wrapped.trilinos_matrix();
-      for (int local_row = 0; local_row < matrix.NumMyRows(); ++local_row)
+      std::vector<double> row_of_mass(stiffness.NumMyCols(), 0.);
+      for (int local_row = 0; local_row < stiffness.NumMyRows(); ++local_row)
       {
-        int n_entries = 0, *columns = nullptr;
-        double *values = nullptr;
-        matrix.ExtractMyRowView(local_row, n_entries, values, columns);
-        const int row = matrix.GRID(local_row);
+        int n_entries = 0, n_mass_entries = 0, *columns = nullptr, *mass_columns = nullptr;
+        double *values = nullptr, *mass_values = nullptr;
+        stiffness.ExtractMyRowView(local_row, n_entries, values, columns);
+        mass.ExtractMyRowView(local_row, n_mass_entries, mass_values, mass_columns);
+        for (int entry = 0; entry < n_mass_entries; ++entry)
+          row_of_mass[stiffness.LCID(mass.GCID(mass_columns[entry]))] = mass_values[entry];
+
+        const int row = stiffness.GRID(local_row);
         for (int entry = 0; entry < n_entries; ++entry)
-          if (const int column = matrix.GCID(columns[entry]); column <= row)
-            use(row, column, values[entry]);
+        {
+          double &mass_value = row_of_mass[columns[entry]];
+          if (const int column = stiffness.GCID(columns[entry]); column <= row)
+            use(row, column, values[entry] - shift * mass_value);
+          mass_value = 0.;
+        }
       }
     }
   } // namespace
@@ -177,8 +188,7 @@ namespace ringmotor
     const auto weight                  = [&](const Term &term)
     { return factor[static_cast<unsigned int>(term.factor)]; };
     SymmetricTriplets triplets;
-    triplets.reserve(stiffness.trilinos_matrix().NumMyNonzeros() +
-                     mass.trilinos_matrix().NumMyNonzeros());
+    triplets.reserve(stiffness.trilinos_matrix().NumMyNonzeros());
     const auto add = [&](const unsigned int row, const unsigned int column, const double value)
     {
       for (const auto &field_terms : terms)
@@ -195,9 +205,7 @@ namespace ringmotor
           }
       }
     };
-    for_each_lower_entry(stiffness, add);
-    for_each_lower_entry(mass, [&](const unsigned int row, const unsigned int column,
-                                   const double value) { add(row, column, -shift * value); });
+    for_each_lower_entry(stiffness.trilinos_matrix(), mass.trilinos_matrix(), shift, add);
     return triplets;
   }
 

@@ -57,7 +57,10 @@ namespace ringmotor
   {
     const unsigned int count = count_below(k, shift);
     std::vector<Mode> modes  = solve(k, shift, EigenvalueChoice::below, count);
-    if (modes.size() != count || (count > 0 && modes.back().eigenvalue > shift))
+    counted += count;
+    found += std::count_if(modes.begin(), modes.end(),
+                           [&](const Mode &mode) { return mode.eigenvalue < shift; });
+    if (found != counted)
       throw ComputationError("nodal diameter " + std::to_string(k) + ": the factorisation counts " +
                              std::to_string(count) + " modes below " +
                              std::to_string(std::sqrt(shift) / (2. * numbers::PI)) +

@@ -149,7 +149,7 @@ TEST(WrongInput, ValuesOutOfRange)
   for (const std::string target : {"0", "9e-9", "0.11"})
     expect_refused_override("Accuracy/Target = " + target,
                             {"Accuracy/Target", target, "from 1e-8 to 0.1"});
-  expect_refused_override("Accuracy/Polynomial degree = 9", {"from 1 to 8"});
+  expect_refused_override("Accuracy/Polynomial degree = 9", {"from 2 to 8"});
   expect_refused_override("Accuracy/Refinement = 7", {"from 0 to 6"});
   expect_refused_override("Output/Frames per period = 1", {"from 2 to 360"});
   expect_refused_override("Modes/Number of modes = 0", {"Modes/Number of modes", "from 1"});

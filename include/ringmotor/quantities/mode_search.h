@@ -52,10 +52,11 @@ namespace ringmotor
      * for: the motor's. */
     const FoundMode *working_mode(const unsigned int n_waves) const;
 
-    /** Solves with a factorised matrix in the last compute(). */
-    unsigned int n_solves() const { return solves; }
+    /** Modes that the factorisations of the last compute() count and the eigensolver did not find. */
+    unsigned int n_missed() const { return missed; }
 
   private:
+    std::vector<Mode> modes_of(ModeSolver &solver, const unsigned int k);
     std::vector<FrequencySample> earlier_samples(const Mode &mode, const Family family,
                                                  const unsigned int rank) const;
 
@@ -65,6 +66,6 @@ namespace ringmotor
     std::unique_ptr<CyclicSector> model;
     std::vector<FoundMode> found;
     std::vector<double> sheet_error; ///< by sheet of the last mesh, summed over the modes
-    unsigned int solves = 0;
+    unsigned int missed = 0;
   };
 } // namespace ringmotor

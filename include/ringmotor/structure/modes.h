@@ -56,6 +56,10 @@ namespace ringmotor
     /** How many modes of nodal diameter @p k have an eigenvalue below @p shift. */
     unsigned int count_below(const unsigned int k, const double shift);
 
+    /** Modes that below() has counted so far, and those it has found. */
+    unsigned int n_counted() const { return counted; }
+    unsigned int n_found() const { return found; }
+
     unsigned int n_solves() const { return solves; }
     unsigned int n_factorisations() const { return factorisations; }
     double n_factor_entries() const { return factors.n_factor_entries(); }
@@ -67,6 +71,6 @@ namespace ringmotor
 
     const CyclicSector &sector;
     SparseLDLT factors;
-    unsigned int solves = 0, factorisations = 0;
+    unsigned int solves = 0, factorisations = 0, counted = 0, found = 0;
   };
 } // namespace ringmotor

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the program stator left in the folder of a case, for the scripts that draw or print it."""
+import csv
+import json
+import math
+import os
+import re
+
+import h5py
+
+
+class CaseError(Exception):
+    """A case that cannot be shown; the text is one line for the user."""
+
+
+class Case:
+    """What the program stator left in a folder.
+
+    summary  content of summary.json
+    modes    list of dict: n, family, frequency_Hz, error_Hz
+    wave     attributes and surface traces of the motor's wave, None if it is not among the modes
+    points   with a wave: name of a point of the tooth -> dict of the columns of ellipses.csv
+    errors   with a wave: name of a quantity of the wave -> error bar, in the unit of the summary
+    """
+
+    def __init__(self, folder):
+        self.folder = os.path.join(folder, "stator")
+        self.wave = None
+        self.load("summary.json", self.read_summary)
+        self.load("frequencies.csv", self.read_frequencies)
+        self.load("modes.h5", self.read_modes)
+        if self.wave:
+            self.load("ellipses.csv", self.read_ellipses)
+
+    def load(self, name, read):
+        path = os.path.join(self.folder, name)
+        try:
+            read(path)
+        except FileNotFoundError:
+            raise CaseError(f"{path} is missing; run the program stator first") from None
+        except (OSError, ValueError, TypeError, LookupError) as error:
+            reason = " ".join(f"{type(error).__name__} {error}".split())
+            raise CaseError(f"{path} cannot be read ({reason}); run the program stator again") from None
+
+    def read_summary(self, path):
+        with open(path) as file:
+            self.summary = json.load(file)
+        self.errors = {quantity["name"]: quantity["error"] for quantity in self.summary["quantities"]
+                       if quantity["name"] != "frequency"}
+        checks = {check["name"]: check["limit"] for check in self.summary["certificate"]["checks"]}
+        # Accuracy/Target if the mesh was refined until it was met, else None
+        self.target = checks.get("largest relative error bar of a frequency")
+        # not so if the modes nearest to a frequency were asked for
+        self.has_lowest_modes = re.search(r"set Frequency target += 0\n", self.summary["prm"]) is not None
+
+    def read_frequencies(self, path):
+        with open(path, newline="") as file:
+            self.modes = [{"n": int(row["n"]), "family": row["family"], "frequency_Hz": float(row["frequency_Hz"]),
+                           "error_Hz": float(row["error_Hz"])} for row in csv.DictReader(file)]
+
+    def read_ellipses(self, path):
+        with open(path, newline="") as file:
+            self.points = {row.pop("point"): {key: float(value) for key, value in row.items()}
+                           for row in csv.DictReader(file)}
+
+    def read_modes(self, path):
+        with h5py.File(path, "r") as file:
+            self.motor = file.attrs["motor"].decode(errors="replace")
+            self.n_waves, self.n_teeth = int(file.attrs["n_waves"]), int(file.attrs["n_teeth"])
+            if "wave" in file:
+                self.wave = dict(file["wave"].attrs)
+                self.wave.update({name: read_trace(file["wave"][name]) for name in ("tooth_top", "tooth_foot")})
+
+
+def read_trace(group):
+    """Points (face, place, xyz) in m and complex displacement (face, place, r/theta/z) in m."""
+    displacement = group["displacement_real"][()] + 1j * group["displacement_imaginary"][()]
+    return {"order": int(group.attrs["order"]), "points": group["points"][()], "u": displacement}
+
+
+def with_error(value, error):
+    """Both with the two leading digits of the error: '29.988 ± 0.026'."""
+    digits = 3 if error <= 0 else max(0, 1 - math.floor(math.log10(error)))
+    return f"{value:.{digits}f} ± {error:.{digits}f}"

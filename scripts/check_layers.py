@@ -1,0 +1,60 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Checks that the rooms of the library include each other in one direction only.
+
+Usage: scripts/check_layers.py [root of the project]
+Prints file:line of every include that the table below does not allow, and then exits with 1.
+"""
+
+import re
+import sys
+from pathlib import Path
+
+# Each room may include itself and the rooms before it.
+ORDER = ["parameters", "mesh", "elements", "structure", "contact", "quantities", "output", "programs"]
+MAY_INCLUDE = {room: set(ORDER[: place + 1]) for place, room in enumerate(ORDER)}
+
+# Not rooms: the programs at the top level of source/ see everything, and everyone may see these.
+FREE_HEADERS = {"version.h"}
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]ringmotor/([^>"]+)[>"]')
+
+
+def room_of(path, base):
+    """The room of a file below include/ringmotor or source; None for the programs."""
+    parts = path.relative_to(base).parts
+    return parts[0] if len(parts) > 1 else None
+
+
+def violations(root):
+    for base in (root / "include" / "ringmotor", root / "source"):
+        for path in sorted(p for p in base.rglob("*") if p.suffix in (".h", ".cc")):
+            room = room_of(path, base)
+            if room is None and base.name == "source":
+                continue
+            place = path.relative_to(root)
+            if room not in MAY_INCLUDE:
+                yield f"{place}:1: '{room or path.name}' is not a room, see the table in {Path(__file__).name}"
+                continue
+            for number, line in enumerate(path.read_text().splitlines(), start=1):
+                found = INCLUDE.match(line)
+                if found is None or found.group(1) in FREE_HEADERS:
+                    continue
+                other = found.group(1).split("/")[0]
+                if other not in MAY_INCLUDE[room]:
+                    yield f"{place}:{number}: {room} may not include {other} (<ringmotor/{found.group(1)}>)"
+
+
+def main():
+    root = Path(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).parent.parent).resolve()
+    n_files = sum(1 for p in (root / "source").rglob("*.cc"))
+    if n_files == 0:
+        sys.exit(f"{root} has no source files to check")
+    found = list(violations(root))
+    for line in found:
+        print(line)
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
