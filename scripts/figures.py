@@ -176,8 +176,7 @@ def draw_elliptic_paths(case):
 
     figure = start_figure(case, f"paths of points on a tooth, {wave_text(case)}",
                           (7.4, inch_per_mm * sum(heights) + 2.2))
-    figure.get_layout_engine().set(h_pad=0.08)
-    rows = figure.add_gridspec(2, 1, height_ratios=heights)
+    rows = figure.add_gridspec(2, 1, height_ratios=heights, hspace=0.06)
     upper = rows[0].subgridspec(1, 3, width_ratios=half_widths)
     lower = rows[1].subgridspec(1, 2, width_ratios=(radii[1] - radii[0], width - (radii[1] - radii[0])))
     panels = [figure.add_subplot(place) for place in (*upper, *lower)]
