@@ -5,8 +5,12 @@ import json
 import math
 import os
 import re
+import sys
 
-import h5py
+try:
+    import h5py
+except ImportError as error:
+    sys.exit(f"{error}; scripts/setup.sh installs what is missing, run with /usr/bin/python3")
 
 
 class CaseError(Exception):

@@ -14,8 +14,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iomanip>
 #include <optional>
+#include <regex>
 #include <sstream>
 
 namespace ringmotor
@@ -47,11 +49,12 @@ namespace ringmotor
       std::vector<Quantity> quantities_of(const WaveResult &wave) const;
       void report();
       void write_results();
-      void write_summary_file(const std::string &folder);
+      void write_summary_file();
       void add_wave_quantities(Summary &summary, const double seconds) const;
       double algebra_error() const;
 
       const Parameters &parameters;
+      const std::string folder; ///< of the results, ends in a slash
       const bool speaks;
       Log log;
       StatorModes stator;
@@ -63,7 +66,7 @@ namespace ringmotor
       struct ShapeSample
       {
         std::vector<Quantity> quantities;
-        double indicator;
+        FrequencySample frequency;
       };
       std::vector<ShapeSample> shape_samples;
       std::optional<WaveResult> wave;
@@ -84,16 +87,32 @@ namespace ringmotor
              " +- " + text(1e-3 * found.frequency.error, 5) + " kHz";
     }
 
+    /** Removes what earlier runs left: results of two runs side by side would tell a wrong story.
+     */
+    void remove_results(const std::string &folder)
+    {
+      const std::regex ours(
+          "used\\.prm|frequencies\\.csv|ellipses\\.csv|modes\\.h5|summary\\.json|sector\\.vtu|"
+          "ring\\.pvd|ring_[0-9]+\\.vtu");
+      for (const auto &entry : std::filesystem::directory_iterator(folder))
+        if (std::regex_match(entry.path().filename().string(), ours))
+          std::filesystem::remove(entry.path());
+    }
+
     StatorProgram::StatorProgram(const Parameters &parameters)
-        : parameters(parameters), speaks(Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0),
-          log(speaks), stator(parameters, MPI_COMM_WORLD)
+        : parameters(parameters), folder(parameters.output.directory + "/stator/"),
+          speaks(Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0), log(speaks),
+          stator(parameters, MPI_COMM_WORLD)
     {
     }
 
     void StatorProgram::run()
     {
       if (speaks)
-        prepare_directory(parameters.output.directory + "/stator");
+      {
+        prepare_directory(folder);
+        remove_results(folder);
+      }
       stator.find([&](const Pass &pass) { after_pass(pass); });
       report();
       write_results();
@@ -117,7 +136,7 @@ namespace ringmotor
       if (working != nullptr)
       {
         wave = make_wave(*working);
-        shape_samples.push_back({quantities_of(*wave), working->samples.back().indicator});
+        shape_samples.push_back({quantities_of(*wave), working->samples.back()});
       }
     }
 
@@ -187,7 +206,6 @@ namespace ringmotor
 
     void StatorProgram::write_results()
     {
-      const std::string folder = parameters.output.directory + "/stator/";
       if (speaks)
       {
         const auto scope = phases.measure("output");
@@ -216,11 +234,11 @@ namespace ringmotor
                              parameters.output.frames_per_period);
       }
       if (speaks)
-        write_summary_file(folder);
+        write_summary_file();
       log.line("results in " + folder);
     }
 
-    void StatorProgram::write_summary_file(const std::string &folder)
+    void StatorProgram::write_summary_file()
     {
       Summary summary;
       summary.program = "stator";
@@ -273,8 +291,9 @@ namespace ringmotor
       for (unsigned int i = 0; i < last.quantities.size(); ++i)
       {
         const Quantity &quantity = last.quantities[i];
-        const Estimate estimate  = shape_estimate(quantity.value, earlier.quantities[i].value,
-                                                  last.indicator, earlier.indicator);
+        const Estimate estimate  = shape_estimate(
+             quantity.value, earlier.quantities[i].value, last.frequency, earlier.frequency,
+             wave->found.frequency.error / wave->found.frequency.value);
         summary.quantities.push_back({quantity.name,
                                       estimate.value,
                                       quantity.unit,

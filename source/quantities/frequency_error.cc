@@ -28,11 +28,12 @@ namespace ringmotor
     return {best.frequency - half_width, half_width};
   }
 
-  Estimate shape_estimate(const double value, const double earlier, const double indicator,
-                          const double earlier_indicator)
+  Estimate shape_estimate(const double value, const double earlier, const FrequencySample &sample,
+                          const FrequencySample &earlier_sample,
+                          const double relative_frequency_error)
   {
-    // The shape converges like the square root of the energy at worst.
-    const double ratio = std::min(0.8, std::sqrt(indicator / earlier_indicator));
-    return {value, 2. * std::abs(value - earlier) * ratio / (1. - ratio)};
+    const double ratio  = std::min(0.8, std::sqrt(sample.indicator / earlier_sample.indicator));
+    const double change = 2. * std::abs(value - earlier) * ratio / (1. - ratio);
+    return {value, std::max(change, 2. * relative_frequency_error * std::abs(value))};
   }
 } // namespace ringmotor

@@ -20,6 +20,10 @@ namespace ringmotor
   {
     using Complex = std::complex<double>;
 
+    /** Relative residual at which ARPACK takes a pair as found; the error of the value is its
+     * square. */
+    constexpr double tolerance = 1e-12;
+
     template <typename Number>
     constexpr bool is_complex = std::is_same_v<Number, Complex>;
 
@@ -99,12 +103,12 @@ namespace ringmotor
       void step(int &request)
       {
         if constexpr (is_complex<Number>)
-          arpack::internal::znaupd_c(&request, "G", size, which, count, 0., as_c(residual), n_basis,
-                                     as_c(basis), size, parameters, pointers, as_c(work),
+          arpack::internal::znaupd_c(&request, "G", size, which, count, tolerance, as_c(residual),
+                                     n_basis, as_c(basis), size, parameters, pointers, as_c(work),
                                      as_c(work_small), static_cast<int>(work_small.size()),
                                      work_real.data(), &info);
         else
-          arpack::internal::dsaupd_c(&request, "G", size, which, count, 0., residual.data(),
+          arpack::internal::dsaupd_c(&request, "G", size, which, count, tolerance, residual.data(),
                                      n_basis, basis.data(), size, parameters, pointers, work.data(),
                                      work_small.data(), static_cast<int>(work_small.size()), &info);
       }
@@ -136,16 +140,16 @@ namespace ringmotor
           Complex shift = pencil.shift;
           arpack::internal::zneupd_c(1, "A", select.data(), as_c(values), as_c(vectors), size,
                                      *reinterpret_cast<_Complex double *>(&shift),
-                                     as_c(work_vectors), "G", size, which, count, 0.,
+                                     as_c(work_vectors), "G", size, which, count, tolerance,
                                      as_c(residual), n_basis, as_c(basis), size, parameters,
                                      pointers, as_c(work), as_c(work_small),
                                      static_cast<int>(work_small.size()), work_real.data(), &info);
         }
         else
-          arpack::internal::dseupd_c(1, "A", select.data(), values.data(), vectors.data(), size,
-                                     pencil.shift, "G", size, which, count, 0., residual.data(),
-                                     n_basis, basis.data(), size, parameters, pointers, work.data(),
-                                     work_small.data(), static_cast<int>(work_small.size()), &info);
+          arpack::internal::dseupd_c(
+              1, "A", select.data(), values.data(), vectors.data(), size, pencil.shift, "G", size,
+              which, count, tolerance, residual.data(), n_basis, basis.data(), size, parameters,
+              pointers, work.data(), work_small.data(), static_cast<int>(work_small.size()), &info);
         if (info != 0)
           throw ComputationError(
               "the eigensolver (ARPACK) could not extract its eigenvectors, code " +

@@ -36,9 +36,13 @@ namespace ringmotor
 
   /**
    * A quantity of the mode's shape with its error bar: @p value on the last mesh, @p earlier on the
-   * one before, and the indicators there. The change between the meshes, scaled by what is left of
-   * the indicator, and doubled because such quantities need not converge from one side.
+   * one before, and the samples of the frequency there. The change between the meshes, scaled by
+   * what is left of it (the shape converges like the square root of the indicator at worst) and
+   * doubled, as such quantities need not converge from one side. Since a change can be small by
+   * accident, the error bar is at least that of the eigenvalue, 2 * @p relative_frequency_error, to
+   * which energies and ratios of amplitudes are tied.
    */
-  Estimate shape_estimate(const double value, const double earlier, const double indicator,
-                          const double earlier_indicator);
+  Estimate shape_estimate(const double value, const double earlier, const FrequencySample &sample,
+                          const FrequencySample &earlier_sample,
+                          const double relative_frequency_error);
 } // namespace ringmotor

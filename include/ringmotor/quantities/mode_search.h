@@ -52,7 +52,8 @@ namespace ringmotor
      * for: the motor's. */
     const FoundMode *working_mode(const unsigned int n_waves) const;
 
-    /** Modes that the factorisations of the last compute() count and the eigensolver did not find. */
+    /** Modes that the factorisations of the last compute() count and the eigensolver did not find.
+     */
     unsigned int n_missed() const { return missed; }
 
   private:

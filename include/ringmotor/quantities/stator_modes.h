@@ -15,7 +15,7 @@ namespace ringmotor
     unsigned int degree = 0; ///< of the finite elements
     std::size_t n_cells = 0;
     unsigned int n_dofs = 0;
-    double seconds = 0.; ///< wall clock
+    double seconds      = 0.; ///< wall clock
   };
 
   /**
@@ -38,7 +38,8 @@ namespace ringmotor
 
   private:
     SectorMesh make_mesh(const unsigned int level) const;
-    void compute_pass(const unsigned int degree, const std::function<void(const Pass &)> &after_pass);
+    void compute_pass(const unsigned int degree,
+                      const std::function<void(const Pass &)> &after_pass);
     [[noreturn]] void give_up() const;
 
     const Parameters &parameters;
