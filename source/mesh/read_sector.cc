@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/mesh/check_sector.h>
 #include <ringmotor/mesh/ids.h>
 #include <ringmotor/mesh/read_sector.h>
-#include <ringmotor/parameters/errors.h>
 
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_nothing.h>
-#include <deal.II/fe/fe_values.h>
-#include <deal.II/fe/mapping_q.h>
 #include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/manifold_lib.h>
 
+#include <algorithm>
 #include <fstream>
+#include <limits>
 #include <set>
-#include <sstream>
 
 namespace ringmotor
 {
@@ -20,98 +17,143 @@ namespace ringmotor
 
   namespace
   {
-    [[noreturn]] void refuse(const std::string &file, const std::string &found,
-                             const std::string &what_to_do)
+    void skip_lines(std::istream &input, const unsigned long n_lines)
     {
-      throw UserError("Stator/Mesh file: " + file + ": " + found + "; " + what_to_do);
+      for (unsigned long line = 0; line < n_lines; ++line)
+        input.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
     }
 
+    /**
+     * True if every block of the section `$name` of a file of format 4.1 holds the lines it
+     * announces (@p lines_per_item for each node or element). deal.II trusts these numbers.
+     */
+    bool blocks_are_whole(std::istream &input, const std::string &name,
+                          const unsigned int lines_per_item)
+    {
+      std::string word;
+      while (word != "$" + name)
+        input >> word;
+      unsigned long n_blocks, n_items, smallest, largest, n_found = 0;
+      input >> n_blocks >> n_items >> smallest >> largest;
+      for (unsigned long block = 0; block < n_blocks; ++block)
+      {
+        unsigned int dimension, entity, kind;
+        unsigned long n_here;
+        input >> dimension >> entity >> kind >> n_here;
+        if (dimension > 3 || n_here > n_items)
+          return false;
+        skip_lines(input, 1 + lines_per_item * n_here);
+        n_found += n_here;
+      }
+      input >> word;
+      return n_found == n_items && word == "$End" + name;
+    }
+
+    bool format_is_readable(std::istream &input)
+    {
+      std::string word, version;
+      input >> word;
+      if (word == "$NOD") // version 1, which deal.II writes
+        return true;
+      unsigned int binary;
+      input >> version >> binary;
+      if (word != "$MeshFormat" || binary != 0 || (version != "2.2" && version != "4.1"))
+        return false;
+      return version == "2.2" ||
+             (blocks_are_whole(input, "Nodes", 2) && blocks_are_whole(input, "Elements", 1));
+    }
+
+    /** Lets deal.II read the file, and says in our words what it does not like. */
     void read(const std::string &file, Triangulation<3> &triangulation)
     {
       std::ifstream input(file);
       if (!input)
-        refuse(file, "the file cannot be opened",
-               "check the name, it is looked for beside the parameter file");
+        throw mesh_file_error(file, "it cannot be opened", "check the name and the permissions");
+      const UserError damaged = mesh_file_error(
+          file, "it is damaged, or not a mesh in Gmsh's ASCII format of version 2.2 or 4.1",
+          "save it again as such, with hexahedra of first order (meshes/README.md)");
+      // deal.II does not look whether there was a number to read: without exceptions, a file that
+      // ends early would keep it busy for ever.
+      input.exceptions(std::ios::failbit | std::ios::badbit);
       GridIn<3> reader(triangulation);
       try
       {
+        if (!format_is_readable(input))
+          throw damaged;
+        input.seekg(0);
         reader.read_msh(input);
       }
-      catch (const ExceptionBase &error)
+      catch (const std::ios::failure &)
       {
-        std::ostringstream reason;
-        error.print_info(reason);
-        std::string text = reason.str();
-        for (char &c : text)
-          c = c == '\n' ? ' ' : c;
-        refuse(
-            file, "not a mesh of hexahedra in Gmsh's format (" + text.substr(0, 200) + ")",
-            "save hexahedra (recombined, first order) as version 2.2 or 4.1, see meshes/README.md");
+        throw damaged;
       }
-    }
-
-    void check_ids(const std::string &file, const Triangulation<3> &triangulation)
-    {
-      const std::set<types::material_id> materials{ids::base, ids::tooth, ids::piezoceramic};
-      const std::set<types::boundary_id> boundaries{ids::free,    ids::mirror,   ids::cut,
-                                                    ids::cut_low, ids::cut_high, ids::tooth_top};
-      for (const auto &cell : triangulation.active_cell_iterators())
+      catch (const GridIn<3>::ExcInvalidGMSHInput &)
       {
-        if (materials.count(cell->material_id()) == 0)
-          refuse(file, "a volume has the physical id " + std::to_string(cell->material_id()),
-                 "allowed are 1 (base), 2 (tooth) and 3 (piezoceramic)");
-        for (const auto &face : cell->face_iterators())
-          if (face->at_boundary() && boundaries.count(face->boundary_id()) == 0)
-            refuse(file, "a surface has the physical id " + std::to_string(face->boundary_id()),
-                   "allowed are 11 (mirror plane), 12 (cut), 13 and 14 (cuts), 15 (tooth top), or "
-                   "none");
+        throw damaged;
       }
-    }
-
-    SectorForm form_of(const std::string &file, const Triangulation<3> &triangulation)
-    {
-      std::set<types::boundary_id> found;
-      for (const auto &cell : triangulation.active_cell_iterators())
-        for (const auto &face : cell->face_iterators())
-          if (face->at_boundary())
-            found.insert(face->boundary_id());
-      const bool half  = found.count(ids::mirror) && found.count(ids::cut);
-      const bool whole = found.count(ids::cut_low) && found.count(ids::cut_high);
-      if (half == whole)
-        refuse(file,
-               half ? "it has the surfaces of a half and of a whole sector"
-                    : "the cuts are not marked",
-               "mark either 11 (mirror plane theta = 0) and 12 (cut), or 13 and 14 (the two cuts), "
-               "as physical surfaces");
-      return half ? SectorForm::half : SectorForm::whole;
+      catch (const GridIn<3>::ExcInvalidVertexIndexGmsh &)
+      {
+        throw damaged;
+      }
+      catch (const GridIn<3>::ExcGmshUnsupportedGeometry &)
+      {
+        throw mesh_file_error(file, "it has elements that are not hexahedra of first order",
+                              "recombine the mesh and do not raise its order");
+      }
+      catch (const GridIn<3>::ExcGmshNoCellInformation &)
+      {
+        throw mesh_file_error(file, "it has no volume elements",
+                              "mark the volumes as physical volumes 1 (base), 2 (tooth), 3 "
+                              "(piezoceramic) and mesh in three dimensions");
+      }
+      catch (const ExceptionBase &)
+      {
+        throw mesh_file_error(file,
+                              "a physical surface lies inside the body, cells lie on one another, "
+                              "or a volume or surface has two physical ids",
+                              "mark outer surfaces only, each with one id, and do not set "
+                              "Mesh.SaveAll");
+      }
     }
 
     void check_cells(const std::string &file, const Triangulation<3> &triangulation)
     {
-      const MappingQ<3> mapping(2);
-      const FE_Nothing<3> nothing;
+      if (!triangulation.all_reference_cells_are_hyper_cube())
+        throw mesh_file_error(file, "it has tetrahedra, prisms or pyramids",
+                              "make hexahedra only (Gmsh: Transfinite and Recombine)");
+      const std::set<types::material_id> allowed{ids::base, ids::tooth, ids::piezoceramic};
       for (const auto &cell : triangulation.active_cell_iterators())
-        try
-        {
-          // The Jacobian must be positive at the corners too, where it is worst.
-          for (const Quadrature<3> &points : {static_cast<Quadrature<3>>(QGauss<3>(3)),
-                                              static_cast<Quadrature<3>>(QTrapezoid<3>())})
-          {
-            FEValues<3> values(mapping, nothing, points, update_JxW_values);
-            values.reinit(cell);
-            for (const double jacobian : values.get_JxW_values())
-              if (!(jacobian > 0.))
-                throw ComputationError("inverted");
-          }
-        }
-        catch (const std::exception &)
-        {
-          const Point<3> center = cell->center();
-          std::ostringstream where;
-          where << 1e3 * center;
-          refuse(file, "the cell at (" + where.str() + ") mm is inverted or degenerate",
-                 "repair the mesh");
-        }
+        if (allowed.count(cell->material_id()) == 0)
+          throw mesh_file_error(file,
+                                "a volume has the physical id " +
+                                    std::to_string(static_cast<int>(cell->material_id())),
+                                "allowed are 1 (base), 2 (tooth) and 3 (piezoceramic)");
+    }
+
+    SectorForm form_of(const std::string &file, const Triangulation<3> &triangulation)
+    {
+      const std::set<types::boundary_id> allowed{ids::free,    ids::mirror,   ids::cut,
+                                                 ids::cut_low, ids::cut_high, ids::tooth_top};
+      const std::vector<types::boundary_id> found = triangulation.get_boundary_ids();
+      for (const types::boundary_id id : found)
+        if (allowed.count(id) == 0)
+          throw mesh_file_error(file, "a surface has the physical id " + std::to_string(id),
+                                "allowed are 11 (mirror plane), 12 (cut), 13 and 14 (cuts), 15 "
+                                "(tooth top), or none");
+      const auto marked = [&](const types::boundary_id id)
+      { return std::count(found.begin(), found.end(), id) > 0; };
+      const bool half  = marked(ids::mirror) && marked(ids::cut);
+      const bool whole = marked(ids::cut_low) && marked(ids::cut_high);
+      const bool mixed = half ? marked(ids::cut_low) || marked(ids::cut_high)
+                              : marked(ids::mirror) || marked(ids::cut);
+      if ((!half && !whole) || mixed)
+        throw mesh_file_error(
+            file,
+            half || whole ? "it has the surfaces of a half and of a whole sector"
+                          : "the cuts are not marked",
+            "mark either 11 (mirror plane theta = 0) and 12 (cut), or 13 and 14 (the two cuts), as "
+            "physical surfaces");
+      return half ? SectorForm::half : SectorForm::whole;
     }
   } // namespace
 
@@ -121,11 +163,11 @@ namespace ringmotor
     SectorMesh mesh{empty_triangulation(communicator), SectorForm::half, n_sectors};
     Triangulation<3> &triangulation = *mesh.triangulation;
     read(file, triangulation);
-    check_ids(file, triangulation);
+    check_cells(file, triangulation);
     mesh.form = form_of(file, triangulation);
     triangulation.set_all_manifold_ids(0);
     triangulation.set_manifold(0, CylindricalManifold<3>(2));
-    check_cells(file, triangulation);
+    check_sector(mesh, file);
     return mesh;
   }
 } // namespace ringmotor

@@ -30,6 +30,7 @@ namespace ringmotor
     mumps->control(4) = 0;
     mumps->control(7) =
         2; // approximate minimum fill: a quarter of PORD's operations on these matrices
+    mumps->control(13) = 1; // no parallel root: in that one MUMPS does not count negative pivots
     mumps->control(18) = 3; // every rank gives its own entries
   }
 

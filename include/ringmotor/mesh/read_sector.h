@@ -8,11 +8,15 @@
 namespace ringmotor
 {
   /**
-   * Reads a sector of hexahedra from a Gmsh file (format 2.2 or 4.1, lengths in m) with the
-   * physical ids of mesh/ids.h. Faces 11 and 12 make it a half sector, 13 and 14 a whole one. Edges
-   * are curved around the z axis (cylindrical coordinates are interpolated linearly).
-   * @throws UserError naming `Stator/Mesh file` for a file that cannot be read, cells that are not
-   *         hexahedra, inverted cells, unknown ids, and cuts that are missing.
+   * Reads a sector of hexahedra from a Gmsh file (ASCII, version 2.2 or 4.1, lengths in m) with the
+   * physical ids of mesh/ids.h, see meshes/README.md. Faces 11 and 12 make it a half sector, 13 and
+   * 14 a whole one. Cells are curved around the z axis: cylindrical coordinates are interpolated
+   * linearly between the vertices of the file, also where the mesh is refined later. A plane that
+   * contains neither r nor z, as the wall of a slot, bends a little between these vertices.
+   *
+   * @throws UserError naming `Stator/Mesh file` for a file that cannot be read, elements that are
+   *         not hexahedra of first order, unknown ids and cuts that are missing, and for all that
+   *         check_sector() finds.
    */
   SectorMesh read_sector(const std::string &file, const unsigned int n_sectors,
                          MPI_Comm communicator);

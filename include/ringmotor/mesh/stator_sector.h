@@ -17,7 +17,8 @@ namespace ringmotor
     unsigned int n_radial = 1;   ///< cells from the inner to the outer side
     double ratio          = 0.3; ///< each layer is this much thinner than the next
 
-    /** The gradings 0, 1, 2, ... of a sequence in which the errors of all directions stay balanced. */
+    /** The gradings 0, 1, 2, ... of a sequence in which the errors of all directions stay balanced.
+     */
     static SectorGrading level(const unsigned int level)
     {
       return {level / 2, 1 + (level + 1) / 2, 0.3};
