@@ -13,7 +13,7 @@ namespace ringmotor
     Assert(!samples.empty(), dealii::ExcInternalError());
     const FrequencySample &best = samples.back();
 
-    const double largest = best.degree <= 2 ? 16. : 4.6;
+    const double largest = best.degree <= 2 ? 16. : best.degree == 3 ? 4.6 : 9.2;
     double kappa         = largest;
     for (const FrequencySample &sample : samples)
       // Two meshes of one degree show the slope, if they differ enough. Its own uncertainty bounds

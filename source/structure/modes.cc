@@ -3,7 +3,10 @@
 #include <ringmotor/structure/modes.h>
 #include <ringmotor/structure/rigid_motions.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <string>
@@ -33,6 +36,43 @@ namespace ringmotor
               [](const Mode &a, const Mode &b) { return a.eigenvalue < b.eigenvalue; });
     return chosen;
   }
+
+  namespace
+  {
+    /**
+     * Replaces the eigenvalues by Rayleigh quotients summed cell by cell, where the cell's mean
+     * motion, which strains nothing, is taken off first. In the assembled stiffness the rounding
+     * errors of that large motion blur the eigenvalues of slow modes.
+     */
+    void sharpen_eigenvalues(const CyclicSector &sector, std::vector<Mode> &modes)
+    {
+      const FiniteElement<3> &fe = sector.dofs().get_fe();
+      std::vector<double> strain(modes.size(), 0.), motion(modes.size(), 0.);
+      Vector<double> values(fe.n_dofs_per_cell());
+      sector.for_each_owned_cell(
+          [&](const auto &cell, const auto &stiffness, const auto &mass)
+          {
+            for (unsigned int mode = 0; mode < modes.size(); ++mode)
+              for (const Vector<double> *field :
+                   {&modes[mode].displacement.real, &modes[mode].displacement.imaginary})
+              {
+                cell->get_dof_values(*field, values);
+                motion[mode] += mass.matrix_norm_square(values);
+                std::array<double, 3> mean{};
+                for (unsigned int i = 0; i < values.size(); ++i)
+                  mean[fe.system_to_component_index(i).first] += 3. * values[i] / values.size();
+                for (unsigned int i = 0; i < values.size(); ++i)
+                  values[i] -= mean[fe.system_to_component_index(i).first];
+                strain[mode] += stiffness.matrix_norm_square(values);
+              }
+          });
+      const MPI_Comm communicator = sector.dofs().get_communicator();
+      Utilities::MPI::sum(strain, communicator, strain);
+      Utilities::MPI::sum(motion, communicator, motion);
+      for (unsigned int mode = 0; mode < modes.size(); ++mode)
+        modes[mode].eigenvalue = strain[mode] / motion[mode];
+    }
+  } // namespace
 
   ModeSolver::ModeSolver(const CyclicSector &sector)
       : sector(sector), factors(sector.n_unknowns(), sector.dofs().get_communicator())
@@ -133,6 +173,7 @@ namespace ringmotor
     for (const Eigenpair &pair : eigenpairs(pencil, choice, count, start))
       modes.push_back({k, pair.value, rigid_fraction(sector, k, rigid, pair.vector) > 0.99,
                        sector.expand(k, pair.vector)});
+    sharpen_eigenvalues(sector, modes);
     return modes;
   }
 } // namespace ringmotor

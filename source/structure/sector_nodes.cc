@@ -15,6 +15,7 @@ namespace ringmotor
 
   SectorNodes::SectorNodes(const DoFHandler<3> &dof_handler, const Mapping<3> &mapping,
                            const SectorMesh &mesh)
+      : pitch(2. * numbers::PI / mesh.n_sectors)
   {
     collect(dof_handler, mapping);
     if (mesh.form == SectorForm::half)
@@ -111,6 +112,19 @@ namespace ringmotor
     return nodes[place[dof].node].plane == boundary;
   }
 
+  void SectorNodes::check_turn(const Node &low, const Node &high) const
+  {
+    const double sine   = low.cosine * high.sine - low.sine * high.cosine;
+    const double cosine = low.cosine * high.cosine + low.sine * high.sine;
+    const double degree = numbers::PI / 180.;
+    const double turn   = std::atan2(sine, cosine);
+    if (std::abs(turn - pitch) > 1e-6)
+      throw UserError("Stator/Mesh file: the high cut (physical id 14) is turned by " +
+                      std::to_string(turn / degree) + " degrees against the low cut (13); " +
+                      std::to_string(pitch / degree) +
+                      " are wanted: correct the mesh or Motor/Number of teeth");
+  }
+
   std::vector<std::pair<SectorNodes::Dof, SectorNodes::Dof>>
   SectorNodes::partners(const AffineConstraints<double> &hanging_nodes) const
   {
@@ -151,6 +165,7 @@ namespace ringmotor
                         " mm of the high cut has no partner on the low cut; mesh one as a turned "
                         "copy of the other "
                         "(Gmsh: Periodic Surface)");
+      check_turn(*candidate->node, *node.node);
       for (unsigned int component = 0; component < 3; ++component)
         pairs.emplace_back(node.node->dofs[component], candidate->node->dofs[component]);
     }

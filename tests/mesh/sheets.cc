@@ -26,6 +26,32 @@ namespace
     return make_stator_sector(StatorGeometry(), 90, form, SectorGrading::level(1), MPI_COMM_SELF);
   }
 
+  /** A whole sector in two pieces that hang together only across the cuts: 2 x 2 cells each. */
+  SectorMesh split_sector()
+  {
+    const double pitch = 0.5;
+    SectorMesh mesh{empty_triangulation(MPI_COMM_SELF), SectorForm::whole, 12};
+    dealii::Table<3, dealii::types::material_id> materials(2, 3, 2);
+    for (unsigned int i = 0; i < 2; ++i)
+      for (unsigned int j = 0; j < 3; ++j)
+        for (unsigned int k = 0; k < 2; ++k)
+          materials(i, j, k) = j == 1 ? dealii::numbers::invalid_material_id : ids::base;
+    dealii::GridGenerator::subdivided_hyper_rectangle(
+        *mesh.triangulation, {{0.1, 0.1}, {0.3 * pitch, 0.4 * pitch, 0.3 * pitch}, {0.1, 0.1}},
+        dealii::Point<3>(1., -0.5 * pitch, 0.), materials);
+    for (const auto &cell : mesh.triangulation->active_cell_iterators())
+      for (const auto &face : cell->face_iterators())
+        if (face->at_boundary())
+          face->set_boundary_id(face->center()[1] > 0.499 * pitch    ? ids::cut_high
+                                : face->center()[1] < -0.499 * pitch ? ids::cut_low
+                                                                     : ids::free);
+    dealii::GridTools::transform(
+        [](const dealii::Point<3> &x)
+        { return dealii::Point<3>(x[0] * std::cos(x[1]), x[0] * std::sin(x[1]), x[2]); },
+        *mesh.triangulation);
+    return mesh;
+  }
+
   double volume(const SectorMesh &mesh)
   {
     double sum = 0.;
@@ -89,7 +115,22 @@ TEST(Sheets, AreTheLayersOfABox)
   }
 }
 
-TEST(Sheets, OfTheStatorGoOnAcrossTheCuts)
+TEST(Sheets, GoOnAcrossTheCuts)
+{
+  // Linked: 2 layers in r, 2 in z; in theta each piece has its own.
+  SectorMesh mesh = split_sector();
+  const Sheets sheets(mesh);
+  EXPECT_EQ(sheets.n_sheets(), 2u + 2u + 2u);
+  std::vector<bool> chosen(sheets.n_sheets(), false);
+  for (unsigned int direction = 0; direction < 3; ++direction)
+    chosen[sheets.sheet(mesh.triangulation->begin_active(), direction)] = true;
+  sheets.refine(mesh, chosen);
+  expect_conforming(mesh);
+  // First piece 3 x 2 x 3 cells, the second, not cut in theta, 3 x 1 x 3
+  EXPECT_EQ(mesh.triangulation->n_active_cells(), 18u + 9u);
+}
+
+TEST(Sheets, OfTheStatorRunThroughTheSector)
 {
   // Layers in r and z run through the mirror image, those in theta have one of their own there.
   const SectorMesh half = coarse_stator(SectorForm::half), whole = coarse_stator(SectorForm::whole);

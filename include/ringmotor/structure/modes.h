@@ -10,8 +10,8 @@ namespace ringmotor
   struct Mode
   {
     unsigned int nodal_diameter;
-    double eigenvalue; ///< omega^2 in 1/s^2; rounding may make that of a rigid motion negative
-    bool rigid;        ///< a motion without strain
+    double eigenvalue;         ///< omega^2 in 1/s^2
+    bool rigid;                ///< a motion without strain
     ComplexField displacement; ///< M-normalised on the meshed part of the sector, in m/sqrt(kg)
 
     /** Natural frequency in Hz. */

@@ -91,6 +91,10 @@ namespace ringmotor
     void check_angle(const dealii::types::boundary_id boundary, const double angle,
                      const char *what) const;
 
+    /** Throws a UserError if two partners are not apart by the pitch, in the right direction. */
+    void check_turn(const Node &low, const Node &high) const;
+
+    double pitch = 0.; ///< angle of a whole sector
     std::vector<Node> nodes;
     std::vector<Place> place; ///< of each degree of freedom
   };
