@@ -70,7 +70,11 @@ namespace ringmotor
       Utilities::MPI::sum(strain, communicator, strain);
       Utilities::MPI::sum(motion, communicator, motion);
       for (unsigned int mode = 0; mode < modes.size(); ++mode)
-        modes[mode].eigenvalue = strain[mode] / motion[mode];
+      {
+        const double sharp        = strain[mode] / motion[mode];
+        modes[mode].algebra_error = std::abs(modes[mode].eigenvalue / sharp - 1.);
+        modes[mode].eigenvalue    = sharp;
+      }
     }
   } // namespace
 
@@ -172,7 +176,7 @@ namespace ringmotor
     std::vector<Mode> modes;
     for (const Eigenpair &pair : eigenpairs(pencil, choice, count, start))
       modes.push_back({k, pair.value, rigid_fraction(sector, k, rigid, pair.vector) > 0.99,
-                       sector.expand(k, pair.vector)});
+                       sector.expand(k, pair.vector), 0.});
     sharpen_eigenvalues(sector, modes);
     return modes;
   }

@@ -14,6 +14,10 @@ namespace ringmotor
     bool rigid;                ///< a motion without strain
     ComplexField displacement; ///< M-normalised on the meshed part of the sector, in m/sqrt(kg)
 
+    /** Relative difference between the eigensolver's eigenvalue and that from the energies of the
+     * mode. */
+    double algebra_error = 0.;
+
     /** Natural frequency in Hz. */
     double frequency() const;
   };
