@@ -3,24 +3,16 @@
 // The main function of every test program: GoogleTest on one or more ranks. Each rank runs the same
 // tests; rank 0 prints, and a failure on any rank is a failure of all.
 
+#include <ringmotor/programs/run_program.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
+#include <iostream>
 
 namespace
 {
-  /** Started without mpirun, a test needs no network: not looking for one saves time. */
-  void spare_the_network_search()
-  {
-    if (std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr)
-      return;
-    setenv("OMPI_MCA_ess_singleton_isolated", "1", /*overwrite =*/0);
-    setenv("OMPI_MCA_pml", "ob1", 0);
-    setenv("OMPI_MCA_btl", "self", 0);
-  }
-
   /** Other ranks report failures only, with their number. */
   class FailurePrinter : public testing::EmptyTestEventListener
   {
@@ -40,7 +32,7 @@ int main(int argc, char **argv)
   if (testing::GTEST_FLAG(list_tests)) // ctest asks for the names: MPI would only take time
     return RUN_ALL_TESTS();
 
-  spare_the_network_search();
+  ringmotor::spare_the_network_search();
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
   {

@@ -113,18 +113,16 @@ namespace ringmotor
         MPI_Abort(MPI_COMM_WORLD, status);
       return status;
     }
-
-    /** A program started without mpirun needs no network: not looking for one saves a third of a
-     * second. */
-    void spare_the_network_search()
-    {
-      if (std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr)
-        return;
-      setenv("OMPI_MCA_ess_singleton_isolated", "1", /*overwrite =*/0);
-      setenv("OMPI_MCA_pml", "ob1", 0);
-      setenv("OMPI_MCA_btl", "self", 0);
-    }
   } // namespace
+
+  void spare_the_network_search()
+  {
+    if (std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr)
+      return;
+    setenv("OMPI_MCA_ess_singleton_isolated", "1", /*overwrite =*/0);
+    setenv("OMPI_MCA_pml", "ob1", 0);
+    setenv("OMPI_MCA_btl", "self", 0);
+  }
 
   int run_program(int argc, char **argv, const std::string &name, const std::string &purpose,
                   const std::function<void(const Parameters &)> &check,

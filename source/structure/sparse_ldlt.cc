@@ -28,8 +28,8 @@ namespace ringmotor
     for (const int stream : {1, 2, 3})
       mumps->control(stream) = -1;
     mumps->control(4) = 0;
-    mumps->control(7) =
-        2; // approximate minimum fill: a quarter of PORD's operations on these matrices
+    // approximate minimum fill: a quarter of PORD's operations on these matrices
+    mumps->control(7)  = 2;
     mumps->control(13) = 1; // no parallel root: in that one MUMPS does not count negative pivots
     mumps->control(18) = 3; // every rank gives its own entries
   }
