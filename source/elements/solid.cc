@@ -24,23 +24,26 @@ namespace ringmotor
   SolidElement::SolidElement(const Mapping<3> &mapping, const FiniteElement<3> &fe)
       : fe(fe), scalar_values(mapping, fe.base_element(0), QGauss<3>(fe.degree + 1),
                               update_values | update_gradients | update_JxW_values),
-        n_nodes(fe.base_element(0).n_dofs_per_cell())
+        n_nodes(fe.base_element(0).n_dofs_per_cell()), n_points(scalar_values.n_quadrature_points)
   {
-    const unsigned int n_points = scalar_values.n_quadrature_points;
-    gradients.reinit(n_points, 3 * n_nodes);
-    weighted_gradients.reinit(n_points, 3 * n_nodes);
-    gram.reinit(3 * n_nodes, 3 * n_nodes);
-    values.reinit(n_points, n_nodes);
-    weighted_values.reinit(n_points, n_nodes);
-    overlap.reinit(n_nodes, n_nodes);
   }
 
-  void SolidElement::compute(const Triangulation<3>::active_cell_iterator &cell,
-                             const Material &material, FullMatrix<double> &stiffness,
-                             FullMatrix<double> &mass)
+  void SolidElement::reinit(const Triangulation<3>::active_cell_iterator &cell,
+                            const Material &material)
   {
     scalar_values.reinit(cell);
-    for (unsigned int q = 0; q < scalar_values.n_quadrature_points; ++q)
+    lambda  = first_lame_constant(material);
+    mu      = shear_modulus(material);
+    density = material.density;
+  }
+
+  void SolidElement::matrices(FullMatrix<double> &stiffness, FullMatrix<double> &mass)
+  {
+    gradients.reinit(n_points, 3 * n_nodes);
+    weighted_gradients.reinit(n_points, 3 * n_nodes);
+    values.reinit(n_points, n_nodes);
+    weighted_values.reinit(n_points, n_nodes);
+    for (unsigned int q = 0; q < n_points; ++q)
     {
       const double weight = scalar_values.JxW(q);
       for (unsigned int i = 0; i < n_nodes; ++i)
@@ -57,11 +60,11 @@ namespace ringmotor
     }
     // Two dense products (BLAS) hold every integral of a pair of shape functions; Hooke's law only
     // combines them. At high degree this is several times faster than a loop over strains.
+    gram.reinit(3 * n_nodes, 3 * n_nodes);
+    overlap.reinit(n_nodes, n_nodes);
     gradients.Tmmult(gram, weighted_gradients);
     values.Tmmult(overlap, weighted_values);
 
-    const double lambda = first_lame_constant(material);
-    const double mu     = shear_modulus(material);
     for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
     {
       const auto [component_i, node_i] = fe.system_to_component_index(i);
@@ -76,9 +79,67 @@ namespace ringmotor
         if (component_i == component_j)
         {
           stiffness(i, j) += mu * (integral(0, 0) + integral(1, 1) + integral(2, 2));
-          mass(i, j) = material.density * overlap(node_i, node_j);
+          mass(i, j) = density * overlap(node_i, node_j);
         }
       }
     }
+  }
+
+  const FullMatrix<double> &SolidElement::by_nodes(const std::vector<Vector<double>> &fields)
+  {
+    nodal.reinit(n_nodes, 3 * fields.size());
+    for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
+    {
+      const auto [component, node] = fe.system_to_component_index(i);
+      for (unsigned int field = 0; field < fields.size(); ++field)
+        nodal(node, 3 * field + component) = fields[field][i];
+    }
+    return nodal;
+  }
+
+  std::vector<double> SolidElement::stiffness_products(const std::vector<Vector<double>> &fields)
+  {
+    gradients.reinit(3 * n_points, n_nodes);
+    for (unsigned int i = 0; i < n_nodes; ++i)
+      for (unsigned int q = 0; q < n_points; ++q)
+        for (unsigned int d = 0; d < 3; ++d)
+          gradients(3 * q + d, i) = scalar_values.shape_grad(i, q)[d];
+    at_points.reinit(3 * n_points, 3 * fields.size());
+    gradients.mmult(at_points, by_nodes(fields));
+
+    std::vector<double> products(fields.size(), 0.);
+    for (unsigned int q = 0; q < n_points; ++q)
+      for (unsigned int field = 0; field < fields.size(); ++field)
+      {
+        const auto slope = [&](const unsigned int component, const unsigned int d)
+        { return at_points(3 * q + d, 3 * field + component); };
+        double divergence = 0., squares = 0.;
+        for (unsigned int c = 0; c < 3; ++c)
+        {
+          divergence += slope(c, c);
+          squares += 2. * slope(c, c) * slope(c, c);
+          const double shear = slope(c, (c + 1) % 3) + slope((c + 1) % 3, c);
+          squares += shear * shear;
+        }
+        products[field] += scalar_values.JxW(q) * (lambda * divergence * divergence + mu * squares);
+      }
+    return products;
+  }
+
+  std::vector<double> SolidElement::mass_products(const std::vector<Vector<double>> &fields)
+  {
+    values.reinit(n_points, n_nodes);
+    for (unsigned int i = 0; i < n_nodes; ++i)
+      for (unsigned int q = 0; q < n_points; ++q)
+        values(q, i) = scalar_values.shape_value(i, q);
+    at_points.reinit(n_points, 3 * fields.size());
+    values.mmult(at_points, by_nodes(fields));
+
+    std::vector<double> products(fields.size(), 0.);
+    for (unsigned int q = 0; q < n_points; ++q)
+      for (unsigned int column = 0; column < 3 * fields.size(); ++column)
+        products[column / 3] +=
+            density * scalar_values.JxW(q) * at_points(q, column) * at_points(q, column);
+    return products;
   }
 } // namespace ringmotor

@@ -15,38 +15,155 @@ namespace ringmotor
 
   namespace
   {
+    /** Beyond the slot root's nearest cells each cell is this much thinner than the next one. */
+    constexpr double growth = 0.3;
+
     /**
-     * Widths of the cells over a length of @p total (in chart units; @p physical in m) in order
-     * away from the slot root: the innermost is @p finest m wide, each further one wider by
-     * 1/ratio.
+     * Lines of a mesh at growing distances from the slot root, 0 and @p length included: the first
+     * cell is @p first wide.
      */
-    std::vector<double> widths_from_root(const double total, const double physical,
-                                         const double finest, const double ratio)
+    std::vector<double> lines_from_root(const double length, const double first)
     {
       std::vector<double> lines{0.};
-      // A last cell less than sqrt(ratio) of the one before it would only add a sliver.
-      for (double distance = finest; distance < physical * std::sqrt(ratio); distance /= ratio)
+      // A last cell less than sqrt(growth) of the one before it would only add a sliver.
+      for (double distance = first; distance < length * std::sqrt(growth); distance /= growth)
         lines.push_back(distance);
       // A cell over most of the cross-section's height is too long for its bending.
-      if (physical - lines.back() > 0.6 * physical)
-        lines.push_back(0.5 * (lines.back() + physical));
-      lines.push_back(physical);
-
-      std::vector<double> widths;
-      for (unsigned int i = 1; i < lines.size(); ++i)
-        widths.push_back((lines[i] - lines[i - 1]) * total / physical);
-      return widths;
+      if (length - lines.back() > 0.6 * length)
+        lines.push_back(0.5 * (lines.back() + length));
+      lines.push_back(length);
+      return lines;
     }
 
-    std::vector<double> reversed(std::vector<double> widths)
+    /**
+     * The section across the tooth in the chart's plane (s, z), in quadrilaterals: rectangles that
+     * grow away from the slot root, and the three that meet there cut into angles around it.
+     */
+    class Section
     {
-      std::reverse(widths.begin(), widths.end());
-      return widths;
-    }
+    public:
+      Section(const StatorGeometry &stator, const unsigned int n_teeth, const SectorForm form,
+              const SectorGrading &grading)
+          : grading(grading), whole(form == SectorForm::whole), scale(stator.base_thickness)
+      {
+        const double half_slot  = 0.5 * stator.slot_width;
+        const double half_tooth = numbers::PI * stator.base_inner_radius / n_teeth - half_slot;
+        const double first =
+            std::min({half_slot, half_tooth, stator.tooth_height, stator.base_thickness});
+        // Towards the tooth's centre s falls from 1 to 0, towards the cut it rises to 2.
+        const auto s_lines = [&](const double width, const double sign)
+        {
+          std::vector<double> lines = lines_from_root(width, first);
+          for (double &line : lines)
+            line = 1. + sign * line / width;
+          return lines;
+        };
+        const auto z_lines = [&](const double height, const double sign)
+        {
+          std::vector<double> lines = lines_from_root(height, first);
+          for (double &line : lines)
+            line = stator.base_thickness + sign * line;
+          return lines;
+        };
+        const std::vector<double> tooth = s_lines(half_tooth, -1.), slot = s_lines(half_slot, 1.),
+                                  above = z_lines(stator.tooth_height, 1.),
+                                  below = z_lines(stator.base_thickness, -1.);
+        add_quadrant(tooth, above, ids::tooth);
+        for (const std::vector<double> &across : {tooth, slot})
+        {
+          add_quadrant(across, below, ids::base);
+          if (stator.piezoceramic_thickness > 0.)
+            for (unsigned int i = 0; i + 1 < across.size(); ++i)
+              add_rectangle({across[i], -stator.piezoceramic_thickness}, {across[i + 1], 0.},
+                            ids::piezoceramic);
+        }
+      }
 
-    void append(std::vector<double> &widths, const std::vector<double> &more)
+      /** Makes @p plane the triangulation of the section. */
+      void triangulate(Triangulation<2> &plane)
+      {
+        SubCellData no_lines;
+        std::vector<unsigned int> all_vertices;
+        GridTools::delete_duplicated_vertices(vertices, cells, no_lines, all_vertices, 1e-10);
+        GridTools::consistently_order_cells(cells);
+        plane.create_triangulation(vertices, cells, no_lines);
+        GridTools::transform(
+            [&](const Corner &corner) { return Corner(corner[0], corner[1] * scale); }, plane);
+      }
+
+    private:
+      using Corner = Point<2>;
+
+      /** The rectangles between lines that lead away from the root. */
+      void add_quadrant(const std::vector<double> &s_lines, const std::vector<double> &z_lines,
+                        const types::material_id material)
+      {
+        for (unsigned int i = 0; i + 1 < s_lines.size(); ++i)
+          for (unsigned int j = 0; j + 1 < z_lines.size(); ++j)
+          {
+            const Corner near(s_lines[i], z_lines[j]), far(s_lines[i + 1], z_lines[j + 1]);
+            if (i == 0 && j == 0)
+              add_graded_rectangle(near, far, material);
+            else
+              add_rectangle(near, far, material);
+          }
+      }
+
+      /** Two trapezoids for each layer, and around the root what remains of the rectangle. */
+      void add_graded_rectangle(const Corner &root, const Corner &far,
+                                const types::material_id material)
+      {
+        Corner outer = far;
+        for (unsigned int layer = 0; layer < grading.n_layers; ++layer)
+        {
+          const Corner inner = root + grading.ratio * (outer - root);
+          add({inner[0], root[1]}, {outer[0], root[1]}, outer, inner, material);
+          add({root[0], inner[1]}, inner, outer, {root[0], outer[1]}, material);
+          outer = inner;
+        }
+        add_rectangle(root, outer, material);
+      }
+
+      void add_rectangle(const Corner &a, const Corner &b, const types::material_id material)
+      {
+        add(a, {b[0], a[1]}, b, {a[0], b[1]}, material);
+      }
+
+      /** A cell with these corners, in order around it in either sense, and its mirror image. */
+      void add(const Corner &a, const Corner &b, const Corner &c, const Corner &d,
+               const types::material_id material)
+      {
+        for (const double side : {1., -1.})
+          if (side > 0. || whole)
+          {
+            const Tensor<1, 2> ac = c - a, bd = d - b;
+            const bool clockwise = side * (ac[0] * bd[1] - ac[1] * bd[0]) < 0.;
+            const unsigned int v = vertices.size();
+            for (const Corner &corner : {a, b, c, d})
+              vertices.emplace_back(side * corner[0], corner[1] / scale);
+            CellData<2> cell;
+            cell.vertices    = clockwise ? std::vector<unsigned int>{v, v + 3, v + 1, v + 2}
+                                         : std::vector<unsigned int>{v, v + 1, v + 3, v + 2};
+            cell.material_id = material;
+            cells.push_back(cell);
+          }
+      }
+
+      const SectorGrading grading;
+      const bool whole;
+      const double scale; ///< of z, so that both coordinates are of order 1
+      std::vector<Corner> vertices;
+      std::vector<CellData<2>> cells;
+    };
+
+    /** Towards the inner and outer side, where the slots' pattern ends freely, cells get thinner.
+     */
+    std::vector<double> radial_lines(const unsigned int n_cells)
     {
-      widths.insert(widths.end(), more.begin(), more.end());
+      std::vector<double> lines;
+      for (unsigned int i = 0; i <= n_cells; ++i)
+        lines.push_back(0.5 * (1. - std::cos(i * numbers::PI / n_cells)));
+      return lines;
     }
 
     /** Sets the boundary ids while the mesh is still the box of chart coordinates (rho, s, z). */
@@ -75,58 +192,14 @@ namespace ringmotor
                                 const SectorForm form, const SectorGrading &grading,
                                 MPI_Comm communicator)
   {
-    const double half_slot  = 0.5 * stator.slot_width;
-    const double half_tooth = numbers::PI * stator.base_inner_radius / n_teeth - half_slot;
-    const double finest     = half_slot * std::pow(grading.ratio, grading.n_layers);
-    const auto from_root    = [&](const double total, const double physical)
-    { return widths_from_root(total, physical, finest, grading.ratio); };
-
-    const std::vector<double> tooth_widths = from_root(1., half_tooth);
-    const std::vector<double> slot_widths  = from_root(1., half_slot);
-    std::vector<double> s_widths;
-    if (form == SectorForm::whole)
-    {
-      append(s_widths, reversed(slot_widths));
-      append(s_widths, tooth_widths);
-    }
-    append(s_widths, reversed(tooth_widths));
-    append(s_widths, slot_widths);
-
-    const bool with_ring = stator.piezoceramic_thickness > 0.;
-    std::vector<double> z_widths;
-    if (with_ring)
-      z_widths.push_back(stator.piezoceramic_thickness);
-    append(z_widths, reversed(from_root(stator.base_thickness, stator.base_thickness)));
-    const unsigned int n_below_slot = z_widths.size();
-    append(z_widths, from_root(stator.tooth_height, stator.tooth_height));
-
-    // Towards the inner and outer side, where the slots' pattern ends freely, cells get thinner.
-    std::vector<double> rho_widths;
-    for (unsigned int i = 0; i < grading.n_radial; ++i)
-      rho_widths.push_back(0.5 * (std::cos(i * numbers::PI / grading.n_radial) -
-                                  std::cos((i + 1) * numbers::PI / grading.n_radial)));
-
-    // Cells without a material are left out by the generator: the slots.
-    Table<3, types::material_id> materials(rho_widths.size(), s_widths.size(), z_widths.size());
-    const unsigned int n_slot      = slot_widths.size();
-    const unsigned int first_tooth = form == SectorForm::whole ? n_slot : 0;
-    for (unsigned int i = 0; i < rho_widths.size(); ++i)
-      for (unsigned int j = 0; j < s_widths.size(); ++j)
-        for (unsigned int k = 0; k < z_widths.size(); ++k)
-        {
-          const bool under_tooth = j >= first_tooth && j + n_slot < s_widths.size();
-          materials(i, j, k)     = with_ring && k == 0 ? ids::piezoceramic
-                                   : k < n_below_slot  ? ids::base
-                                   : under_tooth       ? ids::tooth
-                                                       : numbers::invalid_material_id;
-        }
+    Triangulation<2> section;
+    Section(stator, n_teeth, form, grading).triangulate(section);
 
     SectorMesh mesh{empty_triangulation(communicator), form, n_teeth};
     Triangulation<3> &triangulation = *mesh.triangulation;
-    const double first_s            = form == SectorForm::half ? 0. : -2.;
-    GridGenerator::subdivided_hyper_rectangle(triangulation, {rho_widths, s_widths, z_widths},
-                                              Point<3>(0., first_s, -stator.piezoceramic_thickness),
-                                              materials);
+    GridGenerator::extrude_triangulation(section, radial_lines(grading.n_radial), triangulation);
+    GridTools::transform([](const Point<3> &x) { return Point<3>(x[2], x[0], x[1]); },
+                         triangulation);
     set_boundary_ids(triangulation, form, stator.base_thickness + stator.tooth_height);
 
     const SectorManifold shape(stator, n_teeth);

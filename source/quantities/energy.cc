@@ -16,17 +16,16 @@ namespace ringmotor
     WaveEnergy energy;
     for (const auto &entry : sector.material_table())
       energy.strain[entry.first] = 0.;
+    std::vector<Vector<double>> values(2, Vector<double>(sector.dofs().get_fe().n_dofs_per_cell()));
     sector.for_each_owned_cell(
-        [&](const auto &cell, const auto &stiffness, const auto &mass)
+        [&](const auto &cell, SolidElement &element)
         {
-          Vector<double> values(stiffness.m());
-          for (const Vector<double> *field :
-               {&mode.displacement.real, &mode.displacement.imaginary})
-          {
-            cell->get_dof_values(*field, values);
-            energy.strain[cell->material_id()] += factor * stiffness.matrix_norm_square(values);
-            energy.kinetic += factor * mode.eigenvalue * mass.matrix_norm_square(values);
-          }
+          cell->get_dof_values(mode.displacement.real, values[0]);
+          cell->get_dof_values(mode.displacement.imaginary, values[1]);
+          for (const double product : element.stiffness_products(values))
+            energy.strain[cell->material_id()] += factor * product;
+          for (const double product : element.mass_products(values))
+            energy.kinetic += factor * mode.eigenvalue * product;
         });
     const MPI_Comm communicator = sector.dofs().get_communicator();
     for (auto &entry : energy.strain)

@@ -44,7 +44,7 @@ namespace ringmotor
                          std::accumulate(indicators[i].begin(), indicators[i].end(), 0.)});
       for (unsigned int sheet = 0; sheet < sheets.n_sheets(); ++sheet)
         sheet_error[sheet] += indicators[i][sheet];
-      const Estimate estimate = frequency_estimate(samples);
+      const Estimate estimate = frequency_estimate(samples.back());
       now.push_back({std::move(modes[i]), content, std::move(samples), estimate});
     }
     found = std::move(now);

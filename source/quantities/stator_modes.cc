@@ -5,7 +5,9 @@
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/quantities/stator_modes.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <sstream>
 
 namespace ringmotor
@@ -21,14 +23,26 @@ namespace ringmotor
               {ids::piezoceramic, materials.piezoceramic}};
     }
 
-    /** The grading of the mesh on which stators like the reference one reach a target at once. */
-    unsigned int level_for(const double target)
+    struct Discretisation
     {
-      return target >= 8e-4     ? 1
-             : target >= 3e-4   ? 2
-             : target >= 1.6e-4 ? 3
-             : target >= 8e-5   ? 4
-                                : 5;
+      unsigned int degree, level;
+    };
+
+    /** The first pass: cheap, it finds out where the modes lie and how hard they are. */
+    constexpr Discretisation scout{2, 0};
+    /** Largest relative error bar of the reference stator's modes of seven waves in that pass. */
+    constexpr double error_of_scout = 2.6e-3;
+
+    /** The cheapest discretisation with which the modes of stators like the reference one reach
+     * a target at once. */
+    Discretisation fit_for(const double target)
+    {
+      return target >= 3.4e-4   ? Discretisation{3, 1}
+             : target >= 2.7e-4 ? Discretisation{3, 2}
+             : target >= 1.5e-4 ? Discretisation{3, 3}
+             : target >= 9.6e-5 ? Discretisation{4, 1}
+             : target >= 5.8e-5 ? Discretisation{4, 2}
+                                : Discretisation{4, 3};
     }
   } // namespace
 
@@ -40,34 +54,31 @@ namespace ringmotor
 
   void StatorModes::find(const std::function<void(const Pass &)> &after_pass)
   {
-    // A cheap first pass finds out where the modes lie and gives the error bars something to
-    // compare with.
     if (parameters.accuracy.mode == AccuracyMode::fixed)
     {
       const unsigned int degree = parameters.accuracy.polynomial_degree;
       mesh                      = make_mesh(0);
-      compute_pass(degree - 1, after_pass);
+      compute_pass(std::max(scout.degree, degree - 1), after_pass);
       mesh = make_mesh(parameters.accuracy.refinement);
       compute_pass(degree, after_pass);
       return;
     }
 
-    const unsigned int degree = 3; // the cheapest one for errors from 1e-2 to 3e-5
-    // Two passes of one degree narrow the error bars down; for a rough target that is not worth it.
-    const unsigned int first_degree = parameters.accuracy.target > 5e-4 ? degree - 1 : degree;
-    mesh                            = make_mesh(0);
-    compute_pass(first_degree, after_pass);
+    mesh = make_mesh(scout.level);
+    compute_pass(scout.degree, after_pass);
+    // What is harder than the reference stator in the first pass is less so in a better one.
+    const double difficulty = std::sqrt(mode_search.worst_relative_error() / error_of_scout);
+    const double target     = parameters.accuracy.target;
+    const Discretisation discretisation = fit_for(target / std::max(1., difficulty));
     if (parameters.stator.mesh_file.empty())
-    {
-      mesh = make_mesh(level_for(parameters.accuracy.target));
-      compute_pass(degree, after_pass);
-    }
-    while (n_passes < 2 || mode_search.worst_relative_error() > parameters.accuracy.target)
+      mesh = make_mesh(discretisation.level);
+    compute_pass(discretisation.degree, after_pass);
+    while (mode_search.worst_relative_error() > target)
     {
       if (n_passes == most_passes || mode_search.sector().dofs().n_dofs() > most_dofs)
         give_up();
       mode_search.refine(mesh);
-      compute_pass(degree, after_pass);
+      compute_pass(discretisation.degree, after_pass);
     }
   }
 

@@ -148,10 +148,14 @@ namespace ringmotor
       coupling(2, component) = coupling(component, 2) = DoFTools::none;
     mass.reinit(owned, owned, sparsity(coupling), communicator);
 
-    std::vector<types::global_dof_index> cell_dofs(fe.n_dofs_per_cell());
+    const unsigned int n_cell_dofs = fe.n_dofs_per_cell();
+    std::vector<types::global_dof_index> cell_dofs(n_cell_dofs);
+    FullMatrix<double> cell_stiffness(n_cell_dofs, n_cell_dofs),
+        cell_mass(n_cell_dofs, n_cell_dofs);
     for_each_owned_cell(
-        [&](const auto &cell, FullMatrix<double> cell_stiffness, FullMatrix<double> cell_mass)
+        [&](const auto &cell, SolidElement &element)
         {
+          element.matrices(cell_stiffness, cell_mass);
           cell->get_dof_indices(cell_dofs);
           nodes.rotate_to_axes(cell_dofs, cell_stiffness);
           nodes.rotate_to_axes(cell_dofs, cell_mass);
@@ -165,13 +169,11 @@ namespace ringmotor
   void CyclicSector::for_each_owned_cell(const CellVisitor &visit) const
   {
     SolidElement element(mapping, fe);
-    FullMatrix<double> cell_stiffness(fe.n_dofs_per_cell(), fe.n_dofs_per_cell()),
-        cell_mass(cell_stiffness);
     for (const auto &cell : dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
       {
-        element.compute(cell, materials.at(cell->material_id()), cell_stiffness, cell_mass);
-        visit(cell, cell_stiffness, cell_mass);
+        element.reinit(cell, materials.at(cell->material_id()));
+        visit(cell, element);
       }
   }
 

@@ -6,7 +6,6 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <random>
 #include <string>
@@ -40,31 +39,30 @@ namespace ringmotor
   namespace
   {
     /**
-     * Replaces the eigenvalues by Rayleigh quotients summed cell by cell, where the cell's mean
-     * motion, which strains nothing, is taken off first. In the assembled stiffness the rounding
-     * errors of that large motion blur the eigenvalues of slow modes.
+     * Replaces the eigenvalues by Rayleigh quotients from the strains, which rounding errors of a
+     * large rigid motion hardly touch. In the assembled stiffness they blur the eigenvalues of slow
+     * modes.
      */
     void sharpen_eigenvalues(const CyclicSector &sector, std::vector<Mode> &modes)
     {
-      const FiniteElement<3> &fe = sector.dofs().get_fe();
+      const unsigned int n_cell_dofs = sector.dofs().get_fe().n_dofs_per_cell();
       std::vector<double> strain(modes.size(), 0.), motion(modes.size(), 0.);
-      Vector<double> values(fe.n_dofs_per_cell());
+      std::vector<Vector<double>> values(2 * modes.size(), Vector<double>(n_cell_dofs));
       sector.for_each_owned_cell(
-          [&](const auto &cell, const auto &stiffness, const auto &mass)
+          [&](const auto &cell, SolidElement &element)
           {
             for (unsigned int mode = 0; mode < modes.size(); ++mode)
-              for (const Vector<double> *field :
-                   {&modes[mode].displacement.real, &modes[mode].displacement.imaginary})
-              {
-                cell->get_dof_values(*field, values);
-                motion[mode] += mass.matrix_norm_square(values);
-                std::array<double, 3> mean{};
-                for (unsigned int i = 0; i < values.size(); ++i)
-                  mean[fe.system_to_component_index(i).first] += 3. * values[i] / values.size();
-                for (unsigned int i = 0; i < values.size(); ++i)
-                  values[i] -= mean[fe.system_to_component_index(i).first];
-                strain[mode] += stiffness.matrix_norm_square(values);
-              }
+            {
+              cell->get_dof_values(modes[mode].displacement.real, values[2 * mode]);
+              cell->get_dof_values(modes[mode].displacement.imaginary, values[2 * mode + 1]);
+            }
+            const std::vector<double> stiffness_products = element.stiffness_products(values),
+                                      mass_products      = element.mass_products(values);
+            for (unsigned int part = 0; part < values.size(); ++part)
+            {
+              strain[part / 2] += stiffness_products[part];
+              motion[part / 2] += mass_products[part];
+            }
           });
       const MPI_Comm communicator = sector.dofs().get_communicator();
       Utilities::MPI::sum(strain, communicator, strain);
@@ -87,7 +85,6 @@ namespace ringmotor
   {
     SymmetricTriplets triplets = sector.shifted_stiffness(k, shift);
     factors.factorise(triplets);
-    ++factorisations;
   }
 
   unsigned int ModeSolver::count_below(const unsigned int k, const double shift)
@@ -159,12 +156,8 @@ namespace ringmotor
     pencil.size    = sector.n_unknowns();
     pencil.complex = sector.is_complex();
     pencil.shift   = shift;
-    pencil.solve   = [&](std::vector<double> &x)
-    {
-      factors.solve(x);
-      ++solves;
-    };
-    pencil.mass = [&](const std::vector<double> &x, std::vector<double> &product)
+    pencil.solve   = [&](std::vector<double> &x) { factors.solve(x); };
+    pencil.mass    = [&](const std::vector<double> &x, std::vector<double> &product)
     { sector.multiply_mass(k, x, product); };
     // Generic, so that no mode is orthogonal to it, and the same in every run.
     std::vector<double> start(pencil.size);

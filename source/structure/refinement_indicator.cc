@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace ringmotor
 {
@@ -82,26 +83,22 @@ namespace ringmotor
         }
     }
 
-    /** Strain energies of one mode: in all, and of its parts of highest and second highest degree
-     * by sheet. */
-    struct PartEnergies
-    {
-      double total = 0.;
-      std::array<std::vector<double>, 2> parts;
-    };
-
-    /** The series that the energies of successive degrees begin, from the next degree on, by sheet.
+    /**
+     * The sum of the series that the energies of the parts of highest and second highest degree
+     * begin, from the next degree on.
      */
-    std::vector<double> sum_of_series(const PartEnergies &energies)
+    double rest_of_series(const unsigned int degree, const double highest, const double second)
     {
-      std::vector<double> indicators;
-      for (unsigned int sheet = 0; sheet < energies.parts[0].size(); ++sheet)
-      {
-        const double highest = energies.parts[0][sheet], second = energies.parts[1][sheet];
-        const double decay = highest < 0.9 * second ? highest / second : 0.9;
-        indicators.push_back(highest / energies.total * decay / (1. - decay));
-      }
-      return indicators;
+      // At a re-entrant right angle displacements go as r^0.54 and the energies fall with the
+      // degree p as p^-3.2. Where they seem to fall more slowly, the motion is odd or even in the
+      // cell, and one of the two parts small by symmetry. No series is trusted to fall faster than
+      // this:
+      constexpr double fastest = 0.03;
+      const double slowest     = std::pow((degree - 1.) / degree, 3.2);
+      const double decay       = std::clamp(highest / second, fastest, slowest);
+      // Degree 1 contains rigid rotations: it says nothing of the size of degree 2.
+      const double top = degree > 2 ? std::max(highest, fastest * second) : highest;
+      return top * decay / (1. - decay);
     }
   } // namespace
 
@@ -111,41 +108,47 @@ namespace ringmotor
   {
     const FiniteElement<3> &fe = sector.dofs().get_fe();
     const std::array<FullMatrix<double>, 2> parts{
-        {hierarchic_part(fe.degree, fe.degree),
-         hierarchic_part(fe.degree, std::max(1u, fe.degree - 1))}};
+        {hierarchic_part(fe.degree, fe.degree), hierarchic_part(fe.degree, fe.degree - 1)}};
     const std::array<std::vector<std::vector<unsigned int>>, 3> lines{
         {node_lines(fe, 0), node_lines(fe, 1), node_lines(fe, 2)}};
 
-    std::vector<PartEnergies> energies(modes.size());
-    for (PartEnergies &of_mode : energies)
-      of_mode.parts.fill(std::vector<double>(sheets.n_sheets(), 0.));
-    Vector<double> values(fe.n_dofs_per_cell()), part_values(fe.n_dofs_per_cell());
+    std::vector<std::vector<double>> indicators(modes.size(),
+                                                std::vector<double>(sheets.n_sheets(), 0.));
+    std::vector<double> total(modes.size(), 0.);
+    // By part: all, then those of highest and of second highest degree in each direction
+    constexpr unsigned int n_parts = 7;
+    std::vector<Vector<double>> fields(2 * n_parts, Vector<double>(fe.n_dofs_per_cell()));
     sector.for_each_owned_cell(
-        [&](const auto &cell, const auto &stiffness, const auto &)
+        [&](const auto &cell, SolidElement &element)
         {
           for (unsigned int mode = 0; mode < modes.size(); ++mode)
-            for (const Vector<double> *field : {&modes[mode]->real, &modes[mode]->imaginary})
+          {
+            for (unsigned int i = 0; i < 2; ++i)
             {
-              cell->get_dof_values(*field, values);
-              energies[mode].total += stiffness.matrix_norm_square(values);
+              Vector<double> &all = fields[i * n_parts];
+              cell->get_dof_values(i == 0 ? modes[mode]->real : modes[mode]->imaginary, all);
               for (unsigned int direction = 0; direction < 3; ++direction)
                 for (unsigned int part = 0; part < 2; ++part)
-                {
-                  apply_along(lines[direction], parts[part], values, part_values);
-                  energies[mode].parts[part][sheets.sheet(cell, direction)] +=
-                      stiffness.matrix_norm_square(part_values);
-                }
+                  apply_along(lines[direction], parts[part], all,
+                              fields[i * n_parts + 1 + 2 * direction + part]);
             }
+            const std::vector<double> products = element.stiffness_products(fields);
+            const auto energy                  = [&](const unsigned int part)
+            { return products[part] + products[n_parts + part]; };
+            total[mode] += energy(0);
+            for (unsigned int direction = 0; direction < 3; ++direction)
+              indicators[mode][sheets.sheet(cell, direction)] +=
+                  rest_of_series(fe.degree, energy(1 + 2 * direction), energy(2 + 2 * direction));
+          }
         });
 
     const MPI_Comm communicator = sector.dofs().get_communicator();
-    std::vector<std::vector<double>> indicators;
-    for (PartEnergies &of_mode : energies)
+    Utilities::MPI::sum(total, communicator, total);
+    for (unsigned int mode = 0; mode < modes.size(); ++mode)
     {
-      of_mode.total = Utilities::MPI::sum(of_mode.total, communicator);
-      for (std::vector<double> &part : of_mode.parts)
-        Utilities::MPI::sum(part, communicator, part);
-      indicators.push_back(sum_of_series(of_mode));
+      Utilities::MPI::sum(indicators[mode], communicator, indicators[mode]);
+      for (double &indicator : indicators[mode])
+        indicator /= total[mode];
     }
     return indicators;
   }

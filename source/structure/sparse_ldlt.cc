@@ -8,6 +8,8 @@
 
 namespace ringmotor
 {
+  using namespace dealii;
+
   struct SparseLDLT::Mumps
   {
     DMUMPS_STRUC_C data{};
@@ -30,8 +32,10 @@ namespace ringmotor
     mumps->control(4) = 0;
     // approximate minimum fill: a quarter of PORD's operations on these matrices
     mumps->control(7)  = 2;
+    mumps->control(8)  = 1; // scaling by the diagonal: enough for one kind of unknown, and cheap
     mumps->control(13) = 1; // no parallel root: in that one MUMPS does not count negative pivots
-    mumps->control(18) = 3; // every rank gives its own entries
+    // Every rank gives its own entries; a single one is spared their redistribution.
+    mumps->control(18) = Utilities::MPI::n_mpi_processes(communicator) > 1 ? 3 : 0;
   }
 
   SparseLDLT::~SparseLDLT()
@@ -42,10 +46,11 @@ namespace ringmotor
 
   void SparseLDLT::factorise(SymmetricTriplets &triplets)
   {
-    mumps->data.nnz_loc = static_cast<MUMPS_INT8>(triplets.rows.size());
-    mumps->data.irn_loc = triplets.rows.data();
-    mumps->data.jcn_loc = triplets.columns.data();
-    mumps->data.a_loc   = triplets.values.data();
+    // MUMPS reads one set or the other, depending on ICNTL(18).
+    mumps->data.nnz = mumps->data.nnz_loc = static_cast<MUMPS_INT8>(triplets.rows.size());
+    mumps->data.irn = mumps->data.irn_loc = triplets.rows.data();
+    mumps->data.jcn = mumps->data.jcn_loc = triplets.columns.data();
+    mumps->data.a = mumps->data.a_loc = triplets.values.data();
     if (!analysed)
       run(1, "analysis");
     analysed = true;
@@ -67,12 +72,6 @@ namespace ringmotor
   unsigned int SparseLDLT::n_negative() const
   {
     return static_cast<unsigned int>(mumps->information(12));
-  }
-
-  double SparseLDLT::n_factor_entries() const
-  {
-    const int entries = mumps->information(29);
-    return entries < 0 ? -1e6 * entries : entries; // MUMPS counts millions when the number is large
   }
 
   void SparseLDLT::solve(std::vector<double> &right_hand_side)

@@ -105,6 +105,16 @@ namespace
       return sum;
     }
 
+    /** Without matrices: u.K u and u.M u of fields. */
+    std::vector<double> stiffness_products(const std::vector<dealii::Vector<double>> &fields) const
+    {
+      return products(fields, &SolidElement::stiffness_products);
+    }
+    std::vector<double> mass_products(const std::vector<dealii::Vector<double>> &fields) const
+    {
+      return products(fields, &SolidElement::mass_products);
+    }
+
     /** Calls use(dofs, stiffness, mass) for each cell. */
     template <typename Use>
     void for_each_cell(const Use &use) const
@@ -115,7 +125,8 @@ namespace
       std::vector<dealii::types::global_dof_index> dofs(size);
       for (const auto &cell : dof_handler.active_cell_iterators())
       {
-        element.compute(cell, material, stiffness, mass);
+        element.reinit(cell, material);
+        element.matrices(stiffness, mass);
         cell->get_dof_indices(dofs);
         use(dofs, stiffness, mass);
       }
@@ -131,6 +142,26 @@ namespace
     }
 
   private:
+    template <typename Product>
+    std::vector<double> products(const std::vector<dealii::Vector<double>> &fields,
+                                 const Product product) const
+    {
+      SolidElement element(mapping, fe);
+      std::vector<dealii::Vector<double>> local(fields.size(),
+                                                dealii::Vector<double>(fe.n_dofs_per_cell()));
+      std::vector<double> sums(fields.size(), 0.);
+      for (const auto &cell : dof_handler.active_cell_iterators())
+      {
+        element.reinit(cell, material);
+        for (unsigned int i = 0; i < fields.size(); ++i)
+          cell->get_dof_values(fields[i], local[i]);
+        const std::vector<double> of_cell = (element.*product)(local);
+        for (unsigned int i = 0; i < fields.size(); ++i)
+          sums[i] += of_cell[i];
+      }
+      return sums;
+    }
+
     dealii::Triangulation<3> triangulation;
     const dealii::MappingQ<3> mapping;
     const dealii::FESystem<3> fe;
@@ -257,6 +288,26 @@ TEST_P(Solid, MatricesAreSymmetricAndFull)
           }
         }
       });
+}
+
+TEST_P(Solid, EnergiesOfMotionsNeedNoMatrices)
+{
+  // The exact energy of a uniform strain again, the inertia of a shift, and for any motion what the
+  // matrices give.
+  const Patch patch(GetParam());
+  const auto stretch = patch.interpolate(linear(generic_gradient()));
+  const auto shift   = patch.interpolate([](const auto &) { return vector(0.6, 0., 0.8); });
+  const auto any     = patch.interpolate(
+      [](const auto &x) { return vector(std::sin(3. * x[1]), x[0] * x[2], std::exp(x[0])); });
+  const std::vector<double> stiffness = patch.stiffness_products({stretch, shift, any}),
+                            mass      = patch.mass_products({stretch, shift, any});
+  EXPECT_NEAR(stiffness[0] / (patch.volume() * exact_energy_density(generic_gradient())), 1.,
+              1e-12);
+  EXPECT_NEAR(stiffness[1] / stiffness[2], 0., 1e-24);
+  EXPECT_NEAR(stiffness[2] / patch.stiffness_product(any), 1., 1e-12);
+  EXPECT_NEAR(mass[0] / patch.mass_product(stretch, stretch), 1., 1e-12);
+  EXPECT_NEAR(mass[1] / (material.density * patch.volume()), 1., 1e-12);
+  EXPECT_NEAR(mass[2] / patch.mass_product(any, any), 1., 1e-12);
 }
 
 INSTANTIATE_TEST_SUITE_P(Degrees, Solid, testing::Values(2, 3, 4));

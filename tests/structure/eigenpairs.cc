@@ -92,7 +92,6 @@ TEST(SparseLDLT, SolvesAndCounts)
   SymmetricTriplets stiffness = chain(0.);
   factors.factorise(stiffness);
   EXPECT_EQ(factors.n_negative(), 0u);
-  EXPECT_GE(factors.n_factor_entries(), 2. * n_masses - 1.);
 
   // A force in the middle bends the chain to a triangle.
   std::vector<double> x(n_masses, 0.);

@@ -163,9 +163,12 @@ TEST(Sector, ExpandsModesToFields)
     {
       double mass_norm = 0., stiffness_norm = 0.;
       stator.sector.for_each_owned_cell(
-          [&](const auto &cell, const auto &stiffness, const auto &mass)
+          [&](const auto &cell, SolidElement &element)
           {
-            dealii::Vector<double> values(stiffness.m());
+            const unsigned int size = dofs.get_fe().n_dofs_per_cell();
+            dealii::FullMatrix<double> stiffness(size, size), mass(size, size);
+            element.matrices(stiffness, mass);
+            dealii::Vector<double> values(size);
             for (const auto *field : {&mode.displacement.real, &mode.displacement.imaginary})
             {
               cell->get_dof_values(*field, values);

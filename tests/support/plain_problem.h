@@ -48,7 +48,8 @@ namespace ringmotor::tests
       SolidElement element(mapping, fe);
       for (const auto &cell : dof_handler.active_cell_iterators())
       {
-        element.compute(cell, materials.at(cell->material_id()), cell_stiffness, cell_mass);
+        element.reinit(cell, materials.at(cell->material_id()));
+        element.matrices(cell_stiffness, cell_mass);
         cell->get_dof_indices(cell_dofs);
         stiffness.add(cell_dofs, cell_stiffness);
         mass.add(cell_dofs, cell_mass);

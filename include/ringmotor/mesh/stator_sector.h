@@ -12,16 +12,17 @@ namespace ringmotor
    */
   struct SectorGrading
   {
-    unsigned int n_layers =
-        0; ///< layers of cells towards the slot root, within half a slot's width
-    unsigned int n_radial = 1;   ///< cells from the inner to the outer side
-    double ratio          = 0.3; ///< each layer is this much thinner than the next
+    unsigned int n_layers = 0; ///< layers of cells around the slot root, within half a slot's width
+    unsigned int n_radial = 2; ///< cells from the inner to the outer side
+    double ratio = 0.2; ///< each layer ends this much nearer to the root than the one around it
 
-    /** The gradings 0, 1, 2, ... of a sequence in which the errors of all directions stay balanced.
-     */
+    /** The gradings 0, 1, 2, ... of a sequence in which the errors of all directions stay
+     * balanced. */
     static SectorGrading level(const unsigned int level)
     {
-      return {level / 2, 1 + (level + 1) / 2, 0.3};
+      if (level == 0)
+        return {0, 2, 0.2};
+      return {1 + level / 2, 2 + (level - 1) / 2, 0.2};
     }
   };
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <vector>
-
 namespace ringmotor
 {
   /** A number with its error bar, in the same unit. */
@@ -21,21 +19,19 @@ namespace ringmotor
   };
 
   /**
-   * The frequency with its error bar from the computations done so far, the last one being the
-   * best.
+   * The frequency with its error bar.
    *
-   * The relative excess of a computed eigenvalue is kappa times the indicator. On stator meshes
-   * with known exact frequencies kappa is at most 16 for degree 2, 4.6 for degree 3 and 9.2 above,
-   * and seldom below 1: singular at slot roots and free edges, the solution converges more slowly
-   * than the geometric series in the indicator. Where it is smooth, kappa is small. With two
-   * computations of one degree their slope narrows kappa down. The exact frequency then lies
-   * between the computed one and kappa/2 indicators below it; the value is the middle, the error
-   * half the width.
+   * The relative excess of a computed eigenvalue is kappa times the indicator. On sectors of four
+   * different stators (13 meshes, 12 modes of 0 to 14 waves each, against meshes with a hundredth
+   * of the error) kappa was at most 4.4 for degree 2, 3.04 for degree 3 and 2.24 for degree 4, and
+   * mostly between 0.5 and 2. A tenth is added to these. The exact frequency then lies between the
+   * computed one and kappa/2 indicators below it; the value is the middle, the error half the
+   * width.
    *
-   * Not covered: a motion that is exactly even or odd within each cell of a sheet, so that its part
-   * of highest degree vanishes.
+   * Not covered: with degree 2, a motion that is exactly odd within each cell of a sheet, so that
+   * its quadratic part vanishes.
    */
-  Estimate frequency_estimate(const std::vector<FrequencySample> &samples);
+  Estimate frequency_estimate(const FrequencySample &sample);
 
   /**
    * A quantity of the mode's shape with its error bar: @p value on the last mesh, @p earlier on the

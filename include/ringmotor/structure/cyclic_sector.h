@@ -83,11 +83,9 @@ namespace ringmotor
                 const std::function<std::array<std::complex<double>, 3>(const dealii::Point<3> &)>
                     &displacement) const;
 
-    /** Called with a cell, its stiffness and its mass matrix in Cartesian components
-     * (SolidElement::compute()). */
+    /** Called with a cell and the element, which has gone there. */
     using CellVisitor =
-        std::function<void(const dealii::DoFHandler<3>::active_cell_iterator &,
-                           const dealii::FullMatrix<double> &, const dealii::FullMatrix<double> &)>;
+        std::function<void(const dealii::DoFHandler<3>::active_cell_iterator &, SolidElement &)>;
 
     /** Visits the cells that this rank owns. */
     void for_each_owned_cell(const CellVisitor &visit) const;

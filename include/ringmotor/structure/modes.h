@@ -64,10 +64,6 @@ namespace ringmotor
     unsigned int n_counted() const { return counted; }
     unsigned int n_found() const { return found; }
 
-    unsigned int n_solves() const { return solves; }
-    unsigned int n_factorisations() const { return factorisations; }
-    double n_factor_entries() const { return factors.n_factor_entries(); }
-
   private:
     void factorise(const unsigned int k, const double shift);
     std::vector<Mode> solve(const unsigned int k, const double shift, const EigenvalueChoice choice,
@@ -75,6 +71,6 @@ namespace ringmotor
 
     const CyclicSector &sector;
     SparseLDLT factors;
-    unsigned int solves = 0, factorisations = 0, counted = 0, found = 0;
+    unsigned int counted = 0, found = 0;
   };
 } // namespace ringmotor

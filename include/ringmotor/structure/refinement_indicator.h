@@ -10,9 +10,9 @@ namespace ringmotor
    * For each mode and each sheet, how much the eigenvalue would fall, relatively, if the polynomial
    * degree across the sheet were raised without end. For an eigenvalue primal and dual solution are
    * the same and what a part of the solution is worth is just its strain energy: the indicator is
-   * goal-oriented for the frequency. The strain energies of the parts of highest and second highest
-   * degree across the sheet show how fast they fall from degree to degree; the series is summed. A
-   * relative measure: frequency_estimate() knows the factor to the true error.
+   * goal-oriented for the frequency. In each cell the strain energies of the parts of highest and
+   * second highest degree across the sheet show how fast they fall from degree to degree; the
+   * series is summed. frequency_estimate() knows the factor to the true error.
    */
   std::vector<std::vector<double>> sheet_indicators(const CyclicSector &sector,
                                                     const Sheets &sheets,

@@ -54,9 +54,6 @@ namespace ringmotor
     /** Number of negative eigenvalues of the factorised matrix. */
     unsigned int n_negative() const;
 
-    /** Number of entries in the factors. */
-    double n_factor_entries() const;
-
     /** Replaces @p right_hand_side (the same on all ranks) by the solution (on all ranks). */
     void solve(std::vector<double> &right_hand_side);
 
