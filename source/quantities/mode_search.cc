@@ -4,6 +4,7 @@
 #include <ringmotor/structure/refinement_indicator.h>
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <string>
 
@@ -20,11 +21,8 @@ namespace ringmotor
   {
     model = std::make_unique<CyclicSector>(mesh, materials, degree);
     ModeSolver solver(*model);
-    std::vector<Mode> modes;
-    for (const unsigned int k : request.nodal_diameters)
-      for (Mode &mode : modes_of(solver, k))
-        modes.push_back(std::move(mode));
-    missed = solver.n_counted() - solver.n_found();
+    std::vector<Mode> modes = requested_modes(solver);
+    missed                  = solver.n_counted() - solver.n_found();
 
     const Sheets sheets(mesh);
     std::vector<const ComplexField *> fields;
@@ -50,17 +48,40 @@ namespace ringmotor
     found = std::move(now);
   }
 
-  std::vector<Mode> ModeSearch::modes_of(ModeSolver &solver, const unsigned int k)
+  std::vector<Mode> ModeSearch::requested_modes(ModeSolver &solver)
   {
-    if (shifts.count(k) == 0)
-      shifts[k] = solver.shift_above(k, request.n_modes, request.frequency_target);
+    if (shifts.empty())
+    {
+      std::map<unsigned int, std::vector<ShiftWindow>> windows;
+      for (const unsigned int k : request.nodal_diameters)
+        windows[k] = solver.windows_above(k, request.n_modes, request.frequency_target);
+      shifts = common_shifts(windows);
+    }
+    // In the order of the shifts, as equal ones share a factorisation
+    std::vector<unsigned int> order = request.nodal_diameters;
+    std::stable_sort(order.begin(), order.end(),
+                     [&](const unsigned int a, const unsigned int b)
+                     { return shifts.at(a) < shifts.at(b); });
+    std::map<unsigned int, std::vector<Mode>> found_for;
+    for (const unsigned int k : order)
+      found_for[k] = modes_below_shift(solver, k);
+
+    std::vector<Mode> modes;
+    for (const unsigned int k : request.nodal_diameters)
+      std::move(found_for[k].begin(), found_for[k].end(), std::back_inserter(modes));
+    return modes;
+  }
+
+  std::vector<Mode> ModeSearch::modes_below_shift(ModeSolver &solver, const unsigned int k) const
+  {
+    const double shift = shifts.at(k);
     std::vector<Mode> modes =
-        nearest_elastic(solver.below(k, shifts[k]), request.n_modes, request.frequency_target);
+        nearest_elastic(solver.below(k, shift), request.n_modes, request.frequency_target);
     if (modes.size() < request.n_modes)
       throw ComputationError("nodal diameter " + std::to_string(k) + ": only " +
                              std::to_string(modes.size()) + " of " +
                              std::to_string(request.n_modes) + " elastic modes lie below " +
-                             std::to_string(std::sqrt(shifts[k]) / (2. * numbers::PI)) + " Hz");
+                             std::to_string(std::sqrt(shift) / (2. * numbers::PI)) + " Hz");
     return modes;
   }
 

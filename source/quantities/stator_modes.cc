@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <sstream>
 
 namespace ringmotor
@@ -66,9 +65,8 @@ namespace ringmotor
 
     mesh = make_mesh(scout.level);
     compute_pass(scout.degree, after_pass);
-    // What is harder than the reference stator in the first pass is less so in a better one.
-    const double difficulty = std::sqrt(mode_search.worst_relative_error() / error_of_scout);
-    const double target     = parameters.accuracy.target;
+    const double target                 = parameters.accuracy.target;
+    const double difficulty             = mode_search.worst_relative_error() / error_of_scout;
     const Discretisation discretisation = fit_for(target / std::max(1., difficulty));
     if (parameters.stator.mesh_file.empty())
       mesh = make_mesh(discretisation.level);

@@ -60,6 +60,7 @@ namespace ringmotor
       number_half_sector();
     else
       number_whole_sector();
+    number_fields();
     assemble();
   }
 
@@ -125,6 +126,31 @@ namespace ringmotor
     }
   }
 
+  void CyclicSector::number_fields()
+  {
+    std::vector<bool> tied(unknown_count, false); // to a factor that depends on k
+    for (const auto &field_terms : terms)
+      for (const Terms &of_dof : field_terms)
+        for (unsigned int i = 0; i < of_dof.size; ++i)
+          if (of_dof.term[i].factor != Term::Factor::one)
+            tied[of_dof.term[i].unknown] = true;
+
+    for (unsigned int part = 0; part < 2; ++part)
+    {
+      RealField &field = fields[part];
+      field.number.assign(dof_handler.n_dofs(), numbers::invalid_unsigned_int);
+      for (types::global_dof_index dof = 0; dof < dof_handler.n_dofs(); ++dof)
+        if (const Terms &of_dof = terms[part][dof]; of_dof.size > 0)
+        {
+          field.number[dof] = field.size++;
+          if (tied[of_dof.term[0].unknown])
+            field.cut.push_back(field.number[dof]);
+          else
+            field.inner.emplace_back(field.number[dof], of_dof.term[0].unknown);
+        }
+    }
+  }
+
   DynamicSparsityPattern CyclicSector::sparsity(const Table<2, DoFTools::Coupling> &coupling) const
   {
     DynamicSparsityPattern pattern(dof_handler.n_dofs());
@@ -184,30 +210,38 @@ namespace ringmotor
     return {{1., std::cos(angle), std::sin(angle), -std::sin(angle)}};
   }
 
-  SymmetricTriplets CyclicSector::shifted_stiffness(const unsigned int k, const double shift) const
+  std::vector<CyclicSector::Tie> CyclicSector::ties(const unsigned int part,
+                                                    const unsigned int k) const
   {
     const std::array<double, 4> factor = factors(k);
-    const auto weight                  = [&](const Term &term)
-    { return factor[static_cast<unsigned int>(term.factor)]; };
-    SymmetricTriplets triplets;
-    triplets.reserve(stiffness.trilinos_matrix().NumMyNonzeros());
-    const auto add = [&](const unsigned int row, const unsigned int column, const double value)
-    {
-      for (const auto &field_terms : terms)
+    const RealField &field             = fields[part];
+    std::vector<Tie> ties;
+    unsigned int position = 0;
+    for (types::global_dof_index dof = 0; dof < dof_handler.n_dofs(); ++dof)
+      if (position < field.cut.size() && field.number[dof] == field.cut[position])
       {
-        const Terms &of_row = field_terms[row], &of_column = field_terms[column];
-        for (unsigned int i = 0; i < of_row.size; ++i)
-          // On the diagonal the pair (i, j) stands for (j, i) too.
-          for (unsigned int j = 0; j < (row == column ? i + 1 : of_column.size); ++j)
-          {
-            const Term &first = of_row.term[i], &second = of_column.term[j];
-            const bool folded = row != column && first.unknown == second.unknown;
-            triplets.add(first.unknown, second.unknown,
-                         (folded ? 2. : 1.) * weight(first) * weight(second) * value);
-          }
+        const Terms &of_dof = terms[part][dof];
+        for (unsigned int i = 0; i < of_dof.size; ++i)
+          ties.push_back({position, of_dof.term[i].unknown,
+                          factor[static_cast<unsigned int>(of_dof.term[i].factor)]});
+        ++position;
       }
-    };
-    for_each_lower_entry(stiffness.trilinos_matrix(), mass.trilinos_matrix(), shift, add);
+    return ties;
+  }
+
+  SymmetricTriplets CyclicSector::shifted_stiffness(const unsigned int part,
+                                                    const double shift) const
+  {
+    const std::vector<unsigned int> &number = fields[part].number;
+    SymmetricTriplets triplets;
+    triplets.reserve((stiffness.trilinos_matrix().NumMyNonzeros() + number.size()) / 2);
+    for_each_lower_entry(stiffness.trilinos_matrix(), mass.trilinos_matrix(), shift,
+                         [&](const unsigned int row, const unsigned int column, const double value)
+                         {
+                           if (number[row] != numbers::invalid_unsigned_int &&
+                               number[column] != numbers::invalid_unsigned_int)
+                             triplets.add(number[row], number[column], value);
+                         });
     return triplets;
   }
 

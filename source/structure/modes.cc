@@ -76,20 +76,11 @@ namespace ringmotor
     }
   } // namespace
 
-  ModeSolver::ModeSolver(const CyclicSector &sector)
-      : sector(sector), factors(sector.n_unknowns(), sector.dofs().get_communicator())
-  {
-  }
-
-  void ModeSolver::factorise(const unsigned int k, const double shift)
-  {
-    SymmetricTriplets triplets = sector.shifted_stiffness(k, shift);
-    factors.factorise(triplets);
-  }
+  ModeSolver::ModeSolver(const CyclicSector &sector) : sector(sector), factors(sector) {}
 
   unsigned int ModeSolver::count_below(const unsigned int k, const double shift)
   {
-    factorise(k, shift);
+    factors.factorise(k, shift);
     // A complex Hermitian problem written in real numbers has every eigenvalue twice.
     return factors.n_negative() / (sector.is_complex() ? 2 : 1);
   }
@@ -109,8 +100,8 @@ namespace ringmotor
     return modes;
   }
 
-  double ModeSolver::shift_above(const unsigned int k, const unsigned int n_wanted,
-                                 const double target)
+  std::vector<ShiftWindow>
+  ModeSolver::windows_above(const unsigned int k, const unsigned int n_wanted, const double target)
   {
     const unsigned int n_below =
         target > 0. ? count_below(k, std::pow(2. * numbers::PI * target, 2)) : 0;
@@ -121,17 +112,55 @@ namespace ringmotor
         modes.end());
     const double highest_wanted = nearest_elastic(modes, n_wanted, target).back().eigenvalue;
 
-    double shift = 0., widest_gap = 0.;
+    std::vector<ShiftWindow> windows;
     for (unsigned int i = 0; i + 1 < modes.size(); ++i)
+      if (const double gap = modes[i + 1].eigenvalue - modes[i].eigenvalue;
+          modes[i].eigenvalue >= highest_wanted)
+        windows.push_back({modes[i].eigenvalue + 0.25 * gap, modes[i].eigenvalue + 0.75 * gap});
+    return windows;
+  }
+
+  double ModeSolver::shift_above(const unsigned int k, const unsigned int n_wanted,
+                                 const double target)
+  {
+    const std::vector<ShiftWindow> windows = windows_above(k, n_wanted, target);
+    const ShiftWindow widest               = *std::max_element(windows.begin(), windows.end(),
+                                                               [](const ShiftWindow &a, const ShiftWindow &b)
+                                                               { return a.high / a.low < b.high / b.low; });
+    return 0.5 * (widest.low + widest.high);
+  }
+
+  std::map<unsigned int, double>
+  common_shifts(const std::map<unsigned int, std::vector<ShiftWindow>> &windows)
+  {
+    std::map<unsigned int, double> shifts;
+    while (shifts.size() < windows.size())
     {
-      const double gap = modes[i + 1].eigenvalue / modes[i].eigenvalue - 1.;
-      if (modes[i].eigenvalue >= highest_wanted && gap > widest_gap)
-      {
-        widest_gap = gap;
-        shift      = 0.5 * (modes[i].eigenvalue + modes[i + 1].eigenvalue);
-      }
+      // Of the shifts in the middle of a window the one that serves most, and of those the lowest.
+      std::vector<unsigned int> best;
+      double best_shift = 0.;
+      for (const auto &of_candidates : windows)
+        if (shifts.count(of_candidates.first) == 0)
+          for (const ShiftWindow &candidate : of_candidates.second)
+          {
+            const double shift = 0.5 * (candidate.low + candidate.high);
+            std::vector<unsigned int> served;
+            for (const auto &[k, of_k] : windows)
+              if (shifts.count(k) == 0 &&
+                  std::any_of(of_k.begin(), of_k.end(),
+                              [&](const ShiftWindow &window)
+                              { return window.low <= shift && shift <= window.high; }))
+                served.push_back(k);
+            if (served.size() > best.size() || (served.size() == best.size() && shift < best_shift))
+            {
+              best       = served;
+              best_shift = shift;
+            }
+          }
+      for (const unsigned int k : best)
+        shifts[k] = best_shift;
     }
-    return shift;
+    return shifts;
   }
 
   std::vector<Mode> ModeSolver::lowest(const unsigned int k, const unsigned int n_elastic)
@@ -145,7 +174,7 @@ namespace ringmotor
       radius = std::max(radius, std::hypot(vertex[0], vertex[1]));
     const double shift = -std::pow(1e-3 * fastest / radius, 2);
 
-    factorise(k, shift);
+    factors.factorise(k, shift);
     return solve(k, shift, EigenvalueChoice::nearest, n_elastic + (k < 2 ? 2 : 0));
   }
 

@@ -19,9 +19,13 @@ namespace ringmotor
     int information(const int i) const { return data.infog[i - 1]; }
   };
 
-  SparseLDLT::SparseLDLT(const unsigned int size, MPI_Comm communicator)
+  SparseLDLT::SparseLDLT(const unsigned int size, MPI_Comm communicator,
+                         const std::vector<unsigned int> &kept)
       : mumps(std::make_unique<Mumps>()), communicator(communicator)
   {
+    for (const unsigned int row : kept)
+      kept_rows.push_back(1 + static_cast<int>(row));
+
     mumps->data.comm_fortran = MPI_Comm_c2f(communicator);
     mumps->data.par          = 1; // rank 0 works too
     mumps->data.sym          = 2; // symmetric, indefinite
@@ -36,6 +40,19 @@ namespace ringmotor
     mumps->control(13) = 1; // no parallel root: in that one MUMPS does not count negative pivots
     // Every rank gives its own entries; a single one is spared their redistribution.
     mumps->control(18) = Utilities::MPI::n_mpi_processes(communicator) > 1 ? 3 : 0;
+    if (!kept_rows.empty())
+    {
+      schur.resize(kept_rows.size() * kept_rows.size());
+      mumps->control(19)        = 2; // lower triangle, here in one block on rank 0
+      mumps->data.nprow         = 1;
+      mumps->data.npcol         = 1;
+      mumps->data.mblock        = static_cast<int>(kept_rows.size());
+      mumps->data.nblock        = static_cast<int>(kept_rows.size());
+      mumps->data.size_schur    = static_cast<int>(kept_rows.size());
+      mumps->data.listvar_schur = kept_rows.data();
+      mumps->data.schur         = schur.data();
+      mumps->data.schur_lld     = static_cast<int>(kept_rows.size());
+    }
   }
 
   SparseLDLT::~SparseLDLT()
@@ -67,6 +84,7 @@ namespace ringmotor
     }
     if (mumps->information(1) < 0)
       run(2, "factorisation");
+    broadcast(schur);
   }
 
   unsigned int SparseLDLT::n_negative() const
@@ -80,7 +98,36 @@ namespace ringmotor
     mumps->data.lrhs = mumps->data.n;
     mumps->data.rhs  = right_hand_side.data();
     run(3, "solution");
-    MPI_Bcast(right_hand_side.data(), mumps->data.n, MPI_DOUBLE, 0, communicator);
+    broadcast(right_hand_side);
+  }
+
+  std::vector<double> SparseLDLT::condense(const std::vector<double> &all_right_hand_sides)
+  {
+    right_hand_sides    = all_right_hand_sides;
+    mumps->data.nrhs    = static_cast<int>(right_hand_sides.size() / mumps->data.n);
+    mumps->data.lrhs    = mumps->data.n;
+    mumps->data.rhs     = right_hand_sides.data();
+    mumps->data.lredrhs = static_cast<int>(kept_rows.size());
+    std::vector<double> reduced(mumps->data.nrhs * kept_rows.size());
+    mumps->data.redrhs = reduced.data();
+    mumps->control(26) = 1;
+    run(3, "condensation");
+    broadcast(reduced);
+    return reduced;
+  }
+
+  std::vector<double> SparseLDLT::expand(std::vector<double> kept_solutions)
+  {
+    mumps->data.redrhs = kept_solutions.data();
+    mumps->control(26) = 2;
+    run(3, "expansion");
+    broadcast(right_hand_sides);
+    return right_hand_sides;
+  }
+
+  void SparseLDLT::broadcast(std::vector<double> &numbers) const
+  {
+    MPI_Bcast(numbers.data(), static_cast<int>(numbers.size()), MPI_DOUBLE, 0, communicator);
   }
 
   void SparseLDLT::run(const int job, const char *what)

@@ -182,7 +182,7 @@ TEST_P(SheetsOf, TheStatorCanBeCutAgainAndAgain)
     sheets.refine(mesh, chosen);
     EXPECT_NEAR(volume(mesh) / exact, 1., 1e-11) << "pass " << pass;
     expect_conforming(mesh);
-    EXPECT_GT(smallest_jacobian_ratio(*mesh.triangulation), 0.2);
+    EXPECT_GT(smallest_jacobian_ratio(*mesh.triangulation), 0.1);
   }
 }
 

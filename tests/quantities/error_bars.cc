@@ -116,7 +116,7 @@ TEST(ErrorBars, OfShapesFollowTheLastChange)
 {
   // The indicator fell to a quarter, the shape's error (its square root) to a half: what is left
   // is as large as the last change, and twice that is the bar.
-  const FrequencySample coarse{3, 30010., 4e-4}, fine{3, 30005., 1e-4};
+  const FrequencySample coarse{3, 30000., 4e-4}, fine{3, 30000., 1e-4};
   const Estimate estimate = shape_estimate(0.84, 0.83, fine, coarse, 1e-4);
   EXPECT_DOUBLE_EQ(estimate.value, 0.84);
   EXPECT_NEAR(estimate.error, 0.02, 1e-12);

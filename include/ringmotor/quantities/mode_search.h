@@ -57,7 +57,8 @@ namespace ringmotor
     unsigned int n_missed() const { return missed; }
 
   private:
-    std::vector<Mode> modes_of(ModeSolver &solver, const unsigned int k);
+    std::vector<Mode> requested_modes(ModeSolver &solver);
+    std::vector<Mode> modes_below_shift(ModeSolver &solver, const unsigned int k) const;
     std::vector<FrequencySample> earlier_samples(const Mode &mode, const Family family,
                                                  const unsigned int rank) const;
 

@@ -19,6 +19,7 @@
 #include <complex>
 #include <functional>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace ringmotor
@@ -66,8 +67,33 @@ namespace ringmotor
      * numbers. */
     bool is_complex() const { return mesh.form == SectorForm::whole; }
 
-    /** This rank's part of K - shift M for nodal diameter @p k (lower triangle). */
-    SymmetricTriplets shifted_stiffness(const unsigned int k, const double shift) const;
+    /** The degrees of freedom of one real field that are free before the condition on the cuts ties
+     * some of them, across the cut and to the other field. */
+    struct RealField
+    {
+      std::vector<unsigned int> number; ///< by degree of freedom, invalid_unsigned_int if not free
+      std::vector<unsigned int> cut;    ///< numbers of those that are tied
+      std::vector<std::pair<unsigned int, unsigned int>>
+          inner; ///< number and unknown of the others
+      unsigned int size = 0;
+    };
+
+    /** A free degree of freedom on the cut is the sum of factor * unknown over its ties. */
+    struct Tie
+    {
+      unsigned int position; ///< in RealField::cut
+      unsigned int unknown;
+      double factor;
+    };
+
+    /** The real field (0) and the imaginary one (1). On a whole sector both are alike. */
+    const RealField &field(const unsigned int part) const { return fields[part]; }
+
+    /** The ties of a field's cut for nodal diameter @p k. */
+    std::vector<Tie> ties(const unsigned int part, const unsigned int k) const;
+
+    /** This rank's part of K - shift M in the numbers of a field (lower triangle). */
+    SymmetricTriplets shifted_stiffness(const unsigned int part, const double shift) const;
 
     /** The product of the mass matrix of nodal diameter @p k and @p unknowns (all ranks get it). */
     void multiply_mass(const unsigned int k, const std::vector<double> &unknowns,
@@ -123,6 +149,7 @@ namespace ringmotor
 
     void number_half_sector();
     void number_whole_sector();
+    void number_fields();
     dealii::DynamicSparsityPattern
     sparsity(const dealii::Table<2, dealii::DoFTools::Coupling> &coupling) const;
     void assemble();
@@ -142,6 +169,7 @@ namespace ringmotor
     std::array<std::vector<Terms>, 2>
         terms; ///< for the real and the imaginary field, by degree of freedom
     unsigned int unknown_count = 0;
+    std::array<RealField, 2> fields;
 
     dealii::TrilinosWrappers::SparseMatrix stiffness, mass;
   };

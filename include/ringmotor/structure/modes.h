@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/structure/cyclic_sector.h>
+#include <ringmotor/structure/cyclic_factors.h>
 #include <ringmotor/structure/eigenpairs.h>
+
+#include <map>
+#include <vector>
 
 namespace ringmotor
 {
@@ -29,9 +32,22 @@ namespace ringmotor
   std::vector<Mode> nearest_elastic(const std::vector<Mode> &modes, const unsigned int n_wanted,
                                     const double target);
 
+  /** Shifts (rad^2/s^2) between two eigenvalues, at a distance from both. */
+  struct ShiftWindow
+  {
+    double low, high;
+  };
+
   /**
-   * Modes of a cyclic sector by shift-and-invert. One symbolic factorisation serves all nodal
-   * diameters and shifts.
+   * For each nodal diameter a shift in one of its @p windows, so that few different ones are
+   * needed: nodal diameters of one shift share a factorisation.
+   */
+  std::map<unsigned int, double>
+  common_shifts(const std::map<unsigned int, std::vector<ShiftWindow>> &windows);
+
+  /**
+   * Modes of a cyclic sector by shift-and-invert. Calls with the same shift, whatever the nodal
+   * diameter, share one sparse factorisation.
    */
   class ModeSolver
   {
@@ -47,10 +63,13 @@ namespace ringmotor
     std::vector<Mode> below(const unsigned int k, const double shift);
 
     /**
-     * A shift (rad^2/s^2) such that the @p n_wanted elastic modes nearest to @p target (Hz; 0: the
-     * lowest ones) lie below it with a wide gap above. Found on this, coarse, mesh, it serves finer
-     * ones too.
+     * Shifts above the @p n_wanted elastic modes nearest to @p target (Hz; 0: the lowest ones), but
+     * below few others. Found on this, coarse, mesh, they serve finer ones too.
      */
+    std::vector<ShiftWindow> windows_above(const unsigned int k, const unsigned int n_wanted,
+                                           const double target);
+
+    /** The middle of the widest of these windows. */
     double shift_above(const unsigned int k, const unsigned int n_wanted, const double target);
 
     /** The @p n_elastic lowest elastic modes of nodal diameter @p k and the rigid ones; not proven
@@ -65,12 +84,11 @@ namespace ringmotor
     unsigned int n_found() const { return found; }
 
   private:
-    void factorise(const unsigned int k, const double shift);
     std::vector<Mode> solve(const unsigned int k, const double shift, const EigenvalueChoice choice,
                             const unsigned int count);
 
     const CyclicSector &sector;
-    SparseLDLT factors;
+    CyclicFactors factors;
     unsigned int counted = 0, found = 0;
   };
 } // namespace ringmotor

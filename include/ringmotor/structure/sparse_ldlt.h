@@ -35,11 +35,15 @@ namespace ringmotor
   /**
    * L D L^T factorisation of a real symmetric indefinite sparse matrix by MUMPS, in parallel. Its
    * inertia counts the eigenvalues below a shift (Sylvester's law).
+   *
+   * Some unknowns can be kept: the others, the inner ones, are eliminated, and what remains is the
+   * dense Schur complement of the kept ones, with which they can be joined to other bodies.
    */
   class SparseLDLT
   {
   public:
-    SparseLDLT(const unsigned int size, MPI_Comm communicator);
+    SparseLDLT(const unsigned int size, MPI_Comm communicator,
+               const std::vector<unsigned int> &kept = {});
     ~SparseLDLT();
     SparseLDLT(const SparseLDLT &)            = delete;
     SparseLDLT &operator=(const SparseLDLT &) = delete;
@@ -51,18 +55,40 @@ namespace ringmotor
      */
     void factorise(SymmetricTriplets &triplets);
 
-    /** Number of negative eigenvalues of the factorised matrix. */
+    /** Number of negative eigenvalues of the factorised matrix (of its inner unknowns, if some are
+     * kept). */
     unsigned int n_negative() const;
 
-    /** Replaces @p right_hand_side (the same on all ranks) by the solution (on all ranks). */
+    /** Replaces @p right_hand_side (the same on all ranks) by the solution (on all ranks). Not for
+     * matrices with kept unknowns. */
     void solve(std::vector<double> &right_hand_side);
+
+    /** The Schur complement by columns, lower triangle, on all ranks; rows in the order of the kept
+     * unknowns. */
+    const std::vector<double> &schur_complement() const { return schur; }
+
+    /**
+     * First half of a solution with kept unknowns: the right-hand sides of the kept unknowns, one
+     * after the other, that are left when the inner unknowns are eliminated from @p
+     * right_hand_sides (one after the other, the same on all ranks).
+     */
+    std::vector<double> condense(const std::vector<double> &right_hand_sides);
+
+    /**
+     * Second half, to follow condense(): the solutions for all unknowns from those of the kept
+     * ones. All ranks give and get the same.
+     */
+    std::vector<double> expand(std::vector<double> kept_solutions);
 
   private:
     void run(const int job, const char *what);
+    void broadcast(std::vector<double> &numbers) const;
 
     struct Mumps;
     std::unique_ptr<Mumps> mumps;
     MPI_Comm communicator;
+    std::vector<int> kept_rows; ///< counted from 1
+    std::vector<double> schur, right_hand_sides;
     bool analysed = false;
   };
 } // namespace ringmotor

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/structure/cyclic_sector.h>
+#include <ringmotor/structure/dense_ldlt.h>
+#include <ringmotor/structure/sparse_ldlt.h>
+
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace ringmotor
+{
+  /**
+   * The factorised K - shift M of a cyclic sector. The two real fields meet only at the cut, and
+   * only there a nodal diameter makes a difference: one sparse factorisation of each field down to
+   * its cut serves all nodal diameters, and each of these adds a small dense one. (On a whole
+   * sector both fields have the same sparse factors.)
+   */
+  class CyclicFactors
+  {
+  public:
+    /** @p sector must outlive this object. */
+    explicit CyclicFactors(const CyclicSector &sector);
+
+    /**
+     * Goes to a shift (rad^2/s^2) and a nodal diameter. Cheap as long as the shift stays.
+     * @throws ComputationError if the matrix is singular.
+     */
+    void factorise(const unsigned int k, const double shift);
+
+    /** Number of negative eigenvalues of the matrix in real numbers. */
+    unsigned int n_negative() const;
+
+    /** Replaces @p unknowns, a right-hand side, by the solution (on all ranks). */
+    void solve(std::vector<double> &unknowns);
+
+  private:
+    /** A matrix and the fields it belongs to. */
+    struct Body
+    {
+      std::unique_ptr<SparseLDLT> factors;
+      std::vector<unsigned int> parts;
+    };
+
+    void factorise_cut(const unsigned int k);
+
+    const CyclicSector &sector;
+    std::vector<Body> bodies;
+    std::vector<unsigned int> cut_unknowns; ///< in the order of the dense matrix
+    std::vector<unsigned int> cut_place;    ///< the inverse, by unknown
+    std::array<std::vector<CyclicSector::Tie>, 2> ties;
+    DenseLDLT cut;
+    double factorised_shift = std::numeric_limits<double>::quiet_NaN();
+  };
+} // namespace ringmotor
