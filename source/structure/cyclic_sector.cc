@@ -5,6 +5,7 @@
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/fe/fe_q.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/sparsity_tools.h>
 
 #include <Epetra_CrsMatrix.h>
@@ -15,38 +16,6 @@
 namespace ringmotor
 {
   using namespace dealii;
-
-  namespace
-  {
-    /**
-     * Calls @p use(row, column, value) for the entries of stiffness - shift * mass at or below the
-     * diagonal in this rank's rows. The pattern of the mass is part of that of the stiffness.
-     */
-    template <typename Use>
-    void for_each_lower_entry(const Epetra_CrsMatrix &stiffness, const Epetra_CrsMatrix &mass,
-                              const double shift, const Use &use)
-    {
-      std::vector<double> row_of_mass(stiffness.NumMyCols(), 0.);
-      for (int local_row = 0; local_row < stiffness.NumMyRows(); ++local_row)
-      {
-        int n_entries = 0, n_mass_entries = 0, *columns = nullptr, *mass_columns = nullptr;
-        double *values = nullptr, *mass_values = nullptr;
-        stiffness.ExtractMyRowView(local_row, n_entries, values, columns);
-        mass.ExtractMyRowView(local_row, n_mass_entries, mass_values, mass_columns);
-        for (int entry = 0; entry < n_mass_entries; ++entry)
-          row_of_mass[stiffness.LCID(mass.GCID(mass_columns[entry]))] = mass_values[entry];
-
-        const int row = stiffness.GRID(local_row);
-        for (int entry = 0; entry < n_entries; ++entry)
-        {
-          double &mass_value = row_of_mass[columns[entry]];
-          if (const int column = stiffness.GCID(columns[entry]); column <= row)
-            use(row, column, values[entry] - shift * mass_value);
-          mass_value = 0.;
-        }
-      }
-    }
-  } // namespace
 
   CyclicSector::CyclicSector(const SectorMesh &mesh, const MaterialTable &materials,
                              const unsigned int degree)
@@ -151,45 +120,56 @@ namespace ringmotor
     }
   }
 
-  DynamicSparsityPattern CyclicSector::sparsity(const Table<2, DoFTools::Coupling> &coupling) const
-  {
-    DynamicSparsityPattern pattern(dof_handler.n_dofs());
-    DoFTools::make_sparsity_pattern(dof_handler, coupling, pattern, hanging_nodes,
-                                    /*keep_constrained_dofs =*/false);
-    SparsityTools::distribute_sparsity_pattern(pattern, dof_handler.locally_owned_dofs(),
-                                               dof_handler.get_communicator(),
-                                               complete_index_set(dof_handler.n_dofs()));
-    return pattern;
-  }
-
   void CyclicSector::assemble()
   {
-    const IndexSet &owned       = dof_handler.locally_owned_dofs();
     const MPI_Comm communicator = dof_handler.get_communicator();
-    Table<2, DoFTools::Coupling> coupling(3, 3);
-    coupling.fill(DoFTools::always);
-    stiffness.reinit(owned, owned, sparsity(coupling), communicator);
-    // The mass couples equal components only, and x with y where a cell has nodes with turned axes.
-    for (unsigned int component = 0; component < 2; ++component)
-      coupling(2, component) = coupling(component, 2) = DoFTools::none;
-    mass.reinit(owned, owned, sparsity(coupling), communicator);
+    const IndexSet &owned_dofs  = dof_handler.locally_owned_dofs();
+    const AffineConstraints<double> scalar_hanging_nodes =
+        nodes.scalar_hanging_node_constraints(dof_handler);
+    IndexSet owned_nodes(nodes.size());
+    for (const types::global_dof_index dof : owned_dofs)
+      owned_nodes.add_index(nodes.node(dof));
 
-    const unsigned int n_cell_dofs = fe.n_dofs_per_cell();
-    std::vector<types::global_dof_index> cell_dofs(n_cell_dofs);
-    FullMatrix<double> cell_stiffness(n_cell_dofs, n_cell_dofs),
-        cell_mass(n_cell_dofs, n_cell_dofs);
+    DynamicSparsityPattern pattern(dof_handler.n_dofs()), node_pattern(nodes.size());
+    const unsigned int n_cell_dofs = fe.n_dofs_per_cell(), n_cell_nodes = n_cell_dofs / 3;
+    std::vector<types::global_dof_index> cell_dofs(n_cell_dofs), cell_nodes(n_cell_nodes);
+    const auto go_to = [&](const auto &cell)
+    {
+      cell->get_dof_indices(cell_dofs);
+      for (unsigned int i = 0; i < n_cell_nodes; ++i)
+        cell_nodes[i] = nodes.node(cell_dofs[fe.component_to_system_index(0, i)]);
+    };
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned())
+      {
+        go_to(cell);
+        hanging_nodes.add_entries_local_to_global(cell_dofs, pattern, false);
+        scalar_hanging_nodes.add_entries_local_to_global(cell_nodes, node_pattern, false);
+      }
+    SparsityTools::distribute_sparsity_pattern(pattern, owned_dofs, communicator,
+                                               complete_index_set(dof_handler.n_dofs()));
+    SparsityTools::distribute_sparsity_pattern(node_pattern, owned_nodes, communicator,
+                                               complete_index_set(nodes.size()));
+    stiffness.reinit(owned_dofs, owned_dofs, pattern, communicator);
+    node_mass.reinit(owned_nodes, owned_nodes, node_pattern, communicator);
+
+    FullMatrix<double> cell_stiffness(n_cell_dofs, n_cell_dofs), cell_mass(cell_stiffness),
+        cell_node_mass(n_cell_nodes, n_cell_nodes);
     for_each_owned_cell(
         [&](const auto &cell, SolidElement &element)
         {
           element.matrices(cell_stiffness, cell_mass);
-          cell->get_dof_indices(cell_dofs);
+          for (unsigned int i = 0; i < n_cell_nodes; ++i)
+            for (unsigned int j = 0; j < n_cell_nodes; ++j)
+              cell_node_mass(i, j) =
+                  cell_mass(fe.component_to_system_index(0, i), fe.component_to_system_index(0, j));
+          go_to(cell);
           nodes.rotate_to_axes(cell_dofs, cell_stiffness);
-          nodes.rotate_to_axes(cell_dofs, cell_mass);
           hanging_nodes.distribute_local_to_global(cell_stiffness, cell_dofs, stiffness);
-          hanging_nodes.distribute_local_to_global(cell_mass, cell_dofs, mass);
+          scalar_hanging_nodes.distribute_local_to_global(cell_node_mass, cell_nodes, node_mass);
         });
     stiffness.compress(VectorOperation::add);
-    mass.compress(VectorOperation::add);
+    node_mass.compress(VectorOperation::add);
   }
 
   void CyclicSector::for_each_owned_cell(const CellVisitor &visit) const
@@ -233,15 +213,34 @@ namespace ringmotor
                                                     const double shift) const
   {
     const std::vector<unsigned int> &number = fields[part].number;
+    const Epetra_CrsMatrix &k               = stiffness.trilinos_matrix();
+    const Epetra_CrsMatrix &m               = node_mass.trilinos_matrix();
     SymmetricTriplets triplets;
-    triplets.reserve((stiffness.trilinos_matrix().NumMyNonzeros() + number.size()) / 2);
-    for_each_lower_entry(stiffness.trilinos_matrix(), mass.trilinos_matrix(), shift,
-                         [&](const unsigned int row, const unsigned int column, const double value)
-                         {
-                           if (number[row] != numbers::invalid_unsigned_int &&
-                               number[column] != numbers::invalid_unsigned_int)
-                             triplets.add(number[row], number[column], value);
-                         });
+    triplets.reserve((k.NumMyNonzeros() + number.size()) / 2);
+    std::vector<double> row_of_mass(nodes.size(), 0.);
+    for (int local_row = 0; local_row < k.NumMyRows(); ++local_row)
+    {
+      const int row = k.GRID(local_row);
+      if (number[row] == numbers::invalid_unsigned_int)
+        continue;
+      int n_entries = 0, n_mass_entries = 0, *columns = nullptr, *mass_columns = nullptr;
+      double *values = nullptr, *mass_values = nullptr;
+      k.ExtractMyRowView(local_row, n_entries, values, columns);
+      m.ExtractMyRowView(m.LRID(static_cast<int>(nodes.node(row))), n_mass_entries, mass_values,
+                         mass_columns);
+      for (int entry = 0; entry < n_mass_entries; ++entry)
+        row_of_mass[m.GCID(mass_columns[entry])] = mass_values[entry];
+
+      const Tensor<1, 3> direction = nodes.direction(row);
+      for (int entry = 0; entry < n_entries; ++entry)
+        if (const int column = k.GCID(columns[entry]);
+            column <= row && number[column] != numbers::invalid_unsigned_int)
+          triplets.add(number[row], number[column],
+                       values[entry] - shift * (direction * nodes.direction(column)) *
+                                           row_of_mass[nodes.node(column)]);
+      for (int entry = 0; entry < n_mass_entries; ++entry)
+        row_of_mass[m.GCID(mass_columns[entry])] = 0.;
+    }
     return triplets;
   }
 
@@ -267,24 +266,38 @@ namespace ringmotor
   void CyclicSector::multiply_mass(const unsigned int k, const std::vector<double> &unknowns,
                                    std::vector<double> &product) const
   {
-    const std::array<double, 4> factor         = factors(k);
+    // The mass knows no direction: in Cartesian components one matrix serves all of both fields.
     const std::array<Vector<double>, 2> fields = to_fields(k, unknowns);
-    const Epetra_Map &owned                    = mass.trilinos_matrix().RowMap();
-    Epetra_MultiVector both_fields(owned, 2), mass_times_fields(owned, 2);
-    for (int part = 0; part < 2; ++part)
-      for (int row = 0; row < owned.NumMyElements(); ++row)
-        both_fields[part][row] = fields[part][owned.GID(row)];
-    mass.trilinos_matrix().Multiply(false, both_fields, mass_times_fields);
-
-    product.assign(unknown_count, 0.);
-    for (int part = 0; part < 2; ++part)
-      for (int row = 0; row < owned.NumMyElements(); ++row)
+    const Epetra_Map &owned                    = node_mass.trilinos_matrix().RowMap();
+    Epetra_MultiVector motion(owned, 6), mass_times_motion(owned, 6);
+    for (int row = 0; row < owned.NumMyElements(); ++row)
+      for (unsigned int component = 0; component < 3; ++component)
       {
-        const Terms &of_row = terms[part][owned.GID(row)];
-        for (unsigned int i = 0; i < of_row.size; ++i)
-          product[of_row.term[i].unknown] +=
-              factor[static_cast<unsigned int>(of_row.term[i].factor)] *
-              mass_times_fields[part][row];
+        const types::global_dof_index dof = nodes.dof(owned.GID(row), component);
+        const Tensor<1, 3> direction      = nodes.direction(dof);
+        for (unsigned int part = 0; part < 2; ++part)
+          for (unsigned int d = 0; d < 3; ++d)
+            motion[3 * part + d][row] += fields[part][dof] * direction[d];
+      }
+    node_mass.trilinos_matrix().Multiply(false, motion, mass_times_motion);
+
+    const std::array<double, 4> factor = factors(k);
+    product.assign(unknown_count, 0.);
+    for (int row = 0; row < owned.NumMyElements(); ++row)
+      for (unsigned int component = 0; component < 3; ++component)
+      {
+        const types::global_dof_index dof = nodes.dof(owned.GID(row), component);
+        const Tensor<1, 3> direction      = nodes.direction(dof);
+        for (unsigned int part = 0; part < 2; ++part)
+        {
+          double along = 0.;
+          for (unsigned int d = 0; d < 3; ++d)
+            along += direction[d] * mass_times_motion[3 * part + d][row];
+          const Terms &of_row = terms[part][dof];
+          for (unsigned int i = 0; i < of_row.size; ++i)
+            product[of_row.term[i].unknown] +=
+                factor[static_cast<unsigned int>(of_row.term[i].factor)] * along;
+        }
       }
     Utilities::MPI::sum(product, dof_handler.get_communicator(), product);
   }

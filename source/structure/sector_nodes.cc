@@ -204,6 +204,45 @@ namespace ringmotor
     return constraints;
   }
 
+  AffineConstraints<double>
+  SectorNodes::scalar_hanging_node_constraints(const DoFHandler<3> &dof_handler) const
+  {
+    AffineConstraints<double> cartesian;
+    DoFTools::make_hanging_node_constraints(dof_handler, cartesian);
+    cartesian.close();
+
+    AffineConstraints<double> constraints;
+    for (const auto &line : cartesian.get_lines())
+      if (place[line.index].component == 0)
+      {
+        constraints.add_line(place[line.index].node);
+        for (const auto &[dof, weight] : line.entries)
+          constraints.add_entry(place[line.index].node, place[dof].node, weight);
+      }
+    constraints.close();
+    return constraints;
+  }
+
+  Tensor<1, 3> SectorNodes::direction(const Dof dof) const
+  {
+    const Node &node = nodes[place[dof].node];
+    Tensor<1, 3> direction;
+    switch (place[dof].component)
+    {
+    case 0:
+      direction[0] = node.cosine;
+      direction[1] = node.sine;
+      break;
+    case 1:
+      direction[0] = -node.sine;
+      direction[1] = node.cosine;
+      break;
+    default:
+      direction[2] = 1.;
+    }
+    return direction;
+  }
+
   void SectorNodes::rotate_to_axes(const std::vector<Dof> &cell_dofs,
                                    FullMatrix<double> &matrix) const
   {

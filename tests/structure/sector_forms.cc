@@ -11,6 +11,8 @@
 #include <ringmotor/mesh/stator_sector.h>
 #include <ringmotor/structure/modes.h>
 
+#include <deal.II/dofs/dof_tools.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>

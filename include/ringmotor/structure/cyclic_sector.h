@@ -7,11 +7,9 @@
 #include <ringmotor/structure/sparse_ldlt.h>
 
 #include <deal.II/dofs/dof_handler.h>
-#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/lac/affine_constraints.h>
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/vector.h>
 
@@ -150,8 +148,6 @@ namespace ringmotor
     void number_half_sector();
     void number_whole_sector();
     void number_fields();
-    dealii::DynamicSparsityPattern
-    sparsity(const dealii::Table<2, dealii::DoFTools::Coupling> &coupling) const;
     void assemble();
     /** Values of the factors one, cosine, sine, minus sine for nodal diameter k. */
     std::array<double, 4> factors(const unsigned int k) const;
@@ -171,6 +167,7 @@ namespace ringmotor
     unsigned int unknown_count = 0;
     std::array<RealField, 2> fields;
 
-    dealii::TrilinosWrappers::SparseMatrix stiffness, mass;
+    dealii::TrilinosWrappers::SparseMatrix stiffness; ///< in the axes of the nodes
+    dealii::TrilinosWrappers::SparseMatrix node_mass; ///< of one component, by nodes
   };
 } // namespace ringmotor

@@ -45,6 +45,18 @@ namespace ringmotor
     /** 0, 1, 2 for x, y, z or, on a cut, for r, theta, z. */
     unsigned int component(const Dof dof) const { return place[dof].component; }
 
+    unsigned int size() const { return nodes.size(); }
+
+    /** The node of a degree of freedom, and back. */
+    unsigned int node(const Dof dof) const { return place[dof].node; }
+    Dof dof(const unsigned int node, const unsigned int component) const
+    {
+      return nodes[node].dofs[component];
+    }
+
+    /** The unit vector (Cartesian) along which a degree of freedom moves its node. */
+    dealii::Tensor<1, 3> direction(const Dof dof) const;
+
     /**
      * For each degree of freedom on the high cut of a whole sector that is not hanging in
      * @p hanging_nodes, its partner on the low cut.
@@ -56,6 +68,10 @@ namespace ringmotor
     /** The constraints of hanging nodes in the axes used here, closed. */
     dealii::AffineConstraints<double>
     hanging_node_constraints(const dealii::DoFHandler<3> &dof_handler) const;
+
+    /** The constraints of hanging nodes for a scalar with one value for each node, closed. */
+    dealii::AffineConstraints<double>
+    scalar_hanging_node_constraints(const dealii::DoFHandler<3> &dof_handler) const;
 
     /** Turns a cell matrix from Cartesian components to the axes of the nodes. */
     void rotate_to_axes(const std::vector<Dof> &cell_dofs,
