@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # From a parameter file to figures: sets up and builds if needed, runs the program stator, draws the figures
 # (unless Output/Figures = false) and prints a one-page summary. Options are those of the program.
-# Usage: scripts/run.sh FILE.prm [--set 'Section/Entry = value']... [--output DIR]
+# Usage: scripts/run.sh FILE.prm [--set 'Section/Entry = value']... [--output DIR] [--study]
+# With --study: what accuracy costs, a table and a figure.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 program=$root/build/bin/stator
@@ -19,6 +20,12 @@ fi
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 "$program" "$@" | tee "$log"
+
+study=$(sed -n 's/^\[ *[0-9.]* s\] study in //p' "$log" | tail -n 1)
+if [[ -n $study ]]; then
+  "$root/scripts/study_figure.py" "${study%/stator/study.csv}"
+  exit
+fi
 
 # The program's last line says where the results are; --help and --version have none.
 results=$(sed -n 's/^\[ *[0-9.]* s\] results in //p' "$log" | tail -n 1)

@@ -42,12 +42,16 @@ namespace ringmotor
     public:
       explicit StatorProgram(const Parameters &parameters);
       void run();
+      void study();
 
     private:
       void after_pass(const Pass &pass);
+      /** The motor's wave or, if it was not asked for, the first mode. */
+      const FoundMode &shown() const;
       WaveResult make_wave(const FoundMode &working) const;
       std::vector<Quantity> quantities_of(const WaveResult &wave) const;
       void report();
+      void write_used_prm(const std::string &name) const;
       void write_results();
       void write_summary_file();
       void add_wave_quantities(Summary &summary, const double seconds) const;
@@ -78,6 +82,13 @@ namespace ringmotor
       return out.str();
     }
 
+    std::string scientific(const double value)
+    {
+      std::ostringstream out;
+      out << std::scientific << std::setprecision(1) << value;
+      return out.str();
+    }
+
     /** `f(n = 7, out-of-plane) = 30.00238 +- 0.00222 kHz` */
     std::string describe(const FoundMode &found)
     {
@@ -90,9 +101,9 @@ namespace ringmotor
      */
     void remove_results(const std::string &folder)
     {
-      const std::regex ours(
-          "used\\.prm|frequencies\\.csv|ellipses\\.csv|modes\\.h5|summary\\.json|sector\\.vtu|"
-          "ring\\.pvd|ring_[0-9]+\\.vtu");
+      const std::regex ours("used\\.prm|frequencies\\.csv|ellipses\\.csv|modes\\.h5|"
+                            "summary\\.json|sector\\.vtu|"
+                            "ring\\.pvd|ring_[0-9]+\\.vtu");
       for (const auto &entry : std::filesystem::directory_iterator(folder))
         if (std::regex_match(entry.path().filename().string(), ours))
           std::filesystem::remove(entry.path());
@@ -117,18 +128,50 @@ namespace ringmotor
       write_results();
     }
 
+    void StatorProgram::study()
+    {
+      if (speaks)
+        prepare_directory(folder);
+      std::vector<StudyRow> rows;
+      stator.climb(
+          [&](const Pass &pass)
+          {
+            after_pass(pass);
+            rows.push_back({pass.degree, pass.level, pass.n_dofs, pass.seconds, shown().frequency,
+                            stator.search().worst_relative_error()});
+          });
+      for (const double tolerance : {1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5})
+        if (const StudyRow *row = cheapest(rows, tolerance))
+          log.line("cheapest for " + scientific(tolerance) + ": degree " +
+                   std::to_string(row->degree) + ", refinement " + std::to_string(row->refinement) +
+                   ", " + text(row->seconds, 2) + " s");
+        else
+          log.line("no setting of the study reaches " + scientific(tolerance));
+      if (speaks)
+      {
+        write_used_prm("study.prm");
+        write_study(folder + "study.csv", rows);
+      }
+      log.line("study in " + folder + "study.csv");
+    }
+
+    const FoundMode &StatorProgram::shown() const
+    {
+      const ModeSearch &search = stator.search();
+      const FoundMode *working = search.working_mode(parameters.motor.n_waves);
+      return working != nullptr ? *working : search.modes().front();
+    }
+
     void StatorProgram::after_pass(const Pass &pass)
     {
       pass_seconds.emplace_back("modes, pass " + std::to_string(pass.number), pass.seconds);
       const ModeSearch &search = stator.search();
       const FoundMode *working = search.working_mode(parameters.motor.n_waves);
-      const FoundMode &shown   = working != nullptr ? *working : search.modes().front();
       std::ostringstream line;
       line << "pass " << pass.number << ": degree " << pass.degree << ", " << pass.n_cells
-           << " cells, " << pass.n_dofs << " dofs: " << describe(shown)
-           << ", largest relative error " << std::scientific << std::setprecision(1)
-           << search.worst_relative_error() << ", " << std::fixed << std::setprecision(2)
-           << pass.seconds << " s";
+           << " cells, " << pass.n_dofs << " dofs: " << describe(shown())
+           << ", largest relative error " << scientific(search.worst_relative_error()) << ", "
+           << std::fixed << std::setprecision(2) << pass.seconds << " s";
       log.line(line.str());
 
       wave.reset();
@@ -203,18 +246,23 @@ namespace ringmotor
                  "contact");
     }
 
+    void StatorProgram::write_used_prm(const std::string &name) const
+    {
+      write_file(folder + name,
+                 [&](std::ostream &out)
+                 {
+                   out << "# used by stator of ringmotor " << version << " (" << git_revision
+                       << ")\n";
+                   print_parameters(out, parameters);
+                 });
+    }
+
     void StatorProgram::write_results()
     {
       if (speaks)
       {
         const auto scope = phases.measure("output");
-        write_file(folder + "used.prm",
-                   [&](std::ostream &out)
-                   {
-                     out << "# used by stator of ringmotor " << version << " (" << git_revision
-                         << ")\n";
-                     print_parameters(out, parameters);
-                   });
+        write_used_prm("used.prm");
         write_frequencies(folder + "frequencies.csv", stator.search().modes());
         write_modes_h5(folder + "modes.h5", parameters, stator.search().sector(),
                        stator.search().modes(), wave ? &*wave : nullptr);
@@ -311,5 +359,6 @@ int main(int argc, char **argv)
   using namespace ringmotor;
   return run_program(
       argc, argv, "stator", "Computes natural modes of the stator and its travelling wave.",
-      check_for_stator, [](const Parameters &parameters) { StatorProgram(parameters).run(); });
+      check_for_stator, [](const Parameters &parameters) { StatorProgram(parameters).run(); },
+      [](const Parameters &parameters) { StatorProgram(parameters).study(); });
 }

@@ -4,6 +4,7 @@
 #include <ringmotor/output/stator_files.h>
 #include <ringmotor/output/table.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ringmotor
@@ -138,5 +139,29 @@ namespace ringmotor
     if (wave != nullptr)
       write_wave(file, sector, *wave);
     file.save(path);
+  }
+
+  void write_study(const std::string &path, const std::vector<StudyRow> &rows)
+  {
+    const auto best = std::min_element(rows.begin(), rows.end(),
+                                       [](const StudyRow &a, const StudyRow &b)
+                                       { return a.frequency.error < b.frequency.error; });
+    CsvTable table({"degree", "refinement", "dofs", "seconds", "frequency_Hz", "error_Hz",
+                    "distance_from_best", "largest_relative_error"});
+    for (const StudyRow &row : rows)
+      table.add_row({row.degree, row.refinement, row.n_dofs, row.seconds, row.frequency.value,
+                     row.frequency.error,
+                     std::abs(row.frequency.value / best->frequency.value - 1.),
+                     row.largest_error});
+    table.write(path);
+  }
+
+  const StudyRow *cheapest(const std::vector<StudyRow> &rows, const double tolerance)
+  {
+    const StudyRow *found = nullptr;
+    for (const StudyRow &row : rows)
+      if (row.largest_error <= tolerance && (found == nullptr || row.seconds < found->seconds))
+        found = &row;
+    return found;
   }
 } // namespace ringmotor

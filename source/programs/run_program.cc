@@ -23,19 +23,19 @@ namespace ringmotor
     {
       std::string file;
       std::vector<std::string> overrides;
-      bool help = false, version = false;
+      bool study = false, help = false, version = false;
     };
 
     CommandLine read_command_line(int argc, char **argv, const std::string &name)
     {
-      const option options[]  = {{"set", required_argument, nullptr, 's'},
-                                 {"output", required_argument, nullptr, 'o'},
-                                 {"help", no_argument, nullptr, 'h'},
-                                 {"version", no_argument, nullptr, 'v'},
-                                 {nullptr, 0, nullptr, 0}};
-      const std::string usage = "; usage: " + name +
-                                " FILE.prm [--set 'Section/Entry = value']... [--output DIR], or " +
-                                name + " --help for all entries";
+      const option options[] = {
+          {"set", required_argument, nullptr, 's'}, {"output", required_argument, nullptr, 'o'},
+          {"study", no_argument, nullptr, 't'},     {"help", no_argument, nullptr, 'h'},
+          {"version", no_argument, nullptr, 'v'},   {nullptr, 0, nullptr, 0}};
+      const std::string usage =
+          "; usage: " + name +
+          " FILE.prm [--set 'Section/Entry = value']... [--output DIR] [--study], or " + name +
+          " --help for all entries";
       CommandLine line;
       opterr = 0;
       for (int found; (found = getopt_long(argc, argv, ":h", options, nullptr)) != -1;)
@@ -46,6 +46,9 @@ namespace ringmotor
           break;
         case 'o':
           line.overrides.push_back("Output/Directory = " + std::string(optarg));
+          break;
+        case 't':
+          line.study = true;
           break;
         case 'h':
           line.help = true;
@@ -70,7 +73,8 @@ namespace ringmotor
 
     void work(int argc, char **argv, const std::string &name, const std::string &purpose,
               const std::function<void(const Parameters &)> &check,
-              const std::function<void(const Parameters &)> &run)
+              const std::function<void(const Parameters &)> &run,
+              const std::function<void(const Parameters &)> &study)
     {
       const CommandLine line = read_command_line(argc, argv, name);
       const bool speaks      = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
@@ -84,9 +88,11 @@ namespace ringmotor
         if (speaks)
         {
           std::cout << "# " << name
-                    << " FILE.prm [--set 'Section/Sub/Entry = value']... [--output DIR] [--help] "
-                       "[--version]\n# "
+                    << " FILE.prm [--set 'Section/Sub/Entry = value']... [--output DIR] [--study] "
+                       "[--help] [--version]\n# "
                     << purpose
+                    << "\n# --study shows what accuracy costs: a ladder of settings, each with its "
+                       "errors and seconds."
                     << "\n# A parameter file looks like this; the values are those of the "
                        "reference motor.\n\n";
           print_parameters(std::cout, Parameters());
@@ -96,7 +102,7 @@ namespace ringmotor
       {
         const Parameters parameters = read_parameters(line.file, line.overrides);
         check(parameters);
-        run(parameters);
+        (line.study ? study : run)(parameters);
       }
     }
 
@@ -126,14 +132,15 @@ namespace ringmotor
 
   int run_program(int argc, char **argv, const std::string &name, const std::string &purpose,
                   const std::function<void(const Parameters &)> &check,
-                  const std::function<void(const Parameters &)> &run)
+                  const std::function<void(const Parameters &)> &run,
+                  const std::function<void(const Parameters &)> &study)
   {
     spare_the_network_search();
     std::signal(SIGXFSZ, SIG_IGN); // a file grown too large shall be an error that can be told
     const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
     try
     {
-      work(argc, argv, name, purpose, check, run);
+      work(argc, argv, name, purpose, check, run, study);
       return 0;
     }
     catch (const UserError &error)

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <sstream>
+#include <utility>
 
 namespace ringmotor
 {
@@ -36,11 +37,12 @@ namespace ringmotor
      * a target at once. */
     Discretisation fit_for(const double target)
     {
-      return target >= 3.4e-4   ? Discretisation{3, 1}
-             : target >= 2.7e-4 ? Discretisation{3, 2}
-             : target >= 1.5e-4 ? Discretisation{3, 3}
-             : target >= 9.6e-5 ? Discretisation{4, 1}
-             : target >= 5.8e-5 ? Discretisation{4, 2}
+      return target >= 3e-3     ? Discretisation{2, 1}
+             : target >= 3.8e-4 ? Discretisation{3, 1}
+             : target >= 3.2e-4 ? Discretisation{3, 2}
+             : target >= 1.9e-4 ? Discretisation{3, 3}
+             : target >= 9.7e-5 ? Discretisation{4, 1}
+             : target >= 5.9e-5 ? Discretisation{4, 2}
                                 : Discretisation{4, 3};
     }
   } // namespace
@@ -56,20 +58,20 @@ namespace ringmotor
     if (parameters.accuracy.mode == AccuracyMode::fixed)
     {
       const unsigned int degree = parameters.accuracy.polynomial_degree;
-      mesh                      = make_mesh(0);
+      make_mesh(0);
       compute_pass(std::max(scout.degree, degree - 1), after_pass);
-      mesh = make_mesh(parameters.accuracy.refinement);
+      make_mesh(parameters.accuracy.refinement);
       compute_pass(degree, after_pass);
       return;
     }
 
-    mesh = make_mesh(scout.level);
+    make_mesh(scout.level);
     compute_pass(scout.degree, after_pass);
     const double target                 = parameters.accuracy.target;
     const double difficulty             = mode_search.worst_relative_error() / error_of_scout;
     const Discretisation discretisation = fit_for(target / std::max(1., difficulty));
     if (parameters.stator.mesh_file.empty())
-      mesh = make_mesh(discretisation.level);
+      make_mesh(discretisation.level);
     compute_pass(discretisation.degree, after_pass);
     while (mode_search.worst_relative_error() > target)
     {
@@ -80,15 +82,31 @@ namespace ringmotor
     }
   }
 
-  SectorMesh StatorModes::make_mesh(const unsigned int level) const
+  void StatorModes::climb(const std::function<void(const Pass &)> &after_pass)
   {
+    // Each level of a mesh that was read has eight times the cells of the one before.
+    const bool generated = parameters.stator.mesh_file.empty();
+    for (const auto &[degree, n_levels] :
+         {std::make_pair(2u, generated ? 5u : 2u), std::make_pair(3u, generated ? 5u : 1u),
+          std::make_pair(4u, generated ? 4u : 1u)})
+      for (unsigned int next = 0; next < n_levels; ++next)
+      {
+        make_mesh(next);
+        compute_pass(degree, after_pass);
+      }
+  }
+
+  void StatorModes::make_mesh(const unsigned int new_level)
+  {
+    level = new_level;
     if (parameters.stator.mesh_file.empty())
-      return make_stator_sector(parameters.stator, parameters.motor.n_teeth, SectorForm::half,
+      mesh = make_stator_sector(parameters.stator, parameters.motor.n_teeth, SectorForm::half,
                                 SectorGrading::level(level), communicator);
-    SectorMesh sector =
-        read_sector(parameters.stator.mesh_file, parameters.motor.n_teeth, communicator);
-    sector.triangulation->refine_global(level);
-    return sector;
+    else
+    {
+      mesh = read_sector(parameters.stator.mesh_file, parameters.motor.n_teeth, communicator);
+      mesh.triangulation->refine_global(level);
+    }
   }
 
   void StatorModes::compute_pass(const unsigned int degree,
@@ -97,7 +115,7 @@ namespace ringmotor
     const auto begin = std::chrono::steady_clock::now();
     mode_search.compute(mesh, degree);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-    after_pass({++n_passes, degree, mesh.triangulation->n_active_cells(),
+    after_pass({++n_passes, degree, level, mesh.triangulation->n_active_cells(),
                 mode_search.sector().dofs().n_dofs(), seconds.count()});
   }
 

@@ -93,7 +93,7 @@ namespace ringmotor
       // degree p as p^-3.2. Where they seem to fall more slowly, the motion is odd or even in the
       // cell, and one of the two parts small by symmetry. No series is trusted to fall faster than
       // this:
-      constexpr double fastest = 0.03;
+      constexpr double fastest = 0.05;
       const double slowest     = std::pow((degree - 1.) / degree, 3.2);
       const double decay       = std::clamp(highest / second, fastest, slowest);
       // Degree 1 contains rigid rotations: it says nothing of the size of degree 2.

@@ -46,4 +46,24 @@ namespace ringmotor
   void write_modes_h5(const std::string &path, const Parameters &parameters,
                       const CyclicSector &sector, const std::vector<FoundMode> &modes,
                       const WaveResult *wave);
+
+  /** One setting of a study: what it costs and how accurate it is. */
+  struct StudyRow
+  {
+    unsigned int degree, refinement; ///< Accuracy/Polynomial degree and Accuracy/Refinement
+    unsigned int n_dofs;
+    double seconds;       ///< wall clock
+    Estimate frequency;   ///< of the motor's wave or, without it, of the first mode; Hz
+    double largest_error; ///< relative error bar, the largest of all modes
+  };
+
+  /**
+   * Writes a study as CSV, with the relative distance of each frequency from that of the row with
+   * the smallest error bar.
+   */
+  void write_study(const std::string &path, const std::vector<StudyRow> &rows);
+
+  /** The row of least seconds whose error bars are all below @p tolerance (relative); null if there
+   * is none. */
+  const StudyRow *cheapest(const std::vector<StudyRow> &rows, const double tolerance);
 } // namespace ringmotor

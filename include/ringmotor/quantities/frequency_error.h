@@ -23,7 +23,7 @@ namespace ringmotor
    *
    * The relative excess of a computed eigenvalue is kappa times the indicator. On sectors of four
    * different stators (13 meshes, 12 modes of 0 to 14 waves each, against meshes with a hundredth
-   * of the error) kappa was at most 4.4 for degree 2, 3.04 for degree 3 and 2.24 for degree 4, and
+   * of the error) kappa was at most 2.7 for degree 2, 3.0 for degree 3 and 2.3 for degree 4, and
    * mostly between 0.5 and 2. A tenth is added to these. The exact frequency then lies between the
    * computed one and kappa/2 indicators below it; the value is the middle, the error half the
    * width.

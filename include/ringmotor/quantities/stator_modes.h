@@ -13,6 +13,7 @@ namespace ringmotor
   {
     unsigned int number = 0; ///< from 1
     unsigned int degree = 0; ///< of the finite elements
+    unsigned int level  = 0; ///< of the mesh, as Accuracy/Refinement, before sheets were cut
     std::size_t n_cells = 0;
     unsigned int n_dofs = 0;
     double seconds      = 0.; ///< wall clock
@@ -34,10 +35,16 @@ namespace ringmotor
      */
     void find(const std::function<void(const Pass &)> &after_pass);
 
+    /**
+     * Computes them on a ladder of meshes and degrees, whatever the accuracy asked for; for
+     * find()'s @p after_pass.
+     */
+    void climb(const std::function<void(const Pass &)> &after_pass);
+
     const ModeSearch &search() const { return mode_search; }
 
   private:
-    SectorMesh make_mesh(const unsigned int level) const;
+    void make_mesh(const unsigned int new_level);
     void compute_pass(const unsigned int degree,
                       const std::function<void(const Pass &)> &after_pass);
     [[noreturn]] void give_up() const;
@@ -46,6 +53,6 @@ namespace ringmotor
     const MPI_Comm communicator;
     SectorMesh mesh;
     ModeSearch mode_search;
-    unsigned int n_passes = 0;
+    unsigned int n_passes = 0, level = 0;
   };
 } // namespace ringmotor
