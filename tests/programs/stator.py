@@ -1,0 +1,178 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The program stator and its scripts as their user meets them: files, messages, exit status.
+
+Usage: tests/programs/stator.py PROGRAM [unittest arguments]
+
+The frequency is compared with the 30 004 +- 3 Hz of an independent program (see
+tests/quantities/reference_stator.cc); everything else with what the documentation promises.
+"""
+import csv
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import h5py
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PROGRAM = sys.argv.pop(1)
+QUICK = ROOT / "prm" / "quick.prm"
+REFERENCE, UNCERTAINTY = 30004.0, 3.0
+
+
+def run(*command, file_size_limit=None):
+    if file_size_limit is not None:
+        command = ("bash", "-c", f"ulimit -f {file_size_limit}; \"$@\"", "bash", *command)
+    return subprocess.run([str(part) for part in command], capture_output=True, text=True, timeout=250)
+
+
+def rows_of(path):
+    with open(path, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+class Results(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.case = pathlib.Path(tempfile.mkdtemp())
+        cls.done = run(PROGRAM, QUICK, "--output", cls.case)
+        cls.folder = cls.case / "stator"
+
+    @classmethod
+    def tearDownClass(cls):
+        shutil.rmtree(cls.case)
+
+    def test_all_files_are_there(self):
+        self.assertEqual(self.done.returncode, 0, self.done.stderr)
+        self.assertEqual(self.done.stderr, "")
+        written = {path.name for path in self.folder.iterdir()}
+        for name in ("used.prm", "frequencies.csv", "ellipses.csv", "modes.h5", "summary.json", "sector.vtu",
+                     "ring.pvd", "ring_00.vtu"):
+            self.assertIn(name, written)
+        self.assertFalse([name for name in written if not name.endswith((".prm", ".csv", ".h5", ".json", ".vtu", ".pvd"))])
+
+    def test_the_frequency_is_inside_its_error_bar(self):
+        summary = json.loads((self.folder / "summary.json").read_text())
+        wave = next(q for q in summary["quantities"] if q["name"] == "frequency" and q["family"] == "out-of-plane")
+        self.assertLess(abs(wave["value"] - REFERENCE), wave["error"] + UNCERTAINTY)
+        self.assertTrue(summary["certificate"]["checks"])
+        for check in summary["certificate"]["checks"]:
+            self.assertLessEqual(check["value"], check["limit"], check["name"])
+
+    def test_all_files_tell_the_same(self):
+        rows = rows_of(self.folder / "frequencies.csv")
+        summary = json.loads((self.folder / "summary.json").read_text())
+        frequencies = [q["value"] for q in summary["quantities"] if q["name"] == "frequency"]
+        with h5py.File(self.folder / "modes.h5") as file:
+            stored = list(file["modes/frequency"][()])
+        self.assertEqual([float(row["frequency_Hz"]) for row in rows], stored)
+        for one, other in zip(frequencies, stored):
+            self.assertAlmostEqual(one / other, 1, places=12)
+
+    def test_used_prm_gives_the_same_again(self):
+        with tempfile.TemporaryDirectory() as again:
+            done = run(PROGRAM, self.folder / "used.prm", "--output", again)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            for row, other in zip(rows_of(self.folder / "frequencies.csv"),
+                                  rows_of(pathlib.Path(again) / "stator" / "frequencies.csv")):
+                self.assertAlmostEqual(float(row["frequency_Hz"]) / float(other["frequency_Hz"]), 1, places=10)
+
+    def test_figures_and_page(self):
+        done = run(ROOT / "scripts" / "figures.py", self.case)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for name in ("elliptic_paths", "tooth_edge", "dispersion"):
+            for kind in ("png", "svg"):
+                self.assertGreater((self.case / "figures" / f"{name}.{kind}").stat().st_size, 5000)
+        page = run(ROOT / "scripts" / "summary.py", self.case)
+        self.assertEqual(page.returncode, 0, page.stderr)
+        self.assertIn("out-of-plane", page.stdout)
+
+    def test_scripts_name_what_is_missing_or_damaged(self):
+        with tempfile.TemporaryDirectory() as copy:
+            shutil.copytree(self.case, copy, dirs_exist_ok=True)
+            modes = pathlib.Path(copy) / "stator" / "modes.h5"
+            modes.write_bytes(modes.read_bytes()[:3000])
+            for script in ("figures.py", "summary.py"):
+                for _ in range(2):  # damaged, then missing
+                    done = run(ROOT / "scripts" / script, copy)
+                    self.assertEqual(done.returncode, 1)
+                    self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+                    self.assertIn(str(modes), done.stderr)
+                    modes.unlink(missing_ok=True)
+                modes.write_bytes(b"not HDF5")
+
+    def test_study_script_wants_a_study(self):
+        done = run(ROOT / "scripts" / "study_figure.py", self.case)
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+        self.assertIn("--study", done.stderr)
+
+
+class Mistakes(unittest.TestCase):
+    def refused(self, status, expected, *arguments, **limits):
+        """One line that contains `expected`, the status, and no results."""
+        with tempfile.TemporaryDirectory() as case:
+            done = run(PROGRAM, *arguments, "--output", case, **limits)
+            self.assertEqual(done.returncode, status, done.stderr)
+            self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+            for text in expected:
+                self.assertIn(text, done.stderr)
+            folder = pathlib.Path(case) / "stator"
+            self.assertFalse(folder.exists() and (folder / "summary.json").exists())
+
+    def test_command_line(self):
+        self.refused(1, ["no parameter file"])
+        self.refused(1, ["--sett"], QUICK, "--sett", "x")
+        self.refused(1, ["no_such.prm"], "no_such.prm")
+
+    def test_entries(self):
+        for entry, expected in (("Stator/Slot width = -1e-3", "Stator/Slot width"),
+                                ("Stator/Slot width = 3e-3", "Stator/Slot width"),
+                                ("Stator/Slott width = 1e-3", "Slott"),
+                                ("Stator/Slot width = 0.6 mm", "Stator/Slot width"),
+                                ("Motor/Number of teeth = 2", "Motor/Number of teeth"),
+                                ("Modes/Nodal diameters = 46", "Modes/Nodal diameters"),
+                                ("Materials/Stator metal/Poisson ratio = 0.5", "Poisson ratio"),
+                                ("Materials/Stator metal/Density = 0", "Density"),
+                                ("Stator/Mesh file = nowhere.msh", "nowhere.msh"),
+                                ("Accuracy/Target = 1", "Accuracy/Target")):
+            with self.subTest(entry):
+                self.refused(1, [expected], QUICK, "--set", entry)
+
+    def test_a_disk_that_is_full(self):
+        self.refused(1, ["Output/Directory"], QUICK, file_size_limit=4)
+
+    def test_a_folder_that_cannot_be_made(self):
+        done = run(PROGRAM, QUICK, "--output", "/proc/ringmotor")
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+        self.assertIn("Output/Directory", done.stderr)
+
+
+class Study(unittest.TestCase):
+    def test_shows_what_accuracy_costs(self):
+        with tempfile.TemporaryDirectory() as case:
+            done = run(PROGRAM, QUICK, "--study", "--output", case, "--set", "Modes/Number of modes = 1")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            rows = [{key: float(value) for key, value in row.items()}
+                    for row in rows_of(pathlib.Path(case) / "stator" / "study.csv")]
+            self.assertGreater(len(rows), 8)
+            for row in rows:
+                self.assertLess(abs(row["frequency_Hz"] - REFERENCE), row["error_Hz"] + UNCERTAINTY)
+                self.assertGreater(row["seconds"], 0)
+            # The cheapest setting for a tolerance: none that reaches it took less.
+            line = next(line for line in done.stdout.splitlines() if "cheapest for 3.0e-04" in line)
+            fast_enough = [row for row in rows if row["largest_relative_error"] <= 3e-4]
+            best = min(fast_enough, key=lambda row: row["seconds"])
+            self.assertIn(f"degree {best['degree']:.0f}, refinement {best['refinement']:.0f}", line)
+            figure = run(ROOT / "scripts" / "study_figure.py", case)
+            self.assertEqual(figure.returncode, 0, figure.stderr)
+            self.assertTrue((pathlib.Path(case) / "figures" / "study.png").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()
