@@ -105,7 +105,7 @@ namespace ringmotor
   {
     const unsigned int n_below =
         target > 0. ? count_below(k, std::pow(2. * numbers::PI * target, 2)) : 0;
-    const unsigned int n_spare = 3;
+    const unsigned int n_spare = 2;
     std::vector<Mode> modes    = lowest(k, n_below + n_wanted + n_spare);
     modes.erase(
         std::remove_if(modes.begin(), modes.end(), [](const Mode &mode) { return mode.rigid; }),
