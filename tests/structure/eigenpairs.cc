@@ -5,14 +5,17 @@
 // closed chain whose last spring carries a complex factor exp(i phase) (a Hermitian matrix).
 
 #include <ringmotor/parameters/errors.h>
-#include <ringmotor/structure/eigenpairs.h>
+#include <ringmotor/structure/dense_ldlt.h>
+#include <ringmotor/structure/modes.h>
 #include <ringmotor/structure/sparse_ldlt.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <random>
+#include <set>
 
 using namespace ringmotor;
 
@@ -108,6 +111,87 @@ TEST(SparseLDLT, SolvesAndCounts)
     factors.factorise(shifted);
     EXPECT_EQ(factors.n_negative(), j);
   }
+}
+
+TEST(SparseLDLT, LeavesTheSchurComplementOfKeptUnknowns)
+{
+  // What the whole matrix gives: the bent chain under two forces at once, and the inertia for a
+  // shift between two eigenvalues, which is that of the inner unknowns and that of the complement
+  // together.
+  const std::vector<unsigned int> kept{45, 10, 46};
+  for (const unsigned int j : {0u, 1u, 17u, 59u})
+  {
+    const double shift = j == 0 ? 0. : 0.5 * (chain_value(j - 1) + chain_value(j));
+    SparseLDLT whole(n_masses, MPI_COMM_SELF), factors(n_masses, MPI_COMM_SELF, kept);
+    SymmetricTriplets matrix = chain(shift), same = chain(shift);
+    whole.factorise(matrix);
+    factors.factorise(same);
+    DenseLDLT complement;
+    complement.factorise(kept.size(), factors.schur_complement());
+    EXPECT_EQ(factors.n_negative() + complement.n_negative(), j);
+
+    const std::vector<double> generic = generic_vector(2 * n_masses);
+    std::vector<double> loads         = generic;
+    for (const unsigned int unknown : kept) // their own loads are added to the condensed ones below
+      loads[unknown] = loads[n_masses + unknown] = 0.;
+    const std::vector<double> reduced = factors.condense(loads);
+    std::vector<double> solutions;
+    for (const unsigned int column : {0u, 1u})
+    {
+      std::vector<double> of_kept;
+      for (unsigned int i = 0; i < kept.size(); ++i)
+        of_kept.push_back(reduced[column * kept.size() + i] + generic[column * n_masses + kept[i]]);
+      complement.solve(of_kept);
+      solutions.insert(solutions.end(), of_kept.begin(), of_kept.end());
+    }
+    const std::vector<double> expanded = factors.expand(solutions);
+    for (const unsigned int column : {0u, 1u})
+    {
+      std::vector<double> x(generic.begin() + column * n_masses,
+                            generic.begin() + (column + 1) * n_masses);
+      whole.solve(x);
+      const double largest = std::abs(*std::max_element(x.begin(), x.end(),
+                                                        [](const double a, const double b)
+                                                        { return std::abs(a) < std::abs(b); }));
+      for (unsigned int i = 0; i < n_masses; ++i)
+        EXPECT_NEAR(expanded[column * n_masses + i], x[i], 1e-10 * largest) << j << " " << i;
+    }
+  }
+}
+
+TEST(DenseLDLT, SolvesAndCounts)
+{
+  // Eigenvalues of [[0, 2], [2, 0]] are 2 and -2: a pivot block of two rows; 3 and -5 stand alone.
+  const std::vector<double> matrix{0., 2., 0., 0., 2., 0., 0., 0., 0., 0., 3., 0., 0., 0., 0., -5.};
+  DenseLDLT factors;
+  factors.factorise(4, matrix);
+  EXPECT_EQ(factors.n_negative(), 2u);
+  std::vector<double> x{2., 4., 6., 10.};
+  factors.solve(x);
+  const std::vector<double> exact{2., 1., 2., -2.};
+  for (unsigned int i = 0; i < 4; ++i)
+    EXPECT_NEAR(x[i], exact[i], 1e-15);
+  EXPECT_THROW(factors.factorise(2, {1., 1., 1., 1.}), ComputationError);
+  factors.factorise(0, {});
+  EXPECT_EQ(factors.n_negative(), 0u);
+}
+
+TEST(CommonShifts, AreFewAndInTheWindows)
+{
+  const std::map<unsigned int, std::vector<ShiftWindow>> windows{
+      {0, {{1., 2.}, {6., 9.}}}, {1, {{1.4, 4.}}}, {2, {{5., 8.}}}, {3, {{7., 7.5}}}};
+  const std::map<unsigned int, double> shifts = common_shifts(windows);
+  ASSERT_EQ(shifts.size(), windows.size());
+  std::set<double> different;
+  for (const auto &[k, shift] : shifts)
+  {
+    EXPECT_TRUE(std::any_of(windows.at(k).begin(), windows.at(k).end(),
+                            [shift = shift](const ShiftWindow &window)
+                            { return window.low <= shift && shift <= window.high; }))
+        << k;
+    different.insert(shift);
+  }
+  EXPECT_EQ(different.size(), 2u); // 0, 2 and 3 share one; 1 needs its own
 }
 
 TEST(SparseLDLT, RefusesASingularMatrix)
