@@ -10,19 +10,19 @@ namespace ringmotor
   CyclicFactors::CyclicFactors(const CyclicSector &sector)
       : sector(sector), cut_place(sector.n_unknowns(), numbers::invalid_unsigned_int)
   {
-    const auto add_body = [&](const std::vector<unsigned int> &parts)
+    const auto add_sparse_part = [&](const std::vector<unsigned int> &parts)
     {
       const CyclicSector::RealField &field = sector.field(parts[0]);
-      bodies.push_back(
+      sparse_parts.push_back(
           {std::make_unique<SparseLDLT>(field.size, sector.dofs().get_communicator(), field.cut),
            parts});
     };
     if (sector.is_complex())
-      add_body({0, 1});
+      add_sparse_part({0, 1});
     else
     {
-      add_body({0});
-      add_body({1});
+      add_sparse_part({0});
+      add_sparse_part({1});
     }
     for (const unsigned int part : {0u, 1u})
       for (const CyclicSector::Tie &tie : sector.ties(part, 0))
@@ -36,10 +36,10 @@ namespace ringmotor
   void CyclicFactors::factorise(const unsigned int k, const double shift)
   {
     if (shift != factorised_shift)
-      for (const Body &body : bodies)
+      for (const SparsePart &sparse : sparse_parts)
       {
-        SymmetricTriplets triplets = sector.shifted_stiffness(body.parts[0], shift);
-        body.factors->factorise(triplets);
+        SymmetricTriplets triplets = sector.shifted_stiffness(sparse.parts[0], shift);
+        sparse.factors->factorise(triplets);
       }
     factorised_shift = shift;
     factorise_cut(k);
@@ -49,10 +49,10 @@ namespace ringmotor
   {
     const std::size_t size = cut_unknowns.size();
     std::vector<double> matrix(size * size, 0.);
-    for (const Body &body : bodies)
-      for (const unsigned int part : body.parts)
+    for (const SparsePart &sparse : sparse_parts)
+      for (const unsigned int part : sparse.parts)
       {
-        const std::vector<double> &schur = body.factors->schur_complement();
+        const std::vector<double> &schur = sparse.factors->schur_complement();
         const std::size_t n_cut          = sector.field(part).cut.size();
         ties[part]                       = sector.ties(part, k);
         for (const CyclicSector::Tie &a : ties[part])
@@ -71,8 +71,8 @@ namespace ringmotor
   unsigned int CyclicFactors::n_negative() const
   {
     unsigned int count = cut.n_negative();
-    for (const Body &body : bodies)
-      count += body.parts.size() * body.factors->n_negative();
+    for (const SparsePart &sparse : sparse_parts)
+      count += sparse.parts.size() * sparse.factors->n_negative();
     return count;
   }
 
@@ -82,31 +82,31 @@ namespace ringmotor
     for (const unsigned int unknown : cut_unknowns)
       of_cut.push_back(unknowns[unknown]);
 
-    for (const Body &body : bodies)
+    for (const SparsePart &sparse : sparse_parts)
     {
-      const CyclicSector::RealField &like = sector.field(body.parts[0]);
-      std::vector<double> loads(body.parts.size() * like.size, 0.);
-      for (unsigned int i = 0; i < body.parts.size(); ++i)
-        for (const auto &[number, unknown] : sector.field(body.parts[i]).inner)
+      const CyclicSector::RealField &like = sector.field(sparse.parts[0]);
+      std::vector<double> loads(sparse.parts.size() * like.size, 0.);
+      for (unsigned int i = 0; i < sparse.parts.size(); ++i)
+        for (const auto &[number, unknown] : sector.field(sparse.parts[i]).inner)
           loads[i * like.size + number] = unknowns[unknown];
-      const std::vector<double> reduced = body.factors->condense(loads);
-      for (unsigned int i = 0; i < body.parts.size(); ++i)
-        for (const CyclicSector::Tie &tie : ties[body.parts[i]])
+      const std::vector<double> reduced = sparse.factors->condense(loads);
+      for (unsigned int i = 0; i < sparse.parts.size(); ++i)
+        for (const CyclicSector::Tie &tie : ties[sparse.parts[i]])
           of_cut[cut_place[tie.unknown]] +=
               tie.factor * reduced[i * like.cut.size() + tie.position];
     }
     cut.solve(of_cut);
 
-    for (const Body &body : bodies)
+    for (const SparsePart &sparse : sparse_parts)
     {
-      const CyclicSector::RealField &like = sector.field(body.parts[0]);
-      std::vector<double> on_cut(body.parts.size() * like.cut.size(), 0.);
-      for (unsigned int i = 0; i < body.parts.size(); ++i)
-        for (const CyclicSector::Tie &tie : ties[body.parts[i]])
+      const CyclicSector::RealField &like = sector.field(sparse.parts[0]);
+      std::vector<double> on_cut(sparse.parts.size() * like.cut.size(), 0.);
+      for (unsigned int i = 0; i < sparse.parts.size(); ++i)
+        for (const CyclicSector::Tie &tie : ties[sparse.parts[i]])
           on_cut[i * like.cut.size() + tie.position] += tie.factor * of_cut[cut_place[tie.unknown]];
-      const std::vector<double> solution = body.factors->expand(std::move(on_cut));
-      for (unsigned int i = 0; i < body.parts.size(); ++i)
-        for (const auto &[number, unknown] : sector.field(body.parts[i]).inner)
+      const std::vector<double> solution = sparse.factors->expand(std::move(on_cut));
+      for (unsigned int i = 0; i < sparse.parts.size(); ++i)
+        for (const auto &[number, unknown] : sector.field(sparse.parts[i]).inner)
           unknowns[unknown] = solution[i * like.size + number];
     }
     for (std::size_t i = 0; i < cut_unknowns.size(); ++i)

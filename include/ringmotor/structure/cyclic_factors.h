@@ -37,7 +37,7 @@ namespace ringmotor
 
   private:
     /** A matrix and the fields it belongs to. */
-    struct Body
+    struct SparsePart
     {
       std::unique_ptr<SparseLDLT> factors;
       std::vector<unsigned int> parts;
@@ -46,7 +46,7 @@ namespace ringmotor
     void factorise_cut(const unsigned int k);
 
     const CyclicSector &sector;
-    std::vector<Body> bodies;
+    std::vector<SparsePart> sparse_parts;
     std::vector<unsigned int> cut_unknowns; ///< in the order of the dense matrix
     std::vector<unsigned int> cut_place;    ///< the inverse, by unknown
     std::array<std::vector<CyclicSector::Tie>, 2> ties;
