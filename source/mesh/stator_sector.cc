@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/mesh/graded_lines.h>
 #include <ringmotor/mesh/ids.h>
 #include <ringmotor/mesh/sector_manifold.h>
 #include <ringmotor/mesh/stator_sector.h>
@@ -15,26 +16,6 @@ namespace ringmotor
 
   namespace
   {
-    /** Beyond the slot root's nearest cells each cell is this much thinner than the next one. */
-    constexpr double growth = 0.3;
-
-    /**
-     * Lines of a mesh at growing distances from the slot root, 0 and @p length included: the first
-     * cell is @p first wide.
-     */
-    std::vector<double> lines_from_root(const double length, const double first)
-    {
-      std::vector<double> lines{0.};
-      // A last cell less than sqrt(growth) of the one before it would only add a sliver.
-      for (double distance = first; distance < length * std::sqrt(growth); distance /= growth)
-        lines.push_back(distance);
-      // A cell over most of the cross-section's height is too long for its bending.
-      if (length - lines.back() > 0.6 * length)
-        lines.push_back(0.5 * (lines.back() + length));
-      lines.push_back(length);
-      return lines;
-    }
-
     /**
      * The section across the tooth in the chart's plane (s, z), in quadrilaterals: rectangles that
      * grow away from the slot root, and the three that meet there cut into angles around it.
@@ -53,14 +34,14 @@ namespace ringmotor
         // Towards the tooth's centre s falls from 1 to 0, towards the cut it rises to 2.
         const auto s_lines = [&](const double width, const double sign)
         {
-          std::vector<double> lines = lines_from_root(width, first);
+          std::vector<double> lines = graded_lines(width, first);
           for (double &line : lines)
             line = 1. + sign * line / width;
           return lines;
         };
         const auto z_lines = [&](const double height, const double sign)
         {
-          std::vector<double> lines = lines_from_root(height, first);
+          std::vector<double> lines = graded_lines(height, first);
           for (double &line : lines)
             line = stator.base_thickness + sign * line;
           return lines;

@@ -15,11 +15,16 @@ namespace ringmotor
     constexpr dealii::types::material_id tooth = 2; ///< metal of the tooth, above the slot's bottom
     constexpr dealii::types::material_id piezoceramic = 3; ///< ceramic ring bonded below the base
 
+    constexpr dealii::types::material_id rotor = 4; ///< ring, flange and lip of the rotor
+
     constexpr dealii::types::boundary_id free      = 0;  ///< no load, no condition
     constexpr dealii::types::boundary_id mirror    = 11; ///< half sector: the plane theta = 0
     constexpr dealii::types::boundary_id cut       = 12; ///< half sector: the plane theta = alpha/2
     constexpr dealii::types::boundary_id cut_low   = 13; ///< whole sector: the cut at smaller theta
     constexpr dealii::types::boundary_id cut_high  = 14; ///< whole sector: the cut at larger theta
     constexpr dealii::types::boundary_id tooth_top = 15; ///< the face that can touch the rotor
+    constexpr dealii::types::boundary_id lip       = 16; ///< the face that can touch the teeth
+    constexpr dealii::types::boundary_id ring_top  = 17; ///< upper face of the rotor's ring
+    constexpr dealii::types::boundary_id ring_bore = 18; ///< inner side of the rotor's ring
   }                                                      // namespace ids
 } // namespace ringmotor

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/mesh/sector_mesh.h>
+#include <ringmotor/parameters/motor.h>
+
+namespace ringmotor
+{
+  /**
+   * Meshes the sector of the rotor that belongs to one tooth: ring, flange and lip in solid cells,
+   * with the cylindrical coordinates as its shape. z is the height above the plane of the tooth
+   * tops. Cells shrink towards the two edges where the flange meets the ring, from level to level
+   * to 0.3 of their size. The geometry must have passed check_for_stator().
+   */
+  SectorMesh make_rotor_sector(const RotorGeometry &rotor, const unsigned int n_teeth,
+                               const SectorForm form, const unsigned int level,
+                               MPI_Comm communicator);
+} // namespace ringmotor

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/mesh/graded_lines.h>
+
+#include <cmath>
+
+namespace ringmotor
+{
+  std::vector<double> graded_lines(const double length, const double first)
+  {
+    constexpr double growth = 0.3;
+    std::vector<double> lines{0.};
+    // A last cell less than sqrt(growth) of the one before it would only add a sliver.
+    for (double distance = first; distance < length * std::sqrt(growth); distance /= growth)
+      lines.push_back(distance);
+    // A cell over most of the cross-section's height is too long for its bending.
+    if (length - lines.back() > 0.6 * length)
+      lines.push_back(0.5 * (lines.back() + length));
+    lines.push_back(length);
+    return lines;
+  }
+} // namespace ringmotor
