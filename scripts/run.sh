@@ -27,9 +27,10 @@ if [[ -n $study ]]; then
   exit
 fi
 
-# The program's last line says where the results are; --help and --version have none.
+# The program's last line says where the results are; --help and --version have none, and
+# those of the rotor have no figures.
 results=$(sed -n 's/^\[ *[0-9.]* s\] results in //p' "$log" | tail -n 1)
-[[ -n $results ]] || exit 0
+[[ $results == */stator/ ]] || exit 0
 case_folder=${results%/stator/}
 
 figures=$(sed -n '/^subsection Output/,/^end/s/^ *set Figures *= *//p' "$results/used.prm")

@@ -4,10 +4,11 @@
 #include <ringmotor/output/log.h>
 #include <ringmotor/output/stator_files.h>
 #include <ringmotor/output/summary.h>
+#include <ringmotor/output/text.h>
 #include <ringmotor/output/vtu.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/programs/run_program.h>
-#include <ringmotor/quantities/stator_modes.h>
+#include <ringmotor/quantities/body_modes.h>
 #include <ringmotor/version.h>
 
 #include <deal.II/base/mpi.h>
@@ -34,8 +35,8 @@ namespace ringmotor
     };
 
     /**
-     * The program `stator`: natural modes of the stator and its travelling wave, from a mesh that
-     * is refined until the frequencies are as accurate as asked for.
+     * The program `stator`: natural modes of the stator and its travelling wave, or the modes of
+     * the rotor, from a mesh that is refined until the frequencies are as accurate as asked for.
      */
     class StatorProgram
     {
@@ -46,21 +47,30 @@ namespace ringmotor
 
     private:
       void after_pass(const Pass &pass);
+      /** The mode of the motor's wave; null if it was not asked for. */
+      const FoundMode *working_mode() const;
       /** The motor's wave or, if it was not asked for, the first mode. */
       const FoundMode &shown() const;
       WaveResult make_wave(const FoundMode &working) const;
       std::vector<Quantity> quantities_of(const WaveResult &wave) const;
       void report();
+      void report_inertia();
+      /** (omega/omega_1)^2, omega_1 the rotor's lowest mode with the waves of the motor: how much
+       * its inertia would matter. None if that mode or omega is not known. */
+      std::optional<double> inertia_ratio() const;
       void write_used_prm(const std::string &name) const;
+      /** The mode, its largest displacement being Wave/Amplitude. */
+      Mode scaled(Mode mode) const;
       void write_results();
       void write_summary_file();
       void add_wave_quantities(Summary &summary, const double seconds) const;
 
       const Parameters &parameters;
+      const bool of_stator;     ///< else of the rotor
       const std::string folder; ///< of the results, ends in a slash
       const bool speaks;
       Log log;
-      StatorModes stator;
+      BodyModes body;
       std::vector<std::pair<std::string, double>> pass_seconds;
       Phases phases; ///< what comes after the passes
 
@@ -74,20 +84,6 @@ namespace ringmotor
       std::vector<ShapeSample> shape_samples;
       std::optional<WaveResult> wave;
     };
-
-    std::string text(const double value, const int digits)
-    {
-      std::ostringstream out;
-      out << std::fixed << std::setprecision(digits) << value;
-      return out.str();
-    }
-
-    std::string scientific(const double value)
-    {
-      std::ostringstream out;
-      out << std::scientific << std::setprecision(1) << value;
-      return out.str();
-    }
 
     /** `f(n = 7, out-of-plane) = 30.00238 +- 0.00222 kHz` */
     std::string describe(const FoundMode &found)
@@ -110,9 +106,10 @@ namespace ringmotor
     }
 
     StatorProgram::StatorProgram(const Parameters &parameters)
-        : parameters(parameters), folder(parameters.output.directory + "/stator/"),
+        : parameters(parameters), of_stator(parameters.modes.body == Body::stator),
+          folder(parameters.output.directory + (of_stator ? "/stator/" : "/rotor/")),
           speaks(Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0), log(speaks),
-          stator(parameters, MPI_COMM_WORLD)
+          body(parameters, MPI_COMM_WORLD)
     {
     }
 
@@ -123,7 +120,7 @@ namespace ringmotor
         prepare_directory(folder);
         remove_results(folder);
       }
-      stator.find([&](const Pass &pass) { after_pass(pass); });
+      body.find([&](const Pass &pass) { after_pass(pass); });
       report();
       write_results();
     }
@@ -133,12 +130,12 @@ namespace ringmotor
       if (speaks)
         prepare_directory(folder);
       std::vector<StudyRow> rows;
-      stator.climb(
+      body.climb(
           [&](const Pass &pass)
           {
             after_pass(pass);
             rows.push_back({pass.degree, pass.level, pass.n_dofs, pass.seconds, shown().frequency,
-                            stator.search().worst_relative_error()});
+                            body.search().worst_relative_error()});
           });
       for (const double tolerance : {1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5})
         if (const StudyRow *row = cheapest(rows, tolerance))
@@ -155,18 +152,22 @@ namespace ringmotor
       log.line("study in " + folder + "study.csv");
     }
 
+    const FoundMode *StatorProgram::working_mode() const
+    {
+      return of_stator ? body.search().working_mode(parameters.motor.n_waves) : nullptr;
+    }
+
     const FoundMode &StatorProgram::shown() const
     {
-      const ModeSearch &search = stator.search();
-      const FoundMode *working = search.working_mode(parameters.motor.n_waves);
-      return working != nullptr ? *working : search.modes().front();
+      const FoundMode *working = working_mode();
+      return working != nullptr ? *working : body.search().modes().front();
     }
 
     void StatorProgram::after_pass(const Pass &pass)
     {
       pass_seconds.emplace_back("modes, pass " + std::to_string(pass.number), pass.seconds);
-      const ModeSearch &search = stator.search();
-      const FoundMode *working = search.working_mode(parameters.motor.n_waves);
+      const ModeSearch &search = body.search();
+      const FoundMode *working = working_mode();
       std::ostringstream line;
       line << "pass " << pass.number << ": degree " << pass.degree << ", " << pass.n_cells
            << " cells, " << pass.n_dofs << " dofs: " << describe(shown())
@@ -184,7 +185,7 @@ namespace ringmotor
 
     WaveResult StatorProgram::make_wave(const FoundMode &working) const
     {
-      const std::vector<ToothPoint> points = tooth_points(stator.search().sector());
+      const std::vector<ToothPoint> points = tooth_points(body.search().sector());
       WaveResult result;
       result.found     = working;
       result.amplitude = parameters.wave.amplitude;
@@ -193,9 +194,9 @@ namespace ringmotor
       normalise_to_amplitude(result.found.mode, points, result.amplitude);
       for (const ToothPoint &point : points)
         result.points.push_back({point, elliptic_motion(point, result.found.mode)});
-      result.energy     = wave_energy(stator.search().sector(), result.found.mode);
+      result.energy     = wave_energy(body.search().sector(), result.found.mode);
       result.modal_mass = modal_mass(result.energy, result.found.mode, result.amplitude);
-      for (const FoundMode &other : stator.search().modes())
+      for (const FoundMode &other : body.search().modes())
         if (other.mode.nodal_diameter == working.mode.nodal_diameter)
         {
           const double gap = other.frequency.value / working.frequency.value - 1.;
@@ -227,7 +228,7 @@ namespace ringmotor
 
     void StatorProgram::report()
     {
-      for (const FoundMode &found : stator.search().modes())
+      for (const FoundMode &found : body.search().modes())
         log.line(describe(found));
       if (wave && shape_samples.size() < 2)
         throw ComputationError(
@@ -240,10 +241,33 @@ namespace ringmotor
                       ? ", next mode of n = " + std::to_string(parameters.motor.n_waves) + " " +
                             text(100. * wave->gap_above, 1) + " % above"
                       : ""));
+      else if (!of_stator)
+        report_inertia();
       else
         log.line("the motor's wave (n = " + std::to_string(parameters.motor.n_waves) +
                  ", out-of-plane) is not among the modes asked for: no ellipses, no wave for the "
                  "contact");
+    }
+
+    void StatorProgram::report_inertia()
+    {
+      if (const std::optional<double> ratio = inertia_ratio())
+        log.line("inertia of the rotor: (omega/omega_1)^2 = " + text(*ratio, 3) +
+                 " for n = " + std::to_string(parameters.motor.n_waves));
+      else
+        log.line("give Wave/Frequency in Hz and Modes/Nodal diameters with " +
+                 std::to_string(parameters.motor.n_waves) +
+                 " to see how much the rotor's inertia matters");
+    }
+
+    std::optional<double> StatorProgram::inertia_ratio() const
+    {
+      std::optional<double> ratio;
+      for (const FoundMode &found : body.search().modes())
+        if (parameters.wave.frequency && found.mode.nodal_diameter == parameters.motor.n_waves)
+          ratio = std::max(ratio.value_or(0.),
+                           std::pow(*parameters.wave.frequency / found.frequency.value, 2));
+      return ratio;
     }
 
     void StatorProgram::write_used_prm(const std::string &name) const
@@ -257,22 +281,36 @@ namespace ringmotor
                  });
     }
 
+    Mode StatorProgram::scaled(Mode mode) const
+    {
+      ComplexField &u      = mode.displacement;
+      const double largest = std::max(u.real.linfty_norm(), u.imaginary.linfty_norm());
+      u.real *= parameters.wave.amplitude / largest;
+      u.imaginary *= parameters.wave.amplitude / largest;
+      return mode;
+    }
+
     void StatorProgram::write_results()
     {
       if (speaks)
       {
         const auto scope = phases.measure("output");
         write_used_prm("used.prm");
-        write_frequencies(folder + "frequencies.csv", stator.search().modes());
-        write_modes_h5(folder + "modes.h5", parameters, stator.search().sector(),
-                       stator.search().modes(), wave ? &*wave : nullptr);
+        write_frequencies(folder + "frequencies.csv", body.search().modes());
+        if (of_stator)
+          write_modes_h5(folder + "modes.h5", parameters, body.search().sector(),
+                         body.search().modes(), wave ? &*wave : nullptr);
         if (wave)
           write_ellipses(folder + "ellipses.csv", *wave);
       }
+      if (speaks && !of_stator && parameters.output.vtu)
+        write_sector(folder + "sector.vtu",
+                     sample_sector(body.search().sector(), scaled(shown().mode),
+                                   body.search().sector().dofs().get_fe().degree));
       if (speaks && wave && parameters.output.vtu)
       {
         const auto scope           = phases.measure("output for ParaView");
-        const CyclicSector &sector = stator.search().sector();
+        const CyclicSector &sector = body.search().sector();
         write_sector(folder + "sector.vtu",
                      sample_sector(sector, wave->found.mode, sector.dofs().get_fe().degree));
         // Many frames of all sectors: where cells are small already, straight ones will do.
@@ -298,11 +336,11 @@ namespace ringmotor
       summary.seconds.insert(summary.seconds.end(), phases.seconds().begin(),
                              phases.seconds().end());
       summary.peak_memory_MB = peak_memory_MB();
-      summary.dofs           = stator.search().sector().dofs().n_dofs();
+      summary.dofs           = body.search().sector().dofs().n_dofs();
       double seconds         = 0.;
       for (const auto &pass : pass_seconds)
         seconds += pass.second;
-      for (const FoundMode &found : stator.search().modes())
+      for (const FoundMode &found : body.search().modes())
         summary.quantities.push_back(
             {"frequency",
              found.frequency.value,
@@ -313,16 +351,22 @@ namespace ringmotor
              {{"n", found.mode.nodal_diameter}, {"family", to_string(found.content.family())}}});
       if (wave)
         add_wave_quantities(summary, seconds);
+      if (const auto ratio = of_stator ? std::nullopt : inertia_ratio())
+      {
+        const double error = 2. * *ratio * body.search().worst_relative_error();
+        summary.quantities.push_back(
+            {"(omega/omega_1)^2", *ratio, "1", error, {{"body mesh", error}}, seconds, {}});
+      }
       summary.effects.push_back({"Target plates", 0., "off", 0., 0});
       summary.certificate.push_back({"modes counted (Sturm) but not found",
-                                     static_cast<double>(stator.search().n_missed()), 0.});
+                                     static_cast<double>(body.search().n_missed()), 0.});
       if (wave)
         summary.certificate.push_back(
             {"eigenvalue of the wave: eigensolver against energies, relative difference",
              wave->found.mode.algebra_error, 1e-7});
       if (parameters.accuracy.mode == AccuracyMode::adaptive)
         summary.certificate.push_back({"largest relative error bar of a frequency",
-                                       stator.search().worst_relative_error(),
+                                       body.search().worst_relative_error(),
                                        parameters.accuracy.target});
       write_summary(folder + "summary.json", summary);
     }
@@ -344,7 +388,7 @@ namespace ringmotor
                                       seconds,
                                       {}});
       }
-      const double gap_error = 2. * stator.search().worst_relative_error();
+      const double gap_error = 2. * body.search().worst_relative_error();
       for (const auto &[name, gap] : {std::make_pair("gap_above", wave->gap_above),
                                       std::make_pair("gap_below", wave->gap_below)})
         if (gap > 0.)

@@ -38,10 +38,9 @@ namespace ringmotor
 
     void check_modes(const Modes &modes, const Motor &motor)
     {
-      if (modes.body != Body::stator)
-        throw UserError(std::string("Modes/Body = ") +
-                        (modes.body == Body::rotor ? "rotor" : "tooth") +
-                        " is not available in this version; allowed: stator");
+      if (modes.body == Body::tooth)
+        throw UserError("Modes/Body = tooth is not available in this version; allowed: stator | "
+                        "rotor");
       if (modes.nodal_diameters.empty() || modes.n_modes < 1)
         throw UserError(
             "Modes/Nodal diameters and Modes/Number of modes ask for no mode at all; give "
@@ -117,6 +116,46 @@ namespace ringmotor
                         entry("allowed: up to 95 % of the pitch, here Stator/Slot width", widest));
     }
 
+    /** The second length lies above the first by more than a sliver of the rotor's height or width.
+     */
+    void check_order(const std::string &low_name, const double low, const std::string &high_name,
+                     const double high)
+    {
+      constexpr double thinnest = 1e-6; // m
+      if (high - low < thinnest)
+        throw UserError(entry("Rotor/" + low_name, low) + " does not go with " +
+                        entry("Rotor/" + high_name, high) +
+                        "; allowed: the first less than the second by at least a micrometre");
+    }
+
+    void check_rotor(const RotorGeometry &rotor)
+    {
+      if (!rotor.mesh_file.empty())
+        throw UserError("Rotor/Mesh file = " + quoted(rotor.mesh_file) +
+                        " is not available in this version; leave it out");
+      if (rotor.flange_element == ElementKind::shell)
+        throw UserError("Rotor/Flange element = shell is not available in this version; allowed: "
+                        "solid");
+      if (rotor.radial_bar_stiffness != 0.)
+      {
+        std::ostringstream text;
+        text << "Rotor/Radial bar stiffness = " << rotor.radial_bar_stiffness
+             << " N/m^2 is not available in this version; allowed: 0, no bars";
+        throw UserError(text.str());
+      }
+      check_order("Lip inner radius", rotor.lip_inner_radius, "Lip outer radius",
+                  rotor.lip_outer_radius);
+      check_order("Lip outer radius", rotor.lip_outer_radius, "Ring inner radius",
+                  rotor.ring_inner_radius);
+      check_order("Ring inner radius", rotor.ring_inner_radius, "Ring outer radius",
+                  rotor.ring_outer_radius);
+      check_order("Ring lower face", rotor.ring_lower_face, "Flange lower face",
+                  rotor.flange_lower_face);
+      check_order("Flange lower face + Flange thickness",
+                  rotor.flange_lower_face + rotor.flange_thickness, "Ring upper face",
+                  rotor.ring_upper_face);
+    }
+
     /** Amplitudes in um are easily written as if the file took um. */
     void check_amplitude(const Wave &wave, const StatorGeometry &stator)
     {
@@ -135,6 +174,11 @@ namespace ringmotor
     const StatorGeometry &stator = parameters.stator;
     check_wave(parameters.motor);
     check_modes(parameters.modes, parameters.motor);
+    if (parameters.modes.body == Body::rotor)
+    {
+      check_rotor(parameters.rotor);
+      return;
+    }
     check_effects(stator, parameters.effects);
     if (!stator.mesh_file.empty())
     {

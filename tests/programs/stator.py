@@ -143,6 +143,16 @@ class Mistakes(unittest.TestCase):
             with self.subTest(entry):
                 self.refused(1, [expected], QUICK, "--set", entry)
 
+    def test_a_rotor(self):
+        rotor = ("--set", "Modes/Body = rotor")
+        solid = (*rotor, "--set", "Rotor/Flange element = solid", "--set", "Rotor/Radial bar stiffness = 0")
+        self.refused(1, ["Rotor/Flange element"], QUICK, *rotor)
+        self.refused(1, ["Rotor/Radial bar stiffness"], QUICK, *rotor, "--set", "Rotor/Flange element = solid")
+        for entry in ("Lip outer radius = 0.0366", "Ring outer radius = 0.0365", "Flange thickness = 3.6e-3",
+                      "Ring lower face = 0", "Lip inner radius = 0.0342"):
+            with self.subTest(entry):
+                self.refused(1, ["Rotor/"], QUICK, *solid, "--set", f"Rotor/{entry}")
+
     def test_a_disk_that_is_full(self):
         self.refused(1, ["Output/Directory"], QUICK, file_size_limit=4)
 
@@ -151,6 +161,21 @@ class Mistakes(unittest.TestCase):
         self.assertEqual(done.returncode, 1)
         self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
         self.assertIn("Output/Directory", done.stderr)
+
+
+class Rotor(unittest.TestCase):
+    def test_has_modes_and_tells_how_much_inertia_matters(self):
+        with tempfile.TemporaryDirectory() as case:
+            done = run(PROGRAM, QUICK, "--output", case, "--set", "Modes/Body = rotor", "--set",
+                       "Rotor/Flange element = solid", "--set", "Rotor/Radial bar stiffness = 0", "--set",
+                       "Wave/Frequency = 30e3")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            folder = pathlib.Path(case) / "rotor"
+            self.assertTrue((folder / "sector.vtu").exists())
+            lowest = min(float(row["frequency_Hz"]) for row in rows_of(folder / "frequencies.csv"))
+            summary = json.loads((folder / "summary.json").read_text())
+            ratio = next(q["value"] for q in summary["quantities"] if q["name"] == "(omega/omega_1)^2")
+            self.assertAlmostEqual(ratio / (30e3 / lowest) ** 2, 1, places=9)
 
 
 class Study(unittest.TestCase):

@@ -11,7 +11,7 @@
 
 #include <ringmotor/mesh/stator_sector.h>
 #include <ringmotor/quantities/energy.h>
-#include <ringmotor/quantities/stator_modes.h>
+#include <ringmotor/quantities/body_modes.h>
 #include <ringmotor/quantities/tooth_motion.h>
 
 #include <gtest/gtest.h>
@@ -102,7 +102,7 @@ TEST(ReferenceStatorLong, HasTheFrequenciesOfTheOtherProgram)
     Parameters parameters            = with_target(4e-4);
     parameters.modes.nodal_diameters = nodal_diameters;
     parameters.modes.n_modes         = n_modes;
-    StatorModes modes(parameters, MPI_COMM_WORLD);
+    BodyModes modes(parameters, MPI_COMM_WORLD);
     modes.find([](const Pass &) {});
     for (const Frequency &row : frequencies)
       if (std::count(nodal_diameters.begin(), nodal_diameters.end(), row.n_waves) > 0)
@@ -122,7 +122,7 @@ TEST_P(ReferenceStator, ReachesTheTargetInItsWorkingMode)
 {
   const double target         = GetParam();
   const Parameters parameters = with_target(target);
-  StatorModes modes(parameters, MPI_COMM_WORLD);
+  BodyModes modes(parameters, MPI_COMM_WORLD);
   modes.find([](const Pass &) {});
   const FoundMode *working = modes.search().working_mode(7);
   ASSERT_NE(working, nullptr);
@@ -137,7 +137,7 @@ INSTANTIATE_TEST_SUITE_P(Targets, ReferenceStator, testing::Values(1e-2, 1e-3, 3
 TEST(ReferenceStatorWave, HasTheEllipsesOfTheOtherProgram)
 {
   const Parameters parameters = with_target(1e-4);
-  StatorModes modes(parameters, MPI_COMM_WORLD);
+  BodyModes modes(parameters, MPI_COMM_WORLD);
   modes.find([](const Pass &) {});
   const FoundMode *working = modes.search().working_mode(7);
   ASSERT_NE(working, nullptr);
@@ -233,7 +233,7 @@ TEST(ReferenceStatorRanks, GiveTheSameWave)
   std::array<double, 2> frequency, energy, axial, mass;
   for (const unsigned int which : {0u, 1u})
   {
-    StatorModes modes(parameters, which == 0 ? MPI_COMM_WORLD : MPI_COMM_SELF);
+    BodyModes modes(parameters, which == 0 ? MPI_COMM_WORLD : MPI_COMM_SELF);
     modes.find([](const Pass &) {});
     const CyclicSector &sector           = modes.search().sector();
     const FoundMode &working             = *modes.search().working_mode(7);

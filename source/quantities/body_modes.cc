@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/mesh/ids.h>
 #include <ringmotor/mesh/read_sector.h>
+#include <ringmotor/mesh/rotor_sector.h>
 #include <ringmotor/mesh/stator_sector.h>
 #include <ringmotor/parameters/errors.h>
-#include <ringmotor/quantities/stator_modes.h>
+#include <ringmotor/quantities/body_modes.h>
 
 #include <algorithm>
 #include <chrono>
@@ -16,8 +17,10 @@ namespace ringmotor
   {
     constexpr unsigned int most_passes = 12, most_dofs = 400000;
 
-    MaterialTable material_table(const Materials &materials)
+    MaterialTable material_table(const Materials &materials, const Body body)
     {
+      if (body == Body::rotor)
+        return {{ids::rotor, materials.rotor_metal}};
       return {{ids::base, materials.stator_metal},
               {ids::tooth, materials.stator_metal},
               {ids::piezoceramic, materials.piezoceramic}};
@@ -47,13 +50,13 @@ namespace ringmotor
     }
   } // namespace
 
-  StatorModes::StatorModes(const Parameters &parameters, MPI_Comm communicator)
+  BodyModes::BodyModes(const Parameters &parameters, MPI_Comm communicator)
       : parameters(parameters), communicator(communicator),
-        mode_search(material_table(parameters.materials), parameters.modes)
+        mode_search(material_table(parameters.materials, parameters.modes.body), parameters.modes)
   {
   }
 
-  void StatorModes::find(const std::function<void(const Pass &)> &after_pass)
+  void BodyModes::find(const std::function<void(const Pass &)> &after_pass)
   {
     if (parameters.accuracy.mode == AccuracyMode::fixed)
     {
@@ -70,7 +73,7 @@ namespace ringmotor
     const double target                 = parameters.accuracy.target;
     const double difficulty             = mode_search.worst_relative_error() / error_of_scout;
     const Discretisation discretisation = fit_for(target / std::max(1., difficulty));
-    if (parameters.stator.mesh_file.empty())
+    if (is_generated())
       make_mesh(discretisation.level);
     compute_pass(discretisation.degree, after_pass);
     while (mode_search.worst_relative_error() > target)
@@ -82,13 +85,12 @@ namespace ringmotor
     }
   }
 
-  void StatorModes::climb(const std::function<void(const Pass &)> &after_pass)
+  void BodyModes::climb(const std::function<void(const Pass &)> &after_pass)
   {
     // Each level of a mesh that was read has eight times the cells of the one before.
-    const bool generated = parameters.stator.mesh_file.empty();
-    for (const auto &[degree, n_levels] :
-         {std::make_pair(2u, generated ? 5u : 2u), std::make_pair(3u, generated ? 5u : 1u),
-          std::make_pair(4u, generated ? 4u : 1u)})
+    for (const auto &[degree, n_levels] : {std::make_pair(2u, is_generated() ? 5u : 2u),
+                                           std::make_pair(3u, is_generated() ? 5u : 1u),
+                                           std::make_pair(4u, is_generated() ? 4u : 1u)})
       for (unsigned int next = 0; next < n_levels; ++next)
       {
         make_mesh(next);
@@ -96,21 +98,29 @@ namespace ringmotor
       }
   }
 
-  void StatorModes::make_mesh(const unsigned int new_level)
+  bool BodyModes::is_generated() const
   {
-    level = new_level;
-    if (parameters.stator.mesh_file.empty())
-      mesh = make_stator_sector(parameters.stator, parameters.motor.n_teeth, SectorForm::half,
+    return parameters.modes.body == Body::rotor || parameters.stator.mesh_file.empty();
+  }
+
+  void BodyModes::make_mesh(const unsigned int new_level)
+  {
+    level                      = new_level;
+    const unsigned int n_teeth = parameters.motor.n_teeth;
+    if (parameters.modes.body == Body::rotor)
+      mesh = make_rotor_sector(parameters.rotor, n_teeth, SectorForm::half, level, communicator);
+    else if (is_generated())
+      mesh = make_stator_sector(parameters.stator, n_teeth, SectorForm::half,
                                 SectorGrading::level(level), communicator);
     else
     {
-      mesh = read_sector(parameters.stator.mesh_file, parameters.motor.n_teeth, communicator);
+      mesh = read_sector(parameters.stator.mesh_file, n_teeth, communicator);
       mesh.triangulation->refine_global(level);
     }
   }
 
-  void StatorModes::compute_pass(const unsigned int degree,
-                                 const std::function<void(const Pass &)> &after_pass)
+  void BodyModes::compute_pass(const unsigned int degree,
+                               const std::function<void(const Pass &)> &after_pass)
   {
     const auto begin = std::chrono::steady_clock::now();
     mode_search.compute(mesh, degree);
@@ -119,7 +129,7 @@ namespace ringmotor
                 mode_search.sector().dofs().n_dofs(), seconds.count()});
   }
 
-  void StatorModes::give_up() const
+  void BodyModes::give_up() const
   {
     std::ostringstream message;
     message << "the frequencies are known to " << mode_search.worst_relative_error()

@@ -20,13 +20,14 @@ namespace ringmotor
   };
 
   /**
-   * The modes of the stator, from a mesh of its sector that is refined until the frequencies are as
-   * accurate as `Accuracy/Target` asks for (or, `Accuracy/Mode = fixed`, from the mesh asked for).
+   * The modes of a body of the motor (`Modes/Body`), from a mesh of its sector that is refined
+   * until the frequencies are as accurate as `Accuracy/Target` asks for (or, `Accuracy/Mode =
+   * fixed`, from the mesh asked for).
    */
-  class StatorModes
+  class BodyModes
   {
   public:
-    StatorModes(const Parameters &parameters, MPI_Comm communicator);
+    BodyModes(const Parameters &parameters, MPI_Comm communicator);
 
     /**
      * Computes them; @p after_pass is called after each pass, when search() holds its results.
@@ -44,6 +45,7 @@ namespace ringmotor
     const ModeSearch &search() const { return mode_search; }
 
   private:
+    bool is_generated() const;
     void make_mesh(const unsigned int new_level);
     void compute_pass(const unsigned int degree,
                       const std::function<void(const Pass &)> &after_pass);
