@@ -285,8 +285,10 @@ TEST(WrongInput, AmplitudesThatAreNotSmall)
 TEST(WrongInput, ChoicesThatAreNotAvailable)
 {
   const std::string why = "not available in this version";
-  expect_clash({"Modes/Body = rotor"}, {"Modes/Body = rotor", why, "allowed: stator"});
-  expect_clash({"Modes/Body = tooth"}, {"Modes/Body = tooth", why});
+  expect_clash({"Modes/Body = tooth"}, {"Modes/Body = tooth", why, "allowed: stator | rotor"});
+  expect_clash({"Modes/Body = rotor"}, {"Rotor/Flange element = shell", why, "allowed: solid"});
+  expect_clash({"Modes/Body = rotor", "Rotor/Flange element = solid"},
+               {"Rotor/Radial bar stiffness", "1e+09", why, "allowed: 0"});
   expect_clash({"Stator/Piezoceramic element = shell"},
                {"Stator/Piezoceramic element = shell", why, "allowed: solid"});
   for (const std::string effect : {"Target plates", "Felt support"})

@@ -10,8 +10,8 @@
 #include "support/materials.h"
 
 #include <ringmotor/mesh/stator_sector.h>
-#include <ringmotor/quantities/energy.h>
 #include <ringmotor/quantities/body_modes.h>
+#include <ringmotor/quantities/energy.h>
 #include <ringmotor/quantities/tooth_motion.h>
 
 #include <gtest/gtest.h>
