@@ -36,10 +36,14 @@ namespace ringmotor
     /** Largest relative error bar of the reference stator's modes of seven waves in that pass. */
     constexpr double error_of_scout = 2.6e-3;
 
-    /** The cheapest discretisation with which the modes of stators like the reference one reach
-     * a target at once. */
-    Discretisation fit_for(const double target)
+    /** The cheapest discretisation with which the modes of bodies like the reference motor's reach
+     * a target at once, or nearly so. */
+    Discretisation fit_for(const Body body, const double target)
     {
+      if (body == Body::rotor)
+        return target >= 5.3e-4   ? Discretisation{3, 0}
+               : target >= 3.3e-4 ? Discretisation{3, 1}
+                                  : Discretisation{4, 0};
       return target >= 3e-3     ? Discretisation{2, 1}
              : target >= 3.8e-4 ? Discretisation{3, 1}
              : target >= 3.2e-4 ? Discretisation{3, 2}
@@ -70,9 +74,10 @@ namespace ringmotor
 
     make_mesh(scout.level);
     compute_pass(scout.degree, after_pass);
-    const double target                 = parameters.accuracy.target;
-    const double difficulty             = mode_search.worst_relative_error() / error_of_scout;
-    const Discretisation discretisation = fit_for(target / std::max(1., difficulty));
+    const double target     = parameters.accuracy.target;
+    const double difficulty = mode_search.worst_relative_error() / error_of_scout;
+    const Discretisation discretisation =
+        fit_for(parameters.modes.body, target / std::max(1., difficulty));
     if (is_generated())
       make_mesh(discretisation.level);
     compute_pass(discretisation.degree, after_pass);
