@@ -10,6 +10,7 @@ Reads CASE_DIR/stator and writes, as PNG and SVG, into CASE_DIR/figures:
   dispersion       natural frequency against the number of waves, with error bars
 The first two need the motor's wave among the modes; without it only the third is drawn.
 """
+import contextlib
 import glob
 import os
 import sys
@@ -26,6 +27,8 @@ try:
     from matplotlib.ticker import MaxNLocator
 except ImportError as error:
     sys.exit(f"figures: {error}; scripts/setup.sh installs what is missing, run with /usr/bin/python3")
+
+plt.rcParams.update({"font.size": 8.5, "axes.linewidth": 0.7, "svg.hashsalt": "ringmotor"})
 
 # Colours of Okabe and Ito: told apart by colour-blind readers and, by lightness, in grey print.
 BLUE, ORANGE, GREEN, PURPLE, GREY = "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#6E6E6E"
@@ -369,17 +372,25 @@ def save(figure, folder, name):
     plt.close(figure)
 
 
+@contextlib.contextmanager
+def figures_folder(case_folder):
+    """The folder of a case's figures, made if need be; what the disk refuses is told in one line."""
+    folder = os.path.join(case_folder, "figures")
+    try:
+        os.makedirs(folder, exist_ok=True)
+        yield folder
+    except OSError as error:
+        raise CaseError(f"cannot write into {folder} ({error.strerror or error})") from None
+
+
 def main(arguments):
     if arguments in (["-h"], ["--help"]):
         print(__doc__)
         return
     if len(arguments) != 1:
         raise CaseError("expected one folder; usage: scripts/figures.py CASE_DIR")
-    plt.rcParams.update({"font.size": 8.5, "axes.linewidth": 0.7, "svg.hashsalt": "ringmotor"})
     case = Case(arguments[0])
-    folder = os.path.join(arguments[0], "figures")
-    try:
-        os.makedirs(folder, exist_ok=True)
+    with figures_folder(arguments[0]) as folder:
         for name, draw in FIGURES.items():
             if draw in NEED_WAVE and not case.wave:
                 for path in glob.glob(os.path.join(glob.escape(folder), f"{name}.*")):  # of an earlier run
@@ -387,8 +398,6 @@ def main(arguments):
                 print(f"figures: no {name}, as the motor's wave is not among the modes of this run")
             else:
                 save(draw(case), folder, name)
-    except OSError as error:
-        raise CaseError(f"cannot write into {folder} ({error.strerror or error})") from None
     print(f"figures in {folder}/")
 
 

@@ -13,7 +13,7 @@ import sys
 
 sys.dont_write_bytecode = True  # a drawing leaves nothing outside the folder of its case
 from case import CaseError
-from figures import BLUE, GREEN, ORANGE, PURPLE, plt, save
+from figures import BLUE, GREEN, ORANGE, PURPLE, figures_folder, plt, save
 
 STYLE = {2: (GREEN, "^"), 3: (ORANGE, "s"), 4: (BLUE, "o")}
 
@@ -58,14 +58,9 @@ def main(arguments):
         return
     if len(arguments) != 1:
         raise CaseError("expected one folder; usage: scripts/study_figure.py CASE_DIR")
-    plt.rcParams.update({"font.size": 8.5, "axes.linewidth": 0.7, "svg.hashsalt": "ringmotor"})
     rows = read_study(os.path.join(arguments[0], "stator", "study.csv"))
-    folder = os.path.join(arguments[0], "figures")
-    try:
-        os.makedirs(folder, exist_ok=True)
+    with figures_folder(arguments[0]) as folder:
         save(draw_study(rows), folder, "study")
-    except OSError as error:
-        raise CaseError(f"cannot write into {folder} ({error.strerror or error})") from None
     print(f"figure in {folder}/")
 
 

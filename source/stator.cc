@@ -62,6 +62,7 @@ namespace ringmotor
       /** The mode, its largest displacement being Wave/Amplitude. */
       Mode scaled(Mode mode) const;
       void write_results();
+      void write_fields();
       void write_summary_file();
       void add_wave_quantities(Summary &summary, const double seconds) const;
 
@@ -303,24 +304,26 @@ namespace ringmotor
         if (wave)
           write_ellipses(folder + "ellipses.csv", *wave);
       }
-      if (speaks && !of_stator && parameters.output.vtu)
-        write_sector(folder + "sector.vtu",
-                     sample_sector(body.search().sector(), scaled(shown().mode),
-                                   body.search().sector().dofs().get_fe().degree));
-      if (speaks && wave && parameters.output.vtu)
-      {
-        const auto scope           = phases.measure("output for ParaView");
-        const CyclicSector &sector = body.search().sector();
-        write_sector(folder + "sector.vtu",
-                     sample_sector(sector, wave->found.mode, sector.dofs().get_fe().degree));
-        // Many frames of all sectors: where cells are small already, straight ones will do.
-        const bool fine = sector.sector_mesh().triangulation->n_active_cells() > 60;
-        write_ring_animation(folder, "ring", sample_sector(sector, wave->found.mode, fine ? 1 : 2),
-                             parameters.output.frames_per_period);
-      }
+      if (speaks && parameters.output.vtu && (wave || !of_stator))
+        write_fields();
       if (speaks)
         write_summary_file();
       log.line("results in " + folder);
+    }
+
+    void StatorProgram::write_fields()
+    {
+      const auto scope           = phases.measure("output for ParaView");
+      const CyclicSector &sector = body.search().sector();
+      write_sector(folder + "sector.vtu",
+                   sample_sector(sector, wave ? wave->found.mode : scaled(shown().mode),
+                                 sector.dofs().get_fe().degree));
+      if (!wave)
+        return;
+      // Many frames of all sectors: where cells are small already, straight ones will do.
+      const bool fine = sector.sector_mesh().triangulation->n_active_cells() > 60;
+      write_ring_animation(folder, "ring", sample_sector(sector, wave->found.mode, fine ? 1 : 2),
+                           parameters.output.frames_per_period);
     }
 
     void StatorProgram::write_summary_file()

@@ -23,8 +23,9 @@ namespace ringmotor
         dof_handler(*mesh.triangulation)
   {
     dof_handler.distribute_dofs(fe);
-    nodes         = SectorNodes(dof_handler, mapping, mesh);
-    hanging_nodes = nodes.hanging_node_constraints(dof_handler);
+    nodes                = SectorNodes(dof_handler, mapping, mesh);
+    scalar_hanging_nodes = nodes.scalar_hanging_node_constraints(dof_handler);
+    hanging_nodes        = nodes.hanging_node_constraints(scalar_hanging_nodes);
     if (mesh.form == SectorForm::half)
       number_half_sector();
     else
@@ -124,8 +125,6 @@ namespace ringmotor
   {
     const MPI_Comm communicator = dof_handler.get_communicator();
     const IndexSet &owned_dofs  = dof_handler.locally_owned_dofs();
-    const AffineConstraints<double> scalar_hanging_nodes =
-        nodes.scalar_hanging_node_constraints(dof_handler);
     IndexSet owned_nodes(nodes.size());
     for (const types::global_dof_index dof : owned_dofs)
       owned_nodes.add_index(nodes.node(dof));

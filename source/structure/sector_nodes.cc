@@ -173,38 +173,6 @@ namespace ringmotor
   }
 
   AffineConstraints<double>
-  SectorNodes::hanging_node_constraints(const DoFHandler<3> &dof_handler) const
-  {
-    AffineConstraints<double> cartesian;
-    DoFTools::make_hanging_node_constraints(dof_handler, cartesian);
-    cartesian.close();
-
-    AffineConstraints<double> constraints;
-    for (const auto &line : cartesian.get_lines())
-    {
-      const Node &slave            = nodes[place[line.index].node];
-      const unsigned int component = place[line.index].component;
-      const bool slave_on_cut      = slave.plane != ids::free && slave.plane != ids::mirror;
-      constraints.add_line(line.index);
-      for (const auto &[dof, weight] : line.entries)
-      {
-        const Node &master = nodes[place[dof].node];
-        if (slave_on_cut || component == 2 || master.sine == 0.)
-          constraints.add_entry(line.index, dof, weight); // same axes
-        else
-        {
-          const double along_r     = component == 0 ? master.cosine : master.sine;
-          const double along_theta = component == 0 ? -master.sine : master.cosine;
-          constraints.add_entry(line.index, master.dofs[0], weight * along_r);
-          constraints.add_entry(line.index, master.dofs[1], weight * along_theta);
-        }
-      }
-    }
-    constraints.close();
-    return constraints;
-  }
-
-  AffineConstraints<double>
   SectorNodes::scalar_hanging_node_constraints(const DoFHandler<3> &dof_handler) const
   {
     AffineConstraints<double> cartesian;
@@ -218,6 +186,35 @@ namespace ringmotor
         constraints.add_line(place[line.index].node);
         for (const auto &[dof, weight] : line.entries)
           constraints.add_entry(place[line.index].node, place[dof].node, weight);
+      }
+    constraints.close();
+    return constraints;
+  }
+
+  AffineConstraints<double>
+  SectorNodes::hanging_node_constraints(const AffineConstraints<double> &scalar) const
+  {
+    AffineConstraints<double> constraints;
+    for (const auto &line : scalar.get_lines())
+      for (unsigned int component = 0; component < 3; ++component)
+      {
+        const Node &slave       = nodes[line.index];
+        const bool slave_on_cut = slave.plane != ids::free && slave.plane != ids::mirror;
+        const Dof dof           = slave.dofs[component];
+        constraints.add_line(dof);
+        for (const auto &[node, weight] : line.entries)
+        {
+          const Node &master = nodes[node];
+          if (slave_on_cut || component == 2 || master.sine == 0.)
+            constraints.add_entry(dof, master.dofs[component], weight); // same axes
+          else
+          {
+            const double along_r     = component == 0 ? master.cosine : master.sine;
+            const double along_theta = component == 0 ? -master.sine : master.cosine;
+            constraints.add_entry(dof, master.dofs[0], weight * along_r);
+            constraints.add_entry(dof, master.dofs[1], weight * along_theta);
+          }
+        }
       }
     constraints.close();
     return constraints;

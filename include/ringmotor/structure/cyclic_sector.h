@@ -161,7 +161,7 @@ namespace ringmotor
     dealii::DoFHandler<3> dof_handler;
 
     SectorNodes nodes;
-    dealii::AffineConstraints<double> hanging_nodes;
+    dealii::AffineConstraints<double> scalar_hanging_nodes, hanging_nodes;
     std::array<std::vector<Terms>, 2>
         terms; ///< for the real and the imaginary field, by degree of freedom
     unsigned int unknown_count = 0;

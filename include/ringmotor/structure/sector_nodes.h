@@ -65,13 +65,13 @@ namespace ringmotor
     std::vector<std::pair<Dof, Dof>>
     partners(const dealii::AffineConstraints<double> &hanging_nodes) const;
 
-    /** The constraints of hanging nodes in the axes used here, closed. */
-    dealii::AffineConstraints<double>
-    hanging_node_constraints(const dealii::DoFHandler<3> &dof_handler) const;
-
     /** The constraints of hanging nodes for a scalar with one value for each node, closed. */
     dealii::AffineConstraints<double>
     scalar_hanging_node_constraints(const dealii::DoFHandler<3> &dof_handler) const;
+
+    /** From these, the constraints of the displacement in the axes used here, closed. */
+    dealii::AffineConstraints<double>
+    hanging_node_constraints(const dealii::AffineConstraints<double> &scalar) const;
 
     /** Turns a cell matrix from Cartesian components to the axes of the nodes. */
     void rotate_to_axes(const std::vector<Dof> &cell_dofs,
