@@ -12,7 +12,7 @@ namespace ringmotor
 
   namespace
   {
-    constexpr unsigned int n_layers = 2, n_strains = 5;
+    constexpr unsigned int n_layers = 2, n_strains = 5, first_shear = 3;
     /** The local axes of each strain; shear strains are twice the tensor's. */
     constexpr std::array<std::pair<unsigned int, unsigned int>, n_strains> axes_of{
         {{0, 0}, {1, 1}, {0, 1}, {0, 2}, {1, 2}}};
@@ -20,6 +20,15 @@ namespace ringmotor
     /** The tie of the rotation about the normal, against the bending stiffness of a cell. */
     constexpr double drill_fraction = 1e-3;
   } // namespace
+
+  ShellElement::Shapes::Shapes(const FiniteElement<2, 3> &fe, const Point<2> &point)
+  {
+    for (unsigned int node = 0; node < fe.n_dofs_per_cell(); ++node)
+    {
+      value.push_back(fe.shape_value(node, point));
+      gradient.push_back(fe.shape_grad(node, point));
+    }
+  }
 
   ShellElement::ShellElement(const Mapping<2, 3> &mapping, const FiniteElement<2, 3> &fe)
       : fe(fe), at_nodes(mapping, fe.base_element(0),
@@ -29,14 +38,11 @@ namespace ringmotor
         position(n_nodes), director(n_nodes)
   {
     for (const Point<2> &point : points.get_points())
+      shapes.emplace_back(fe.base_element(0), point);
+    if (fe.degree == 1)
     {
-      shape.emplace_back();
-      gradient.emplace_back();
-      for (unsigned int node = 0; node < n_nodes; ++node)
-      {
-        shape.back().push_back(fe.base_element(0).shape_value(node, point));
-        gradient.back().push_back(fe.base_element(0).shape_grad(node, point));
-      }
+      ties[0] = {{fe.base_element(0), {0.5, 0.}}, {fe.base_element(0), {0.5, 1.}}};
+      ties[1] = {{fe.base_element(0), {0., 0.5}}, {fe.base_element(0), {1., 0.5}}};
     }
   }
 
@@ -53,30 +59,38 @@ namespace ringmotor
     section  = new_section;
     area     = 0.;
     for (unsigned int q = 0; q < points.size(); ++q)
-      area += points.weight(q) * place_at(q, 0.).volume;
+      area += points.weight(q) * place_at(shapes[q], 0.).volume;
+    build_rows();
   }
 
-  ShellElement::Place ShellElement::place_at(const unsigned int q, const double z) const
+  ShellElement::Place ShellElement::place_at(const Shapes &at, const double z) const
   {
-    Tensor<1, 3> along_xi, along_eta, along_z;
+    Place place;
+    auto &[along_xi, along_eta, along_z] = place.tangents;
     for (unsigned int node = 0; node < n_nodes; ++node)
     {
       const Tensor<1, 3> x = position[node] + z * director[node];
-      along_xi += gradient[q][node][0] * x;
-      along_eta += gradient[q][node][1] * x;
-      along_z += shape[q][node] * director[node];
+      along_xi += at.gradient[node][0] * x;
+      along_eta += at.gradient[node][1] * x;
+      along_z += at.value[node] * director[node];
     }
     const Tensor<1, 3> normal = cross_product_3d(along_xi, along_eta);
     Assert(normal * along_z > 0., ExcMessage("a shell thicker than its curvature allows"));
-    Place place;
-    place.volume  = normal * along_z;
-    place.axes[2] = normal / normal.norm();
-    place.axes[0] = along_xi / along_xi.norm();
-    place.axes[1] = cross_product_3d(place.axes[2], place.axes[0]);
-    place.dxi     = cross_product_3d(along_eta, along_z) / place.volume;
-    place.deta    = cross_product_3d(along_z, along_xi) / place.volume;
-    place.dz      = normal / place.volume;
+    place.volume    = normal * along_z;
+    place.axes[2]   = normal / normal.norm();
+    place.axes[0]   = along_xi / along_xi.norm();
+    place.axes[1]   = cross_product_3d(place.axes[2], place.axes[0]);
+    place.gradients = {{cross_product_3d(along_eta, along_z) / place.volume,
+                        cross_product_3d(along_z, along_xi) / place.volume, normal / place.volume}};
     return place;
+  }
+
+  ShellElement::Motion ShellElement::unit_motion(const unsigned int i) const
+  {
+    const auto [component, node] = fe.system_to_component_index(i);
+    Tensor<1, 3> unit;
+    unit[component % 3] = 1.;
+    return component < 3 ? Motion{unit, {}} : Motion{{}, cross_product_3d(unit, director[node])};
   }
 
   void ShellElement::fill_strains(const unsigned int q, const double z, const Place &place,
@@ -84,23 +98,54 @@ namespace ringmotor
   {
     for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
     {
-      const auto [component, node] = fe.system_to_component_index(i);
-      const Tensor<1, 3> in_surface =
-          gradient[q][node][0] * place.dxi + gradient[q][node][1] * place.deta;
-      Tensor<1, 3> direction, slope = in_surface;
-      direction[component % 3] = 1.;
-      if (component >= 3)
-      {
-        direction = cross_product_3d(direction, director[node]);
-        slope     = z * in_surface + shape[q][node] * place.dz;
-      }
+      const auto [component, node]  = fe.system_to_component_index(i);
+      const Tensor<1, 3> in_surface = shapes[q].gradient[node][0] * place.gradients[0] +
+                                      shapes[q].gradient[node][1] * place.gradients[1];
+      const Motion motion          = unit_motion(i);
+      const Tensor<1, 3> direction = component < 3 ? motion.surface : motion.director;
+      const Tensor<1, 3> slope =
+          component < 3 ? in_surface : z * in_surface + shapes[q].value[node] * place.gradients[2];
       for (unsigned int strain = 0; strain < n_strains; ++strain)
       {
         const auto [m, n] = axes_of[strain];
         double sum        = (place.axes[m] * direction) * (place.axes[n] * slope);
         if (m != n)
           sum += (place.axes[n] * direction) * (place.axes[m] * slope);
-        strains(first_row + strain, i) = sum;
+        strains.rows(first_row + strain, i) = sum;
+      }
+    }
+  }
+
+  double ShellElement::covariant_shear(const Shapes &at, const Place &place,
+                                       const unsigned int direction, const double z,
+                                       const unsigned int i) const
+  {
+    const unsigned int node = fe.system_to_component_index(i).second;
+    const Motion motion     = unit_motion(i);
+    return at.gradient[node][direction] * (motion.surface + z * motion.director) *
+               place.tangents[2] +
+           at.value[node] * motion.director * place.tangents[direction];
+  }
+
+  void ShellElement::tie_shear_strains(const unsigned int q, const double z, const Place &place,
+                                       const unsigned int first_row)
+  {
+    for (const unsigned int direction : {0u, 1u})
+    {
+      const double across = points.point(q)[1 - direction];
+      const Place low = place_at(ties[direction][0], z), high = place_at(ties[direction][1], z);
+      // The gradient of z is normal to the layer: only one product of the change to local axes is
+      // left.
+      const double upright = place.axes[2] * place.gradients[2];
+      for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
+      {
+        const double change =
+            (1. - across) * covariant_shear(ties[direction][0], low, direction, z, i) +
+            across * covariant_shear(ties[direction][1], high, direction, z, i) -
+            covariant_shear(shapes[q], place, direction, z, i);
+        for (const unsigned int m : {0u, 1u})
+          strains.rows(first_row + first_shear + m, i) +=
+              change * upright * (place.axes[m] * place.gradients[direction]);
       }
     }
   }
@@ -109,15 +154,15 @@ namespace ringmotor
   {
     for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
     {
-      const auto [component, node] = fe.system_to_component_index(i);
-      const Tensor<1, 3> in_surface =
-          gradient[q][node][0] * place.dxi + gradient[q][node][1] * place.deta;
+      const auto [component, node]  = fe.system_to_component_index(i);
+      const Tensor<1, 3> in_surface = shapes[q].gradient[node][0] * place.gradients[0] +
+                                      shapes[q].gradient[node][1] * place.gradients[1];
       Tensor<1, 3> direction;
       direction[component % 3] = 1.;
-      strains(row, i)          = component >= 3
-                                     ? shape[q][node] * (direction * place.axes[2])
-                                     : -0.5 * ((place.axes[0] * in_surface) * (place.axes[1] * direction) -
-                                      (place.axes[1] * in_surface) * (place.axes[0] * direction));
+      strains.rows(row, i) =
+          component >= 3 ? shapes[q].value[node] * (direction * place.axes[2])
+                         : -0.5 * ((place.axes[0] * in_surface) * (place.axes[1] * direction) -
+                                   (place.axes[1] * in_surface) * (place.axes[0] * direction));
     }
   }
 
@@ -125,27 +170,15 @@ namespace ringmotor
   {
     for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
     {
-      const auto [component, node] = fe.system_to_component_index(i);
-      Tensor<1, 3> direction;
-      direction[component % 3] = 1.;
-      if (component >= 3)
-        direction = z * cross_product_3d(direction, director[node]);
+      const unsigned int node      = fe.system_to_component_index(i).second;
+      const Motion motion          = unit_motion(i);
+      const Tensor<1, 3> direction = motion.surface + z * motion.director;
       for (unsigned int d = 0; d < 3; ++d)
-        motions(first_row + d, i) = shape[q][node] * direction[d];
+        motions.rows(first_row + d, i) = shapes[q].value[node] * direction[d];
     }
   }
 
-  void ShellElement::add_product(const FullMatrix<double> &rows, const std::vector<double> &weights,
-                                 FullMatrix<double> &matrix)
-  {
-    weighted.reinit(rows.m(), rows.n());
-    for (unsigned int row = 0; row < rows.m(); ++row)
-      for (unsigned int i = 0; i < rows.n(); ++i)
-        weighted(row, i) = weights[row] * rows(row, i);
-    rows.Tmmult(matrix, weighted, true);
-  }
-
-  void ShellElement::matrices(FullMatrix<double> &stiffness, FullMatrix<double> &mass)
+  void ShellElement::build_rows()
   {
     const double nu    = material.poisson_ratio;
     const double shear = material.young_modulus / (2. * (1. + nu));
@@ -155,38 +188,52 @@ namespace ringmotor
     const QGauss<1> layers(n_layers);
     const unsigned int n_rows = n_strains + 1; // with the sum of the strains 11 and 22
 
-    strains.reinit(points.size() * (n_layers * n_rows + 1), fe.n_dofs_per_cell());
-    motions.reinit(points.size() * n_layers * 3, fe.n_dofs_per_cell());
-    std::vector<double> weights, masses;
-    unsigned int row = 0;
+    strains.rows.reinit(points.size() * (n_layers * n_rows + 1), fe.n_dofs_per_cell());
+    motions.rows.reinit(points.size() * n_layers * 3, fe.n_dofs_per_cell());
+    strains.weights.clear();
+    motions.weights.clear();
     for (unsigned int q = 0; q < points.size(); ++q)
     {
       for (unsigned int layer = 0; layer < n_layers; ++layer)
       {
-        const double z      = section.offset + t * (layers.point(layer)[0] - 0.5);
-        const Place place   = place_at(q, z);
-        const double volume = place.volume * points.weight(q) * t * layers.weight(layer);
+        const double z         = section.offset + t * (layers.point(layer)[0] - 0.5);
+        const Place place      = place_at(shapes[q], z);
+        const double volume    = place.volume * points.weight(q) * t * layers.weight(layer);
+        const unsigned int row = strains.weights.size();
         fill_strains(q, z, place, row);
+        if (fe.degree == 1)
+          tie_shear_strains(q, z, place, row);
         // Hooke's law in plane stress as a sum of squares: (1 - nu) (e11^2 + e22^2) + nu (e11 +
         // e22)^2
         for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
-          strains(row + n_strains, i) = strains(row, i) + strains(row + 1, i);
+          strains.rows(row + n_strains, i) = strains.rows(row, i) + strains.rows(row + 1, i);
         for (const double modulus :
              {plane * (1. - nu), plane * (1. - nu), shear, shear_correction * shear,
               shear_correction * shear, plane * nu})
-          weights.push_back(volume * modulus);
-        row += n_rows;
+          strains.weights.push_back(volume * modulus);
 
-        fill_motion(q, z, masses.size());
-        masses.insert(masses.end(), 3, volume * material.density);
+        fill_motion(q, z, motions.weights.size());
+        motions.weights.insert(motions.weights.end(), 3, volume * material.density);
       }
-      const Place on_surface = place_at(q, 0.); // where u alone is the motion
-      fill_drill(q, on_surface, row++);
-      weights.push_back(drill * on_surface.volume * points.weight(q));
+      const Place on_surface = place_at(shapes[q], 0.); // where u alone is the motion
+      fill_drill(q, on_surface, strains.weights.size());
+      strains.weights.push_back(drill * on_surface.volume * points.weight(q));
     }
-    stiffness = 0.;
-    mass      = 0.;
-    add_product(strains, weights, stiffness);
-    add_product(motions, masses, mass);
+  }
+
+  void ShellElement::matrices(FullMatrix<double> &stiffness, FullMatrix<double> &mass)
+  {
+    strains.fill(stiffness);
+    motions.fill(mass);
+  }
+
+  std::vector<double> ShellElement::stiffness_products(const std::vector<Vector<double>> &fields)
+  {
+    return strains.products(fields);
+  }
+
+  std::vector<double> ShellElement::mass_products(const std::vector<Vector<double>> &fields)
+  {
+    return motions.products(fields);
   }
 } // namespace ringmotor
