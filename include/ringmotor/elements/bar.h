@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/elements/sum_of_squares.h>
+
+#include <deal.II/base/tensor.h>
+#include <deal.II/fe/fe.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping.h>
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <memory>
+#include <vector>
+
+namespace ringmotor
+{
+  /** What acts along an edge of solid cells. */
+  struct BarSection
+  {
+    double axial_stiffness = 0.; ///< N, E A
+    double mass_per_length = 0.; ///< kg/m
+    /**
+     * N/m^2, force per length of the edge and displacement, against the displacement away from the
+     * z axis: a row of radial bars fixed at their other end.
+     */
+    double radial_stiffness = 0.;
+  };
+
+  /**
+   * A bar along an edge of a solid cell in FESystem(FE_Q(p), 3): it moves as the edge does, stands
+   * against its stretch by the force E A (du/ds . t), t the tangent, and has mass; bending and
+   * torsion cost nothing. Integrated with p + 1 Gauss points on the edge as the mapping curves it.
+   */
+  class BarElement
+  {
+  public:
+    BarElement(const dealii::Mapping<3> &mapping, const dealii::FiniteElement<3> &fe);
+
+    /** Goes to the edge with the number @p line in its @p cell. */
+    void reinit(const dealii::Triangulation<3>::active_cell_iterator &cell, const unsigned int line,
+                const BarSection &section);
+
+    /** The 3 (p + 1) local degrees of freedom of the cell on the edge, ascending: the order of the
+     * matrices and fields. */
+    const std::vector<unsigned int> &local_dofs() const { return edges[line].dofs; }
+
+    /** m, of the edge. */
+    double length() const { return edge_length; }
+
+    /** Stiffness in N/m and consistent mass in kg; both symmetric and filled completely. */
+    void matrices(dealii::FullMatrix<double> &stiffness, dealii::FullMatrix<double> &mass);
+
+    /** Twice the strain energy, u.K u in N m, of each displacement in @p fields. */
+    std::vector<double> stiffness_products(const std::vector<dealii::Vector<double>> &fields);
+
+    /** u.M u in kg m^2 of each displacement in @p fields. */
+    std::vector<double> mass_products(const std::vector<dealii::Vector<double>> &fields);
+
+  private:
+    /** What does not depend on the cell, for each of its edges. */
+    struct Edge
+    {
+      Edge(const dealii::Mapping<3> &mapping, const dealii::FiniteElement<3> &fe,
+           const unsigned int line);
+
+      dealii::Tensor<1, 3> direction; ///< in the reference cell
+      std::vector<unsigned int> dofs, components;
+      std::vector<std::vector<double>> values, slopes; ///< by point and degree of freedom
+      std::unique_ptr<dealii::FEValues<3>> geometry;
+    };
+
+    void build_rows(const BarSection &section);
+
+    std::vector<Edge> edges;
+    unsigned int line = 0;
+    SumOfSquares strains; ///< two rows for each point: stretch, displacement from the z axis
+    SumOfSquares motions; ///< the components, at each point
+    double edge_length = 0.;
+  };
+} // namespace ringmotor
