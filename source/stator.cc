@@ -34,9 +34,15 @@ namespace ringmotor
       std::string unit;
     };
 
+    std::string to_string(const Body body)
+    {
+      return body == Body::stator ? "stator" : body == Body::rotor ? "rotor" : "tooth";
+    }
+
     /**
      * The program `stator`: natural modes of the stator and its travelling wave, or the modes of
-     * the rotor, from a mesh that is refined until the frequencies are as accurate as asked for.
+     * the rotor or of a tooth, from a mesh that is refined until the frequencies are as accurate as
+     * asked for.
      */
     class StatorProgram
     {
@@ -55,8 +61,9 @@ namespace ringmotor
       std::vector<Quantity> quantities_of(const WaveResult &wave) const;
       void report();
       void report_inertia();
-      /** (omega/omega_1)^2, omega_1 the rotor's lowest mode with the waves of the motor: how much
-       * its inertia would matter. None if that mode or omega is not known. */
+      /** (omega/omega_1)^2, omega_1 the lowest mode of the tooth or, with the waves of the motor,
+       * of the rotor: how much its inertia would matter. None if that mode or omega is not known.
+       */
       std::optional<double> inertia_ratio() const;
       void write_used_prm(const std::string &name) const;
       /** The mode, its largest displacement being Wave/Amplitude. */
@@ -67,7 +74,7 @@ namespace ringmotor
       void add_wave_quantities(Summary &summary, const double seconds) const;
 
       const Parameters &parameters;
-      const bool of_stator;     ///< else of the rotor
+      const bool of_stator;     ///< else of the rotor or a tooth
       const std::string folder; ///< of the results, ends in a slash
       const bool speaks;
       Log log;
@@ -87,11 +94,13 @@ namespace ringmotor
     };
 
     /** `f(n = 7, out-of-plane) = 30.00238 +- 0.00222 kHz` */
-    std::string describe(const FoundMode &found)
+    std::string describe(const FoundMode &found, const Body body)
     {
-      return "f(n = " + std::to_string(found.mode.nodal_diameter) + ", " +
-             to_string(found.content.family()) + ") = " + text(1e-3 * found.frequency.value, 5) +
-             " +- " + text(1e-3 * found.frequency.error, 5) + " kHz";
+      return "f(" +
+             (body == Body::tooth ? "tooth" : "n = " + std::to_string(found.mode.nodal_diameter)) +
+             ", " + to_string(found.content.family()) +
+             ") = " + text(1e-3 * found.frequency.value, 5) + " +- " +
+             text(1e-3 * found.frequency.error, 5) + " kHz";
     }
 
     /** Removes what earlier runs left: results of two runs side by side would tell a wrong story.
@@ -108,7 +117,7 @@ namespace ringmotor
 
     StatorProgram::StatorProgram(const Parameters &parameters)
         : parameters(parameters), of_stator(parameters.modes.body == Body::stator),
-          folder(parameters.output.directory + (of_stator ? "/stator/" : "/rotor/")),
+          folder(parameters.output.directory + "/" + to_string(parameters.modes.body) + "/"),
           speaks(Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0), log(speaks),
           body(parameters, MPI_COMM_WORLD)
     {
@@ -171,7 +180,7 @@ namespace ringmotor
       const FoundMode *working = working_mode();
       std::ostringstream line;
       line << "pass " << pass.number << ": degree " << pass.degree << ", " << pass.n_cells
-           << " cells, " << pass.n_dofs << " dofs: " << describe(shown())
+           << " cells, " << pass.n_dofs << " dofs: " << describe(shown(), parameters.modes.body)
            << ", largest relative error " << scientific(search.worst_relative_error()) << ", "
            << std::fixed << std::setprecision(2) << pass.seconds << " s";
       log.line(line.str());
@@ -230,7 +239,7 @@ namespace ringmotor
     void StatorProgram::report()
     {
       for (const FoundMode &found : body.search().modes())
-        log.line(describe(found));
+        log.line(describe(found, parameters.modes.body));
       if (wave && shape_samples.size() < 2)
         throw ComputationError(
             "the motor's wave was recognised on the last mesh only, so that nothing tells the "
@@ -252,20 +261,23 @@ namespace ringmotor
 
     void StatorProgram::report_inertia()
     {
+      const bool of_tooth = parameters.modes.body == Body::tooth;
+      const std::string n = std::to_string(parameters.motor.n_waves);
       if (const std::optional<double> ratio = inertia_ratio())
-        log.line("inertia of the rotor: (omega/omega_1)^2 = " + text(*ratio, 3) +
-                 " for n = " + std::to_string(parameters.motor.n_waves));
+        log.line("inertia of the " + to_string(parameters.modes.body) +
+                 ": (omega/omega_1)^2 = " + text(*ratio, 3) + (of_tooth ? "" : " for n = " + n));
       else
-        log.line("give Wave/Frequency in Hz and Modes/Nodal diameters with " +
-                 std::to_string(parameters.motor.n_waves) +
-                 " to see how much the rotor's inertia matters");
+        log.line(
+            "give Wave/Frequency in Hz" + (of_tooth ? "" : " and Modes/Nodal diameters with " + n) +
+            " to see how much the inertia of the " + to_string(parameters.modes.body) + " matters");
     }
 
     std::optional<double> StatorProgram::inertia_ratio() const
     {
       std::optional<double> ratio;
       for (const FoundMode &found : body.search().modes())
-        if (parameters.wave.frequency && found.mode.nodal_diameter == parameters.motor.n_waves)
+        if (parameters.wave.frequency && (parameters.modes.body == Body::tooth ||
+                                          found.mode.nodal_diameter == parameters.motor.n_waves))
           ratio = std::max(ratio.value_or(0.),
                            std::pow(*parameters.wave.frequency / found.frequency.value, 2));
       return ratio;
@@ -284,10 +296,9 @@ namespace ringmotor
 
     Mode StatorProgram::scaled(Mode mode) const
     {
-      ComplexField &u      = mode.displacement;
-      const double largest = std::max(u.real.linfty_norm(), u.imaginary.linfty_norm());
-      u.real *= parameters.wave.amplitude / largest;
-      u.imaginary *= parameters.wave.amplitude / largest;
+      const ComplexField &u = mode.motion.solid;
+      const double largest  = std::max(u.real.linfty_norm(), u.imaginary.linfty_norm());
+      mode.motion *= parameters.wave.amplitude / largest;
       return mode;
     }
 
@@ -339,7 +350,7 @@ namespace ringmotor
       summary.seconds.insert(summary.seconds.end(), phases.seconds().begin(),
                              phases.seconds().end());
       summary.peak_memory_MB = peak_memory_MB();
-      summary.dofs           = body.search().sector().dofs().n_dofs();
+      summary.dofs           = body.search().sector().n_dofs();
       double seconds         = 0.;
       for (const auto &pass : pass_seconds)
         seconds += pass.second;
@@ -360,7 +371,10 @@ namespace ringmotor
         summary.quantities.push_back(
             {"(omega/omega_1)^2", *ratio, "1", error, {{"body mesh", error}}, seconds, {}});
       }
-      summary.effects.push_back({"Target plates", 0., "off", 0., 0});
+      if (of_stator)
+        summary.effects.push_back(
+            {"Target plates", 0.,
+             parameters.effects.target_plates == EffectChoice::on ? "on" : "off", 0., 0});
       summary.certificate.push_back({"modes counted (Sturm) but not found",
                                      static_cast<double>(body.search().n_missed()), 0.});
       if (wave)

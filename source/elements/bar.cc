@@ -47,9 +47,8 @@ namespace ringmotor
         slopes.back().push_back(scalar.shape_grad(node, points.back()) * direction);
       }
     }
-    geometry =
-        std::make_unique<FEValues<3>>(mapping, scalar, Quadrature<3>(points, gauss.get_weights()),
-                                      update_jacobians | update_quadrature_points);
+    geometry = std::make_unique<FEValues<3>>(
+        mapping, scalar, Quadrature<3>(points, gauss.get_weights()), update_jacobians);
   }
 
   BarElement::BarElement(const Mapping<3> &mapping, const FiniteElement<3> &fe)
@@ -71,7 +70,7 @@ namespace ringmotor
   {
     const Edge &edge            = edges[line];
     const unsigned int n_points = edge.values.size();
-    strains.rows.reinit(2 * n_points, edge.dofs.size());
+    strains.rows.reinit(n_points, edge.dofs.size());
     motions.rows.reinit(3 * n_points, edge.dofs.size());
     strains.weights.clear();
     motions.weights.clear();
@@ -81,23 +80,15 @@ namespace ringmotor
       const Tensor<1, 3> along   = apply_transformation(edge.geometry->jacobian(q), edge.direction);
       const double by_parameter  = along.norm();
       const Tensor<1, 3> tangent = along / by_parameter;
-      const Point<3> &x          = edge.geometry->quadrature_point(q);
-      const double radius        = std::hypot(x[0], x[1]);
-      const bool has_foundation  = section.radial_stiffness != 0.;
-      Assert(!has_foundation || radius > 0., ExcMessage("no radial direction on the z axis"));
-      const Tensor<1, 3> outward =
-          has_foundation ? Tensor<1, 3>({x[0] / radius, x[1] / radius, 0.}) : Tensor<1, 3>();
       for (unsigned int i = 0; i < edge.dofs.size(); ++i)
       {
         const unsigned int component       = edge.components[i];
-        strains.rows(2 * q, i)             = edge.slopes[q][i] / by_parameter * tangent[component];
-        strains.rows(2 * q + 1, i)         = edge.values[q][i] * outward[component];
+        strains.rows(q, i)                 = edge.slopes[q][i] / by_parameter * tangent[component];
         motions.rows(3 * q + component, i) = edge.values[q][i];
       }
       const double length = by_parameter * edge.geometry->get_quadrature().weight(q);
       edge_length += length;
       strains.weights.push_back(section.axial_stiffness * length);
-      strains.weights.push_back(section.radial_stiffness * length);
       motions.weights.insert(motions.weights.end(), 3, section.mass_per_length * length);
     }
   }

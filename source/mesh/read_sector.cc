@@ -160,7 +160,7 @@ namespace ringmotor
   SectorMesh read_sector(const std::string &file, const unsigned int n_sectors,
                          MPI_Comm communicator)
   {
-    SectorMesh mesh{empty_triangulation(communicator), SectorForm::half, n_sectors};
+    SectorMesh mesh{empty_triangulation<3>(communicator), SectorForm::half, n_sectors};
     Triangulation<3> &triangulation = *mesh.triangulation;
     read(file, triangulation);
     check_cells(file, triangulation);

@@ -42,8 +42,9 @@ namespace ringmotor
     /** Sets the boundary ids while the mesh is still the box of cylindrical coordinates (r, theta,
      * z). */
     void set_boundary_ids(Triangulation<3> &box, const RotorGeometry &rotor, const SectorForm form,
-                          const double first_angle, const double last_angle)
+                          const std::vector<double> &angles)
     {
+      const double flange_top = rotor.flange_lower_face + rotor.flange_thickness;
       const auto at = [](const double a, const double b) { return std::abs(a - b) < 1e-10; };
       for (const auto &cell : box.active_cell_iterators())
         for (const auto &face : cell->face_iterators())
@@ -52,17 +53,71 @@ namespace ringmotor
             const Point<3> center = face->center();
             const bool level =
                 at(face->vertex(0)[2], face->vertex(3)[2]) && at(face->vertex(0)[2], center[2]);
-            face->set_boundary_id(at(center[1], last_angle)
-                                      ? (form == SectorForm::half ? ids::cut : ids::cut_high)
-                                  : at(center[1], first_angle)
-                                      ? (form == SectorForm::half ? ids::mirror : ids::cut_low)
-                                  : level && at(center[2], rotor.ring_upper_face) ? ids::ring_top
-                                  : level && at(center[2], rotor.flange_lower_face) &&
-                                          center[0] < rotor.lip_outer_radius
-                                      ? ids::lip
-                                  : at(center[0], rotor.ring_inner_radius) ? ids::ring_bore
-                                                                           : ids::free);
+            const bool at_bore    = at(center[0], rotor.ring_inner_radius);
+            const bool at_flange  = center[2] > rotor.flange_lower_face && center[2] < flange_top;
+            types::boundary_id id = ids::free;
+            if (at(center[1], angles.back()))
+              id = form == SectorForm::half ? ids::cut : ids::cut_high;
+            else if (at(center[1], angles.front()))
+              id = form == SectorForm::half ? ids::mirror : ids::cut_low;
+            else if (level && at(center[2], rotor.ring_upper_face))
+              id = ids::ring_top;
+            else if (level && at(center[2], rotor.flange_lower_face) &&
+                     center[0] < rotor.lip_outer_radius)
+              id = ids::lip;
+            else if (at_bore)
+              id = at_flange                                                     ? ids::shell_root
+                   : center[2] > rotor.ring_upper_face - rotor.radial_bar_height ? ids::radial_bars
+                                                                                 : ids::ring_bore;
+            face->set_boundary_id(id);
           }
+    }
+
+    /** The box of cylindrical coordinates, bent around the axis. */
+    Point<3> bent(const Point<3> &x)
+    {
+      return Point<3>(x[0] * std::cos(x[1]), x[0] * std::sin(x[1]), x[2]);
+    }
+
+    /** Lip and flange as a shell, tied to the ring by its outer edge. */
+    void add_flange_shell(SectorMesh &mesh, const RotorGeometry &rotor,
+                          const std::vector<double> &angles, const unsigned int level)
+    {
+      const double height = rotor.flange_lower_face + 0.5 * rotor.flange_thickness;
+      std::vector<double> radii{rotor.lip_inner_radius};
+      const unsigned int n_lip = 1 + level / 2, n_span = 2 + level;
+      for (unsigned int i = 1; i <= n_lip; ++i)
+        radii.push_back(rotor.lip_inner_radius +
+                        i * (rotor.lip_outer_radius - rotor.lip_inner_radius) / n_lip);
+      for (unsigned int i = 1; i <= n_span; ++i)
+        radii.push_back(rotor.lip_outer_radius +
+                        i * (rotor.ring_inner_radius - rotor.lip_outer_radius) / n_span);
+
+      std::vector<Point<3>> vertices;
+      std::vector<CellData<2>> cells;
+      const unsigned int n = angles.size();
+      for (unsigned int i = 0; i < radii.size(); ++i)
+        for (unsigned int j = 0; j < n; ++j)
+        {
+          vertices.push_back(bent(Point<3>(radii[i], angles[j], height)));
+          if (i + 1 < radii.size() && j + 1 < n)
+          {
+            CellData<2> cell;
+            cell.vertices    = {i * n + j, (i + 1) * n + j, i * n + j + 1, (i + 1) * n + j + 1};
+            cell.material_id = i < n_lip ? ids::lip_shell : ids::rotor;
+            cells.push_back(cell);
+          }
+        }
+      add_shell(mesh, vertices, cells);
+      for (const auto &cell : mesh.shell->active_cell_iterators())
+        for (const auto &edge : cell->face_iterators())
+          if (edge->at_boundary() &&
+              std::hypot(edge->vertex(0)[0], edge->vertex(0)[1]) > rotor.ring_inner_radius - 1e-9 &&
+              std::hypot(edge->vertex(1)[0], edge->vertex(1)[1]) > rotor.ring_inner_radius - 1e-9)
+            edge->set_boundary_id(ids::shell_root);
+      mesh.shell->set_all_manifold_ids(0);
+      mesh.shell->set_manifold(0, CylindricalManifold<2, 3>(2));
+      mesh.sections[ids::rotor] = mesh.sections[ids::lip_shell] = {rotor.flange_thickness, 0.};
     }
   } // namespace
 
@@ -73,23 +128,31 @@ namespace ringmotor
     const double flange_top    = rotor.flange_lower_face + rotor.flange_thickness;
     const double flange_middle = 0.5 * (rotor.flange_lower_face + flange_top);
     const double first         = 0.5 * rotor.flange_thickness * std::pow(0.3, level);
+    const bool solid_flange    = rotor.flange_element == ElementKind::solid;
 
-    std::vector<double> r_lines{rotor.lip_inner_radius, rotor.ring_inner_radius};
-    append_lines(r_lines, rotor.ring_inner_radius, rotor.lip_outer_radius, first);
+    std::vector<double> r_lines{rotor.ring_inner_radius};
+    if (solid_flange)
+    {
+      r_lines.push_back(rotor.lip_inner_radius);
+      append_lines(r_lines, rotor.ring_inner_radius, rotor.lip_outer_radius, first);
+    }
     append_lines(r_lines, rotor.ring_inner_radius, rotor.ring_outer_radius, first);
     std::vector<double> z_lines{rotor.flange_lower_face, flange_top};
     append_lines(z_lines, rotor.flange_lower_face, rotor.ring_lower_face, first);
     append_lines(z_lines, rotor.flange_lower_face, flange_middle, first);
     append_lines(z_lines, flange_top, flange_middle, first);
-    append_lines(z_lines, flange_top, rotor.ring_upper_face, first);
+    append_lines(z_lines, flange_top, rotor.ring_upper_face - rotor.radial_bar_height, first);
+    z_lines.push_back(rotor.ring_upper_face);
     r_lines = sorted(r_lines);
     z_lines = sorted(z_lines);
     // The middle of the flange was met from both sides.
     z_lines.erase(std::unique(z_lines.begin(), z_lines.end()), z_lines.end());
 
-    const double half_pitch  = numbers::PI / n_teeth;
-    const double first_angle = form == SectorForm::half ? 0. : -half_pitch;
-    const std::vector<double> theta_widths(form == SectorForm::half ? 1 : 2, half_pitch);
+    const double half_pitch = numbers::PI / n_teeth;
+    std::vector<double> angles{0., half_pitch};
+    if (form == SectorForm::whole)
+      angles.insert(angles.begin(), -half_pitch);
+    const std::vector<double> theta_widths = widths(angles);
 
     Table<3, types::material_id> materials(r_lines.size() - 1, theta_widths.size(),
                                            z_lines.size() - 1);
@@ -102,17 +165,22 @@ namespace ringmotor
           materials(i, j, k)   = in_ring || in_flange ? ids::rotor : numbers::invalid_material_id;
         }
 
-    SectorMesh mesh{empty_triangulation(communicator), form, n_teeth};
+    SectorMesh mesh;
+    mesh.triangulation              = empty_triangulation<3>(communicator);
+    mesh.form                       = form;
+    mesh.n_sectors                  = n_teeth;
     Triangulation<3> &triangulation = *mesh.triangulation;
     GridGenerator::subdivided_hyper_rectangle(
         triangulation, {widths(r_lines), theta_widths, widths(z_lines)},
-        Point<3>(r_lines.front(), first_angle, z_lines.front()), materials);
-    set_boundary_ids(triangulation, rotor, form, first_angle, half_pitch);
-    GridTools::transform([](const Point<3> &x)
-                         { return Point<3>(x[0] * std::cos(x[1]), x[0] * std::sin(x[1]), x[2]); },
-                         triangulation);
+        Point<3>(r_lines.front(), angles.front(), z_lines.front()), materials);
+    set_boundary_ids(triangulation, rotor, form, angles);
+    GridTools::transform(bent, triangulation);
     triangulation.set_all_manifold_ids(0);
     triangulation.set_manifold(0, CylindricalManifold<3>(2));
+    if (!solid_flange)
+      add_flange_shell(mesh, rotor, angles, level);
+    if (rotor.radial_bar_stiffness > 0.)
+      mesh.foundations[ids::radial_bars] = rotor.radial_bar_stiffness / rotor.radial_bar_height;
     return mesh;
   }
 } // namespace ringmotor

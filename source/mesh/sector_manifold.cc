@@ -8,12 +8,14 @@ namespace ringmotor
 {
   using namespace dealii;
 
-  SectorManifold::SectorManifold(const StatorGeometry &stator, const unsigned int n_teeth)
+  template <int dim>
+  SectorManifold<dim>::SectorManifold(const StatorGeometry &stator, const unsigned int n_teeth)
       : stator(stator), n_teeth(n_teeth), half_pitch(numbers::PI / n_teeth)
   {
   }
 
-  Point<3> SectorManifold::pull_back(const Point<3> &position) const
+  template <int dim>
+  Point<3> SectorManifold<dim>::pull_back(const Point<3> &position) const
   {
     const double z            = position[2];
     const double r            = std::hypot(position[0], position[1]);
@@ -26,7 +28,8 @@ namespace ringmotor
     return Point<3>((r - inner) / (outer - inner), std::copysign(s, theta), z);
   }
 
-  Point<3> SectorManifold::push_forward(const Point<3> &chart) const
+  template <int dim>
+  Point<3> SectorManifold<dim>::push_forward(const Point<3> &chart) const
   {
     const auto [inner, outer] = radii(chart[2]);
     const double r            = inner + chart[0] * (outer - inner);
@@ -37,12 +40,14 @@ namespace ringmotor
     return Point<3>(r * std::cos(theta), r * std::sin(theta), chart[2]);
   }
 
-  std::unique_ptr<Manifold<3, 3>> SectorManifold::clone() const
+  template <int dim>
+  std::unique_ptr<Manifold<dim, 3>> SectorManifold<dim>::clone() const
   {
-    return std::make_unique<SectorManifold>(stator, n_teeth);
+    return std::make_unique<SectorManifold<dim>>(stator, n_teeth);
   }
 
-  std::pair<double, double> SectorManifold::radii(const double z) const
+  template <int dim>
+  std::pair<double, double> SectorManifold<dim>::radii(const double z) const
   {
     // The ceramic ring (z < 0) has upright sides.
     const double fraction = std::max(0., z) / (stator.base_thickness + stator.tooth_height);
@@ -51,8 +56,12 @@ namespace ringmotor
         stator.base_outer_radius + fraction * (stator.tip_outer_radius - stator.base_outer_radius)};
   }
 
-  double SectorManifold::wall_angle(const double r) const
+  template <int dim>
+  double SectorManifold<dim>::wall_angle(const double r) const
   {
     return half_pitch - std::asin(0.5 * stator.slot_width / r);
   }
+
+  template class SectorManifold<2>;
+  template class SectorManifold<3>;
 } // namespace ringmotor

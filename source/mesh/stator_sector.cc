@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace ringmotor
 {
@@ -16,6 +17,19 @@ namespace ringmotor
 
   namespace
   {
+    /** Whether the ceramic ring is a shell. */
+    bool has_skin(const StatorGeometry &stator)
+    {
+      return stator.piezoceramic_thickness > 0. &&
+             stator.piezoceramic_element == ElementKind::shell;
+    }
+
+    enum class Parts
+    {
+      all,
+      tooth
+    };
+
     /**
      * The section across the tooth in the chart's plane (s, z), in quadrilaterals: rectangles that
      * grow away from the slot root, and the three that meet there cut into angles around it.
@@ -23,8 +37,9 @@ namespace ringmotor
     class Section
     {
     public:
+      /** @param parts whether only the tooth above its foot is wanted */
       Section(const StatorGeometry &stator, const unsigned int n_teeth, const SectorForm form,
-              const SectorGrading &grading)
+              const SectorGrading &grading, const Parts parts)
           : grading(grading), whole(form == SectorForm::whole), scale(stator.base_thickness)
       {
         const double half_slot  = 0.5 * stator.slot_width;
@@ -50,10 +65,13 @@ namespace ringmotor
                                   above = z_lines(stator.tooth_height, 1.),
                                   below = z_lines(stator.base_thickness, -1.);
         add_quadrant(tooth, above, ids::tooth);
+        if (parts == Parts::tooth)
+          return;
         for (const std::vector<double> &across : {tooth, slot})
         {
           add_quadrant(across, below, ids::base);
-          if (stator.piezoceramic_thickness > 0.)
+          if (stator.piezoceramic_thickness > 0. &&
+              stator.piezoceramic_element == ElementKind::solid)
             for (unsigned int i = 0; i + 1 < across.size(); ++i)
               add_rectangle({across[i], -stator.piezoceramic_thickness}, {across[i + 1], 0.},
                             ids::piezoceramic);
@@ -148,10 +166,14 @@ namespace ringmotor
     }
 
     /** Sets the boundary ids while the mesh is still the box of chart coordinates (rho, s, z). */
-    void set_boundary_ids(Triangulation<3> &box, const SectorForm form, const double top)
+    void set_boundary_ids(Triangulation<3> &box, const SectorForm form,
+                          const StatorGeometry &stator, const Parts parts)
     {
       const double first_s = form == SectorForm::half ? 0. : -2.;
+      const double top     = stator.base_thickness + stator.tooth_height;
       const auto at        = [](const double a, const double b) { return std::abs(a - b) < 1e-10; };
+      const auto at_height = [&](const double z, const double height)
+      { return std::abs(z - height) < 1e-10 * top; };
       for (const auto &cell : box.active_cell_iterators())
         for (const auto &face : cell->face_iterators())
           if (face->at_boundary())
@@ -161,11 +183,80 @@ namespace ringmotor
               face->set_boundary_id(form == SectorForm::half ? ids::cut : ids::cut_high);
             else if (at(center[1], first_s))
               face->set_boundary_id(form == SectorForm::half ? ids::mirror : ids::cut_low);
-            else if (std::abs(center[2] - top) < 1e-10 * top)
+            else if (at_height(center[2], top))
               face->set_boundary_id(ids::tooth_top);
+            else if (at_height(center[2], 0.) && has_skin(stator))
+              face->set_boundary_id(ids::skin);
+            else if (at_height(center[2], stator.base_thickness) && parts == Parts::tooth)
+              face->set_boundary_id(ids::clamped);
             else
               face->set_boundary_id(ids::free);
+            for (unsigned int i = 0; i < 4; ++i)
+              if (const auto line = face->line(i);
+                  at(line->center()[0], 1.) && at_height(line->center()[2], top))
+                line->set_boundary_id(ids::target_plate);
           }
+    }
+
+    /** Covers the faces of the base marked as skin with the ceramic ring, a shell that hangs below
+     * them. */
+    void add_piezoceramic_shell(SectorMesh &mesh, const StatorGeometry &stator,
+                                const SectorManifold<2> &shape)
+    {
+      std::vector<Point<3>> vertices;
+      std::vector<CellData<2>> cells;
+      std::map<unsigned int, unsigned int> new_number;
+      for (const auto &cell : mesh.triangulation->active_cell_iterators())
+        for (const auto &face : cell->face_iterators())
+          if (face->at_boundary() && face->boundary_id() == ids::skin)
+          {
+            CellData<2> quadrilateral;
+            quadrilateral.material_id = ids::piezoceramic;
+            for (const unsigned int i : face->vertex_indices())
+            {
+              const auto [entry, is_new] =
+                  new_number.emplace(face->vertex_index(i), vertices.size());
+              if (is_new)
+                vertices.push_back(face->vertex(i));
+              quadrilateral.vertices[i] = entry->second;
+            }
+            cells.push_back(quadrilateral);
+          }
+      add_shell(mesh, vertices, cells);
+      mesh.sections[ids::piezoceramic] = {stator.piezoceramic_thickness,
+                                          -0.5 * stator.piezoceramic_thickness};
+      mesh.shell->set_all_manifold_ids(0);
+      mesh.shell->set_manifold(0, shape);
+    }
+  } // namespace
+
+  namespace
+  {
+    SectorMesh make_sector(const StatorGeometry &stator, const unsigned int n_teeth,
+                           const SectorForm form, const SectorGrading &grading, const Parts parts,
+                           MPI_Comm communicator)
+    {
+      Triangulation<2> section;
+      Section(stator, n_teeth, form, grading, parts).triangulate(section);
+
+      SectorMesh mesh;
+      mesh.triangulation = empty_triangulation<3>(communicator);
+      mesh.form          = form;
+      mesh.n_sectors     = n_teeth;
+      mesh.has_cuts      = parts == Parts::all;
+
+      Triangulation<3> &triangulation = *mesh.triangulation;
+      GridGenerator::extrude_triangulation(section, radial_lines(grading.n_radial), triangulation);
+      GridTools::transform([](const Point<3> &x) { return Point<3>(x[2], x[0], x[1]); },
+                           triangulation);
+      set_boundary_ids(triangulation, form, stator, parts);
+
+      const SectorManifold<3> shape(stator, n_teeth);
+      GridTools::transform([&](const Point<3> &chart) { return shape.push_forward(chart); },
+                           triangulation);
+      triangulation.set_all_manifold_ids(0);
+      triangulation.set_manifold(0, shape);
+      return mesh;
     }
   } // namespace
 
@@ -173,21 +264,15 @@ namespace ringmotor
                                 const SectorForm form, const SectorGrading &grading,
                                 MPI_Comm communicator)
   {
-    Triangulation<2> section;
-    Section(stator, n_teeth, form, grading).triangulate(section);
-
-    SectorMesh mesh{empty_triangulation(communicator), form, n_teeth};
-    Triangulation<3> &triangulation = *mesh.triangulation;
-    GridGenerator::extrude_triangulation(section, radial_lines(grading.n_radial), triangulation);
-    GridTools::transform([](const Point<3> &x) { return Point<3>(x[2], x[0], x[1]); },
-                         triangulation);
-    set_boundary_ids(triangulation, form, stator.base_thickness + stator.tooth_height);
-
-    const SectorManifold shape(stator, n_teeth);
-    GridTools::transform([&](const Point<3> &chart) { return shape.push_forward(chart); },
-                         triangulation);
-    triangulation.set_all_manifold_ids(0);
-    triangulation.set_manifold(0, shape);
+    SectorMesh mesh = make_sector(stator, n_teeth, form, grading, Parts::all, communicator);
+    if (has_skin(stator))
+      add_piezoceramic_shell(mesh, stator, SectorManifold<2>(stator, n_teeth));
     return mesh;
+  }
+
+  SectorMesh make_tooth(const StatorGeometry &stator, const unsigned int n_teeth,
+                        const SectorGrading &grading, MPI_Comm communicator)
+  {
+    return make_sector(stator, n_teeth, SectorForm::half, grading, Parts::tooth, communicator);
   }
 } // namespace ringmotor

@@ -38,9 +38,6 @@ namespace ringmotor
 
     void check_modes(const Modes &modes, const Motor &motor)
     {
-      if (modes.body == Body::tooth)
-        throw UserError("Modes/Body = tooth is not available in this version; allowed: stator | "
-                        "rotor");
       if (modes.nodal_diameters.empty() || modes.n_modes < 1)
         throw UserError(
             "Modes/Nodal diameters and Modes/Number of modes ask for no mode at all; give "
@@ -56,17 +53,23 @@ namespace ringmotor
 
     void check_effects(const StatorGeometry &stator, const Effects &effects)
     {
+      if (effects.felt_support != EffectChoice::off)
+        throw UserError(std::string("Effects/Felt support = ") +
+                        (effects.felt_support == EffectChoice::on ? "on" : "auto") +
+                        " is not available in this version; allowed: off");
+      if (effects.target_plates == EffectChoice::automatic)
+        throw UserError("Effects/Target plates = auto is not available in this version; allowed: "
+                        "off | on");
+      if (stator.mesh_file.empty())
+        return;
+      if (effects.target_plates == EffectChoice::on)
+        throw UserError("Effects/Target plates = on does not go with Stator/Mesh file = " +
+                        quoted(stator.mesh_file) +
+                        ", where the edges of the teeth are not known; allowed: off");
       if (stator.piezoceramic_element == ElementKind::shell)
-        throw UserError("Stator/Piezoceramic element = shell is not available in this version; "
-                        "allowed: solid");
-      const auto refuse_unless_off = [](const std::string &name, const EffectChoice choice)
-      {
-        if (choice != EffectChoice::off)
-          throw UserError("Effects/" + name + " = " + (choice == EffectChoice::on ? "on" : "auto") +
-                          " is not available in this version; allowed: off");
-      };
-      refuse_unless_off("Target plates", effects.target_plates);
-      refuse_unless_off("Felt support", effects.felt_support);
+        throw UserError("Stator/Piezoceramic element = shell does not go with Stator/Mesh file = " +
+                        quoted(stator.mesh_file) +
+                        ", which has the ceramic ring in its solid cells; allowed: solid");
     }
 
     void check_mesh_file(const std::string &file)
@@ -133,16 +136,6 @@ namespace ringmotor
       if (!rotor.mesh_file.empty())
         throw UserError("Rotor/Mesh file = " + quoted(rotor.mesh_file) +
                         " is not available in this version; leave it out");
-      if (rotor.flange_element == ElementKind::shell)
-        throw UserError("Rotor/Flange element = shell is not available in this version; allowed: "
-                        "solid");
-      if (rotor.radial_bar_stiffness != 0.)
-      {
-        std::ostringstream text;
-        text << "Rotor/Radial bar stiffness = " << rotor.radial_bar_stiffness
-             << " N/m^2 is not available in this version; allowed: 0, no bars";
-        throw UserError(text.str());
-      }
       check_order("Lip inner radius", rotor.lip_inner_radius, "Lip outer radius",
                   rotor.lip_outer_radius);
       check_order("Lip outer radius", rotor.lip_outer_radius, "Ring inner radius",
@@ -151,9 +144,9 @@ namespace ringmotor
                   rotor.ring_outer_radius);
       check_order("Ring lower face", rotor.ring_lower_face, "Flange lower face",
                   rotor.flange_lower_face);
-      check_order("Flange lower face + Flange thickness",
-                  rotor.flange_lower_face + rotor.flange_thickness, "Ring upper face",
-                  rotor.ring_upper_face);
+      check_order(
+          "Flange lower face + Flange thickness", rotor.flange_lower_face + rotor.flange_thickness,
+          "Ring upper face - Radial bar height", rotor.ring_upper_face - rotor.radial_bar_height);
     }
 
     /** Amplitudes in um are easily written as if the file took um. */
@@ -179,8 +172,9 @@ namespace ringmotor
       check_rotor(parameters.rotor);
       return;
     }
-    check_effects(stator, parameters.effects);
-    if (!stator.mesh_file.empty())
+    if (parameters.modes.body == Body::stator)
+      check_effects(stator, parameters.effects);
+    if (!stator.mesh_file.empty() && parameters.modes.body == Body::stator)
     {
       check_mesh_file(stator.mesh_file);
       return;

@@ -58,6 +58,10 @@ namespace ringmotor
         Presence::required);
     add_entry(prm, "Piezoceramic element", piezoceramic_element, element_kind(),
               "Elements of the piezoceramic ring.");
+    add_entry(prm, "Target plate cross-section", target_plate_area, positive_number(),
+              "Cross-section of the thin plates, targets of optical measurements, on the outer "
+              "edges of the tooth tops; they take part where Effects/Target plates is on. Units: "
+              "m^2.");
     add_entry(prm, "Mesh file", mesh_file, file_or_none(), mesh_file_sentence);
   }
 
@@ -85,6 +89,9 @@ namespace ringmotor
         prm, "Radial bar stiffness", radial_bar_stiffness, non_negative_number(),
         "Radial stiffness, per length of circumference, of the bars that hold the upper edge of "
         "the ring's inner face; 0 leaves the bars out. Units: N/m^2.");
+    add_entry(prm, "Radial bar height", radial_bar_height, positive_number(),
+              "Height of the band, down from that edge, over which the bars' forces are spread: "
+              "forces on a line would have no limit on fine meshes. Units: m.");
     add_entry(prm, "Mesh file", mesh_file, file_or_none(), mesh_file_sentence);
   }
 } // namespace ringmotor

@@ -20,10 +20,20 @@ namespace ringmotor
     MaterialTable material_table(const Materials &materials, const Body body)
     {
       if (body == Body::rotor)
-        return {{ids::rotor, materials.rotor_metal}};
+        return {{ids::rotor, materials.rotor_metal}, {ids::lip_shell, materials.rotor_metal}};
+      if (body == Body::tooth)
+        return {{ids::tooth, materials.stator_metal}};
       return {{ids::base, materials.stator_metal},
               {ids::tooth, materials.stator_metal},
               {ids::piezoceramic, materials.piezoceramic}};
+    }
+
+    /** A tooth knows nothing of waves around the ring: one nodal diameter stands for all. */
+    Modes request_for(Modes modes)
+    {
+      if (modes.body == Body::tooth)
+        modes.nodal_diameters = {0};
+      return modes;
     }
 
     struct Discretisation
@@ -56,7 +66,8 @@ namespace ringmotor
 
   BodyModes::BodyModes(const Parameters &parameters, MPI_Comm communicator)
       : parameters(parameters), communicator(communicator),
-        mode_search(material_table(parameters.materials, parameters.modes.body), parameters.modes)
+        mode_search(material_table(parameters.materials, parameters.modes.body),
+                    request_for(parameters.modes))
   {
   }
 
@@ -83,7 +94,7 @@ namespace ringmotor
     compute_pass(discretisation.degree, after_pass);
     while (mode_search.worst_relative_error() > target)
     {
-      if (n_passes == most_passes || mode_search.sector().dofs().n_dofs() > most_dofs)
+      if (n_passes == most_passes || mode_search.sector().n_dofs() > most_dofs)
         give_up();
       mode_search.refine(mesh);
       compute_pass(discretisation.degree, after_pass);
@@ -105,7 +116,7 @@ namespace ringmotor
 
   bool BodyModes::is_generated() const
   {
-    return parameters.modes.body == Body::rotor || parameters.stator.mesh_file.empty();
+    return parameters.modes.body != Body::stator || parameters.stator.mesh_file.empty();
   }
 
   void BodyModes::make_mesh(const unsigned int new_level)
@@ -114,13 +125,26 @@ namespace ringmotor
     const unsigned int n_teeth = parameters.motor.n_teeth;
     if (parameters.modes.body == Body::rotor)
       mesh = make_rotor_sector(parameters.rotor, n_teeth, SectorForm::half, level, communicator);
+    else if (parameters.modes.body == Body::tooth)
+      mesh = make_tooth(parameters.stator, n_teeth, SectorGrading::level(level), communicator);
     else if (is_generated())
-      mesh = make_stator_sector(parameters.stator, n_teeth, SectorForm::half,
-                                SectorGrading::level(level), communicator);
+      make_stator_mesh();
     else
     {
       mesh = read_sector(parameters.stator.mesh_file, n_teeth, communicator);
       mesh.triangulation->refine_global(level);
+    }
+  }
+
+  void BodyModes::make_stator_mesh()
+  {
+    mesh = make_stator_sector(parameters.stator, parameters.motor.n_teeth, SectorForm::half,
+                              SectorGrading::level(level), communicator);
+    if (parameters.effects.target_plates == EffectChoice::on)
+    {
+      const Material &metal        = parameters.materials.target_plate;
+      const double area            = parameters.stator.target_plate_area;
+      mesh.bars[ids::target_plate] = {area * metal.young_modulus, area * metal.density};
     }
   }
 
@@ -131,7 +155,7 @@ namespace ringmotor
     mode_search.compute(mesh, degree);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
     after_pass({++n_passes, degree, level, mesh.triangulation->n_active_cells(),
-                mode_search.sector().dofs().n_dofs(), seconds.count()});
+                mode_search.sector().n_dofs(), seconds.count()});
   }
 
   void BodyModes::give_up() const
@@ -139,7 +163,7 @@ namespace ringmotor
     std::ostringstream message;
     message << "the frequencies are known to " << mode_search.worst_relative_error()
             << " (relative) after " << n_passes << " passes, the last one with "
-            << mode_search.sector().dofs().n_dofs()
+            << mode_search.sector().n_dofs()
             << " degrees of freedom; Accuracy/Target = " << parameters.accuracy.target
             << " was not reached: choose a larger one";
     throw ComputationError(message.str());

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/quantities/energy.h>
-
-#include <deal.II/base/mpi.h>
+#include <ringmotor/structure/motion_products.h>
 
 namespace ringmotor
 {
@@ -13,24 +12,12 @@ namespace ringmotor
     const SectorMesh &mesh = sector.sector_mesh();
     const double factor    = 0.25 * mesh.n_sectors * (mesh.form == SectorForm::half ? 2. : 1.);
 
+    const MotionProducts products = motion_products(sector, {&mode.motion}).front();
     WaveEnergy energy;
-    for (const auto &entry : sector.material_table())
-      energy.strain[entry.first] = 0.;
-    std::vector<Vector<double>> values(2, Vector<double>(sector.dofs().get_fe().n_dofs_per_cell()));
-    sector.for_each_owned_cell(
-        [&](const auto &cell, SolidElement &element)
-        {
-          cell->get_dof_values(mode.displacement.real, values[0]);
-          cell->get_dof_values(mode.displacement.imaginary, values[1]);
-          for (const double product : element.stiffness_products(values))
-            energy.strain[cell->material_id()] += factor * product;
-          for (const double product : element.mass_products(values))
-            energy.kinetic += factor * mode.eigenvalue * product;
-        });
-    const MPI_Comm communicator = sector.dofs().get_communicator();
-    for (auto &entry : energy.strain)
-      energy.total_strain += entry.second = Utilities::MPI::sum(entry.second, communicator);
-    energy.kinetic = Utilities::MPI::sum(energy.kinetic, communicator);
+    for (const auto &[material, product] : products.stiffness)
+      energy.strain[material] = factor * product;
+    energy.total_strain = factor * products.total_stiffness();
+    energy.kinetic      = factor * mode.eigenvalue * products.mass;
     return energy;
   }
 

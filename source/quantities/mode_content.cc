@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/quantities/mode_content.h>
+#include <ringmotor/structure/shell_trace.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
@@ -26,7 +27,21 @@ namespace ringmotor
       std::array<Complex, 3> motion; ///< r, theta, z components times exp(i k theta)
     };
 
-    std::vector<Sample> sample(const CyclicSector &sector, const Mode &mode)
+    /** @p u in Cartesian components. */
+    Sample sample_at(const Point<3> &x, const double mass, const std::array<Complex, 3> &u,
+                     const unsigned int nodal_diameter)
+    {
+      const double r      = std::hypot(x[0], x[1]);
+      const double cosine = x[0] / r, sine = x[1] / r;
+      const Complex phase = std::polar(1., nodal_diameter * std::atan2(x[1], x[0]));
+      return {r,
+              x[2],
+              mass,
+              {{phase * (cosine * u[0] + sine * u[1]), phase * (cosine * u[1] - sine * u[0]),
+                phase * u[2]}}};
+    }
+
+    void sample_solids(const CyclicSector &sector, const Mode &mode, std::vector<Sample> &samples)
     {
       const FiniteElement<3> &fe = sector.dofs().get_fe();
       const QGauss<3> points(fe.degree + 1);
@@ -34,29 +49,44 @@ namespace ringmotor
                          update_values | update_quadrature_points | update_JxW_values);
       const FEValuesExtractors::Vector displacement(0);
       std::vector<Tensor<1, 3>> real(points.size()), imaginary(points.size());
-
-      std::vector<Sample> samples;
       for (const auto &cell : sector.dofs().active_cell_iterators())
       {
         values.reinit(cell);
-        values[displacement].get_function_values(mode.displacement.real, real);
-        values[displacement].get_function_values(mode.displacement.imaginary, imaginary);
+        values[displacement].get_function_values(mode.motion.solid.real, real);
+        values[displacement].get_function_values(mode.motion.solid.imaginary, imaginary);
         const double density = sector.material_table().at(cell->material_id()).density;
         for (unsigned int q = 0; q < points.size(); ++q)
-        {
-          const Point<3> x    = values.quadrature_point(q);
-          const double r      = std::hypot(x[0], x[1]);
-          const double cosine = x[0] / r, sine = x[1] / r;
-          const Complex phase = std::polar(1., mode.nodal_diameter * std::atan2(x[1], x[0]));
-          const auto part     = [&](const unsigned int d)
-          { return Complex(real[q][d], imaginary[q][d]); };
-          samples.push_back({r,
-                             x[2],
-                             density * values.JxW(q),
-                             {{phase * (cosine * part(0) + sine * part(1)),
-                               phase * (cosine * part(1) - sine * part(0)), phase * part(2)}}});
-        }
+          samples.push_back(sample_at(values.quadrature_point(q), density * values.JxW(q),
+                                      {{{real[q][0], imaginary[q][0]},
+                                        {real[q][1], imaginary[q][1]},
+                                        {real[q][2], imaginary[q][2]}}},
+                                      mode.nodal_diameter));
       }
+    }
+
+    /** The mass of shells moves as their mid-surface. */
+    void sample_shells(const CyclicSector &sector, const Mode &mode, std::vector<Sample> &samples)
+    {
+      ShellTrace trace(sector, QGauss<2>(sector.shell_dofs().get_fe().degree + 1));
+      for (const auto &cell : sector.shell_dofs().active_cell_iterators())
+      {
+        trace.reinit(cell, mode.motion.shell);
+        const ShellSection &section = sector.sector_mesh().sections.at(cell->material_id());
+        const double mass =
+            sector.material_table().at(cell->material_id()).density * section.thickness;
+        for (unsigned int q = 0; q < trace.size(); ++q)
+          samples.push_back(sample_at(trace.position(q, section.offset), mass * trace.area(q),
+                                      trace.displacement(q, section.offset), mode.nodal_diameter));
+      }
+    }
+
+    std::vector<Sample> sample(const CyclicSector &sector, const Mode &mode)
+    {
+      std::vector<Sample> samples;
+      if (sector.dofs().has_active_dofs())
+        sample_solids(sector, mode, samples);
+      if (sector.shell_dofs().has_active_dofs())
+        sample_shells(sector, mode, samples);
       if (sector.sector_mesh().form == SectorForm::half)
       {
         // The mirrored half moves as U(-theta) = S conj(U(theta)).

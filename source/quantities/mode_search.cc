@@ -25,10 +25,13 @@ namespace ringmotor
     missed                  = solver.n_counted() - solver.n_found();
 
     const Sheets sheets(mesh);
-    std::vector<const ComplexField *> fields;
+    std::vector<const SectorMotion *> motions;
     for (const Mode &mode : modes)
-      fields.push_back(&mode.displacement);
-    const std::vector<std::vector<double>> indicators = sheet_indicators(*model, sheets, fields);
+      motions.push_back(&mode.motion);
+    std::vector<std::vector<double>> indicators = sheet_indicators(*model, sheets, motions);
+    for (unsigned int i = 0; i < modes.size(); ++i)
+      for (double &indicator : indicators[i])
+        indicator /= modes[i].eigenvalue;
 
     sheet_error.assign(sheets.n_sheets(), 0.);
     std::map<std::pair<unsigned int, Family>, unsigned int> rank;
@@ -110,7 +113,7 @@ namespace ringmotor
     std::vector<double> n_cells(sheets.n_sheets(), 0.);
     for (const auto &cell : mesh.triangulation->active_cell_iterators())
       for (unsigned int direction = 0; direction < 3; ++direction)
-        n_cells[sheets.sheet(cell, direction)] += 1.;
+        n_cells[sheets.sheet(*cell, direction)] += 1.;
 
     // Most error for the least new cells first, until three fifths of the error are dealt with.
     std::vector<unsigned int> order(sheets.n_sheets());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/quantities/sector_field.h>
+#include <ringmotor/structure/shell_trace.h>
 
 #include <deal.II/base/quadrature.h>
 #include <deal.II/fe/fe_values.h>
@@ -11,16 +12,14 @@ namespace ringmotor
 
   namespace
   {
-    /** The lattice of (order + 1)^3 points on the unit cell, first index fastest. */
-    Quadrature<3> lattice(const unsigned int order)
+    /** The lattice of (order + 1)^dim points on the unit cell, first index fastest. */
+    template <int dim>
+    Quadrature<dim> lattice(const unsigned int order)
     {
-      std::vector<Point<3>> points;
-      for (unsigned int k = 0; k <= order; ++k)
-        for (unsigned int j = 0; j <= order; ++j)
-          for (unsigned int i = 0; i <= order; ++i)
-            points.emplace_back(static_cast<double>(i) / order, static_cast<double>(j) / order,
-                                static_cast<double>(k) / order);
-      return Quadrature<3>(points);
+      std::vector<Point<1>> points;
+      for (unsigned int i = 0; i <= order; ++i)
+        points.emplace_back(static_cast<double>(i) / order);
+      return Quadrature<dim>(Quadrature<1>(points));
     }
 
     /** The mirror image at theta -> -theta, with U(-theta) = S conj(U(theta)). */
@@ -41,38 +40,71 @@ namespace ringmotor
       }
       return image;
     }
+
+    /** Adds a cell and, for a half sector, its mirror image. */
+    void add(const SectorField::Cell &cell, const SectorForm form, SectorField &field)
+    {
+      field.cells.push_back(cell);
+      if (form == SectorForm::half)
+        field.cells.push_back(mirrored(cell, field.order));
+    }
+
+    void add_solids(const CyclicSector &sector, const Mode &mode, SectorField &field)
+    {
+      const Quadrature<3> points = lattice<3>(field.order);
+      FEValues<3> values(sector.geometry(), sector.dofs().get_fe(), points,
+                         update_values | update_quadrature_points);
+      const FEValuesExtractors::Vector displacement(0);
+      std::vector<Tensor<1, 3>> real(points.size()), imaginary(points.size());
+      for (const auto &cell : sector.dofs().active_cell_iterators())
+      {
+        values.reinit(cell);
+        values[displacement].get_function_values(mode.motion.solid.real, real);
+        values[displacement].get_function_values(mode.motion.solid.imaginary, imaginary);
+        SectorField::Cell sampled;
+        sampled.material = cell->material_id();
+        sampled.points   = values.get_quadrature_points();
+        for (unsigned int q = 0; q < points.size(); ++q)
+          sampled.displacement.push_back({{{real[q][0], imaginary[q][0]},
+                                           {real[q][1], imaginary[q][1]},
+                                           {real[q][2], imaginary[q][2]}}});
+        add(sampled, sector.sector_mesh().form, field);
+      }
+    }
+
+    /** The cells of shells with their thickness, as bodies. */
+    void add_shells(const CyclicSector &sector, const Mode &mode, SectorField &field)
+    {
+      ShellTrace trace(sector, lattice<2>(field.order));
+      for (const auto &cell : sector.shell_dofs().active_cell_iterators())
+      {
+        trace.reinit(cell, mode.motion.shell);
+        const ShellSection &section = sector.sector_mesh().sections.at(cell->material_id());
+        SectorField::Cell sampled;
+        sampled.material = cell->material_id();
+        for (unsigned int layer = 0; layer <= field.order; ++layer)
+          for (unsigned int q = 0; q < trace.size(); ++q)
+          {
+            const double height = section.lower_face() + section.thickness * layer / field.order;
+            sampled.points.push_back(trace.position(q, height));
+            sampled.displacement.push_back(trace.displacement(q, height));
+          }
+        add(sampled, sector.sector_mesh().form, field);
+      }
+    }
   } // namespace
 
   SectorField sample_sector(const CyclicSector &sector, const Mode &mode, const unsigned int order)
   {
-    const SectorMesh &mesh = sector.sector_mesh();
     SectorField field;
     field.order             = order;
-    field.n_sectors         = mesh.n_sectors;
+    field.n_sectors         = sector.sector_mesh().n_sectors;
     field.nodal_diameter    = mode.nodal_diameter;
     field.angular_frequency = 2. * numbers::PI * mode.frequency();
-
-    const Quadrature<3> points = lattice(order);
-    FEValues<3> values(sector.geometry(), sector.dofs().get_fe(), points,
-                       update_values | update_quadrature_points);
-    const FEValuesExtractors::Vector displacement(0);
-    std::vector<Tensor<1, 3>> real(points.size()), imaginary(points.size());
-    for (const auto &cell : sector.dofs().active_cell_iterators())
-    {
-      values.reinit(cell);
-      values[displacement].get_function_values(mode.displacement.real, real);
-      values[displacement].get_function_values(mode.displacement.imaginary, imaginary);
-      SectorField::Cell sampled;
-      sampled.material = cell->material_id();
-      sampled.points   = values.get_quadrature_points();
-      for (unsigned int q = 0; q < points.size(); ++q)
-        sampled.displacement.push_back({{{real[q][0], imaginary[q][0]},
-                                         {real[q][1], imaginary[q][1]},
-                                         {real[q][2], imaginary[q][2]}}});
-      field.cells.push_back(sampled);
-      if (mesh.form == SectorForm::half)
-        field.cells.push_back(mirrored(sampled, order));
-    }
+    if (sector.dofs().has_active_dofs())
+      add_solids(sector, mode, field);
+    if (sector.shell_dofs().has_active_dofs())
+      add_shells(sector, mode, field);
     return field;
   }
 } // namespace ringmotor

@@ -198,7 +198,7 @@ namespace ringmotor
 
   EllipticMotion elliptic_motion(const ToothPoint &point, const Mode &mode)
   {
-    const std::array<Complex, 3> u = displacement_at(point, mode.displacement);
+    const std::array<Complex, 3> u = displacement_at(point, mode.motion.solid);
     const double r                 = radius(point.position);
     const double cosine = point.position[0] / r, sine = point.position[1] / r;
     const Complex wave =
@@ -222,12 +222,6 @@ namespace ringmotor
     const auto outer =
         std::find_if(points.begin(), points.end(),
                      [](const ToothPoint &point) { return point.name == "top_outer_C"; });
-    const Complex factor = amplitude / displacement_at(*outer, mode.displacement)[2];
-    Vector<double> &real = mode.displacement.real, &imaginary = mode.displacement.imaginary;
-    const Vector<double> old_real = real;
-    real *= factor.real();
-    real.add(-factor.imag(), imaginary);
-    imaginary *= factor.real();
-    imaginary.add(factor.imag(), old_real);
+    mode.motion *= amplitude / displacement_at(*outer, mode.motion.solid)[2];
   }
 } // namespace ringmotor

@@ -7,15 +7,27 @@ namespace ringmotor
 {
   using namespace dealii;
 
+  namespace
+  {
+    /** Above this part of a field on the cut, the dense matrix of the cut costs more than it
+     * saves. */
+    constexpr double largest_cut = 0.12;
+  } // namespace
+
   CyclicFactors::CyclicFactors(const CyclicSector &sector)
       : sector(sector), cut_place(sector.n_unknowns(), numbers::invalid_unsigned_int)
   {
+    const CyclicSector::RealField &field = sector.field(0);
+    if (field.cut.empty() || field.cut.size() > largest_cut * field.size)
+    {
+      together = std::make_unique<SparseLDLT>(sector.n_unknowns(), sector.communicator());
+      return;
+    }
     const auto add_sparse_part = [&](const std::vector<unsigned int> &parts)
     {
       const CyclicSector::RealField &field = sector.field(parts[0]);
       sparse_parts.push_back(
-          {std::make_unique<SparseLDLT>(field.size, sector.dofs().get_communicator(), field.cut),
-           parts});
+          {std::make_unique<SparseLDLT>(field.size, sector.communicator(), field.cut), parts});
     };
     if (sector.is_complex())
       add_sparse_part({0, 1});
@@ -35,6 +47,11 @@ namespace ringmotor
 
   void CyclicFactors::factorise(const unsigned int k, const double shift)
   {
+    if (together)
+    {
+      factorise_together(k, shift);
+      return;
+    }
     if (shift != factorised_shift)
       for (const SparsePart &sparse : sparse_parts)
       {
@@ -68,8 +85,45 @@ namespace ringmotor
     cut.factorise(size, std::move(matrix));
   }
 
+  void CyclicFactors::factorise_together(const unsigned int k, const double shift)
+  {
+    struct Weighted
+    {
+      unsigned int unknown;
+      double factor;
+    };
+    SymmetricTriplets all;
+    for (const unsigned int part : {0u, 1u})
+    {
+      const CyclicSector::RealField &field = sector.field(part);
+      std::vector<std::vector<Weighted>> follows(field.size); ///< by number in the field
+      for (const auto &[number, unknown] : field.inner)
+        follows[number] = {{unknown, 1.}};
+      for (const CyclicSector::Tie &tie : sector.ties(part, k))
+        follows[field.cut[tie.position]].push_back({tie.unknown, tie.factor});
+
+      const SymmetricTriplets of_field = sector.shifted_stiffness(part, shift);
+      for (std::size_t entry = 0; entry < of_field.values.size(); ++entry)
+      {
+        const unsigned int row = of_field.rows[entry] - 1, column = of_field.columns[entry] - 1;
+        for (const Weighted &a : follows[row])
+          for (const Weighted &b : follows[column])
+          {
+            // An entry off the diagonal stands for two; where both meet in one unknown, they add
+            // up.
+            const double twice = row != column && a.unknown == b.unknown ? 2. : 1.;
+            if (row != column || a.unknown >= b.unknown)
+              all.add(a.unknown, b.unknown, twice * a.factor * b.factor * of_field.values[entry]);
+          }
+      }
+    }
+    together->factorise(all);
+  }
+
   unsigned int CyclicFactors::n_negative() const
   {
+    if (together)
+      return together->n_negative();
     unsigned int count = cut.n_negative();
     for (const SparsePart &sparse : sparse_parts)
       count += sparse.parts.size() * sparse.factors->n_negative();
@@ -78,6 +132,11 @@ namespace ringmotor
 
   void CyclicFactors::solve(std::vector<double> &unknowns)
   {
+    if (together)
+    {
+      together->solve(unknowns);
+      return;
+    }
     std::vector<double> of_cut;
     for (const unsigned int unknown : cut_unknowns)
       of_cut.push_back(unknowns[unknown]);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/structure/modes.h>
+#include <ringmotor/structure/motion_products.h>
 #include <ringmotor/structure/rigid_motions.h>
 
 #include <deal.II/base/mpi.h>
@@ -45,31 +46,13 @@ namespace ringmotor
      */
     void sharpen_eigenvalues(const CyclicSector &sector, std::vector<Mode> &modes)
     {
-      const unsigned int n_cell_dofs = sector.dofs().get_fe().n_dofs_per_cell();
-      std::vector<double> strain(modes.size(), 0.), motion(modes.size(), 0.);
-      std::vector<Vector<double>> values(2 * modes.size(), Vector<double>(n_cell_dofs));
-      sector.for_each_owned_cell(
-          [&](const auto &cell, SolidElement &element)
-          {
-            for (unsigned int mode = 0; mode < modes.size(); ++mode)
-            {
-              cell->get_dof_values(modes[mode].displacement.real, values[2 * mode]);
-              cell->get_dof_values(modes[mode].displacement.imaginary, values[2 * mode + 1]);
-            }
-            const std::vector<double> stiffness_products = element.stiffness_products(values),
-                                      mass_products      = element.mass_products(values);
-            for (unsigned int part = 0; part < values.size(); ++part)
-            {
-              strain[part / 2] += stiffness_products[part];
-              motion[part / 2] += mass_products[part];
-            }
-          });
-      const MPI_Comm communicator = sector.dofs().get_communicator();
-      Utilities::MPI::sum(strain, communicator, strain);
-      Utilities::MPI::sum(motion, communicator, motion);
+      std::vector<const SectorMotion *> motions;
+      for (const Mode &mode : modes)
+        motions.push_back(&mode.motion);
+      const std::vector<MotionProducts> products = motion_products(sector, motions);
       for (unsigned int mode = 0; mode < modes.size(); ++mode)
       {
-        const double sharp        = strain[mode] / motion[mode];
+        const double sharp        = products[mode].total_stiffness() / products[mode].mass;
         modes[mode].algebra_error = std::abs(modes[mode].eigenvalue / sharp - 1.);
         modes[mode].eigenvalue    = sharp;
       }
@@ -167,13 +150,7 @@ namespace ringmotor
   {
     // A little below zero the shifted stiffness is definite, rigid motions or not: far enough away
     // from their rounding errors, close enough to tell slow elastic modes apart.
-    double fastest = 0., radius = 0.;
-    for (const auto &entry : sector.material_table())
-      fastest = std::max(fastest, std::sqrt(entry.second.young_modulus / entry.second.density));
-    for (const Point<3> &vertex : sector.sector_mesh().triangulation->get_vertices())
-      radius = std::max(radius, std::hypot(vertex[0], vertex[1]));
-    const double shift = -std::pow(1e-3 * fastest / radius, 2);
-
+    const double shift = -slow_eigenvalue(sector);
     factors.factorise(k, shift);
     return solve(k, shift, EigenvalueChoice::nearest, n_elastic + (k < 2 ? 2 : 0));
   }

@@ -47,17 +47,18 @@ namespace ringmotor
      * The lines of nodes of a cell along one direction: for each line, the local degrees of freedom
      * of one component on it, in order.
      */
-    std::vector<std::vector<unsigned int>> node_lines(const FiniteElement<3> &fe,
+    template <int dim>
+    std::vector<std::vector<unsigned int>> node_lines(const FiniteElement<dim, 3> &fe,
                                                       const unsigned int direction)
     {
       const unsigned int n_line = fe.degree + 1;
       const std::array<unsigned int, 3> stride{{1, n_line, n_line * n_line}};
       const std::vector<unsigned int> lexicographic =
-          FETools::lexicographic_to_hierarchic_numbering<3>(fe.degree);
+          FETools::lexicographic_to_hierarchic_numbering<dim>(fe.degree);
       std::vector<std::vector<unsigned int>> lines;
       for (unsigned int node = 0; node < lexicographic.size(); ++node)
         if (node / stride[direction] % n_line == 0)
-          for (unsigned int component = 0; component < 3; ++component)
+          for (unsigned int component = 0; component < fe.n_components(); ++component)
           {
             std::vector<unsigned int> line;
             for (unsigned int i = 0; i < n_line; ++i)
@@ -100,56 +101,131 @@ namespace ringmotor
       const double top = degree > 2 ? std::max(highest, fastest * second) : highest;
       return top * decay / (1. - decay);
     }
+
+    /**
+     * Takes the rigid motion that fits the displacements of a cell's nodes best off its field. It
+     * strains nothing, but on a curved cell it is no polynomial of first degree, and its parts
+     * would.
+     */
+    template <int dim>
+    void remove_rigid_motion(const FiniteElement<dim, 3> &fe,
+                             const std::vector<Point<3>> &positions, Vector<double> &values)
+    {
+      const unsigned int n_nodes = positions.size();
+      const auto displacement    = [&](const unsigned int node)
+      {
+        Tensor<1, 3> u;
+        for (unsigned int d = 0; d < 3; ++d)
+          u[d] = values[fe.component_to_system_index(d, node)];
+        return u;
+      };
+      Tensor<1, 3> center, shift;
+      for (unsigned int node = 0; node < n_nodes; ++node)
+      {
+        center += positions[node] / n_nodes;
+        shift += displacement(node) / n_nodes;
+      }
+      SymmetricTensor<2, 3> inertia;
+      Tensor<1, 3> momentum;
+      for (unsigned int node = 0; node < n_nodes; ++node)
+      {
+        const Tensor<1, 3> arm = positions[node] - center;
+        inertia +=
+            arm.norm_square() * unit_symmetric_tensor<3>() - symmetrize(outer_product(arm, arm));
+        momentum += cross_product_3d(arm, displacement(node));
+      }
+      const Tensor<1, 3> turn = invert(inertia) * momentum;
+      for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
+      {
+        const auto [component, node] = fe.system_to_component_index(i);
+        values[i] -= component < 3 ? shift[component] +
+                                         cross_product_3d(turn, positions[node] - center)[component]
+                                   : turn[component - 3];
+      }
+    }
+
+    using Sums = std::vector<std::vector<double>>; ///< by motion and sheet
+
+    /** The part of solid or shell cells in the indicators. */
+    template <int dim>
+    class CellIndicator
+    {
+    public:
+      CellIndicator(const FiniteElement<dim, 3> &fe, const Sheets &sheets,
+                    ComplexField SectorMotion::*part)
+          : fe(fe), sheets(sheets), part(part), positions(fe.base_element(0).n_dofs_per_cell()),
+            members{
+                {hierarchic_part(fe.degree, fe.degree), hierarchic_part(fe.degree, fe.degree - 1)}},
+            all(fe.n_dofs_per_cell()), fields(2 * n_parts, all)
+      {
+        for (unsigned int direction = 0; direction < dim; ++direction)
+          lines.push_back(node_lines(fe, direction));
+      }
+
+      template <typename Cell, typename Element>
+      void add(const SectorElements &sector, const Cell &cell, Element &element,
+               const std::vector<const SectorMotion *> &motions, Sums &sums)
+      {
+        const std::vector<SectorNodes::Dof> dofs = sector.dofs_of(cell);
+        for (unsigned int node = 0; node < positions.size(); ++node)
+          positions[node] = sector.nodes().position(
+              sector.nodes().node(dofs[fe.component_to_system_index(0, node)]));
+        for (unsigned int motion = 0; motion < motions.size(); ++motion)
+        {
+          for (unsigned int i = 0; i < 2; ++i)
+          {
+            const ComplexField &field = motions[motion]->*part;
+            cell->get_dof_values(i == 0 ? field.real : field.imaginary, all);
+            remove_rigid_motion(fe, positions, all);
+            for (unsigned int direction = 0; direction < dim; ++direction)
+              for (unsigned int member = 0; member < 2; ++member)
+                apply_along(lines[direction], members[member], all,
+                            fields[i * n_parts + 2 * direction + member]);
+          }
+          const std::vector<double> products = element.stiffness_products(fields);
+          const auto energy                  = [&](const unsigned int i)
+          { return products[i] + products[n_parts + i]; };
+          for (unsigned int direction = 0; direction < dim; ++direction)
+            sums[motion][sheets.sheet(*cell, direction)] +=
+                rest_of_series(fe.degree, energy(2 * direction), energy(1 + 2 * direction));
+        }
+      }
+
+    private:
+      /** The parts of highest and of second highest degree in each direction. */
+      static constexpr unsigned int n_parts = 2 * dim;
+
+      const FiniteElement<dim, 3> &fe;
+      const Sheets &sheets;
+      ComplexField SectorMotion::*const part;
+      std::vector<Point<3>> positions; ///< of the cell's nodes
+      const std::array<FullMatrix<double>, 2> members;
+      std::vector<std::vector<std::vector<unsigned int>>> lines; ///< by direction
+      Vector<double> all;
+      std::vector<Vector<double>> fields;
+    };
   } // namespace
 
-  std::vector<std::vector<double>> sheet_indicators(const CyclicSector &sector,
-                                                    const Sheets &sheets,
-                                                    const std::vector<const ComplexField *> &modes)
+  std::vector<std::vector<double>>
+  sheet_indicators(const SectorElements &sector, const Sheets &sheets,
+                   const std::vector<const SectorMotion *> &motions)
   {
-    const FiniteElement<3> &fe = sector.dofs().get_fe();
-    const std::array<FullMatrix<double>, 2> parts{
-        {hierarchic_part(fe.degree, fe.degree), hierarchic_part(fe.degree, fe.degree - 1)}};
-    const std::array<std::vector<std::vector<unsigned int>>, 3> lines{
-        {node_lines(fe, 0), node_lines(fe, 1), node_lines(fe, 2)}};
-
-    std::vector<std::vector<double>> indicators(modes.size(),
-                                                std::vector<double>(sheets.n_sheets(), 0.));
-    std::vector<double> total(modes.size(), 0.);
-    // By part: all, then those of highest and of second highest degree in each direction
-    constexpr unsigned int n_parts = 7;
-    std::vector<Vector<double>> fields(2 * n_parts, Vector<double>(fe.n_dofs_per_cell()));
-    sector.for_each_owned_cell(
-        [&](const auto &cell, SolidElement &element)
-        {
-          for (unsigned int mode = 0; mode < modes.size(); ++mode)
-          {
-            for (unsigned int i = 0; i < 2; ++i)
-            {
-              Vector<double> &all = fields[i * n_parts];
-              cell->get_dof_values(i == 0 ? modes[mode]->real : modes[mode]->imaginary, all);
-              for (unsigned int direction = 0; direction < 3; ++direction)
-                for (unsigned int part = 0; part < 2; ++part)
-                  apply_along(lines[direction], parts[part], all,
-                              fields[i * n_parts + 1 + 2 * direction + part]);
-            }
-            const std::vector<double> products = element.stiffness_products(fields);
-            const auto energy                  = [&](const unsigned int part)
-            { return products[part] + products[n_parts + part]; };
-            total[mode] += energy(0);
-            for (unsigned int direction = 0; direction < 3; ++direction)
-              indicators[mode][sheets.sheet(cell, direction)] +=
-                  rest_of_series(fe.degree, energy(1 + 2 * direction), energy(2 + 2 * direction));
-          }
-        });
-
-    const MPI_Comm communicator = sector.dofs().get_communicator();
-    Utilities::MPI::sum(total, communicator, total);
-    for (unsigned int mode = 0; mode < modes.size(); ++mode)
+    Sums sums(motions.size(), std::vector<double>(sheets.n_sheets(), 0.));
+    if (sector.dofs().has_active_dofs())
     {
-      Utilities::MPI::sum(indicators[mode], communicator, indicators[mode]);
-      for (double &indicator : indicators[mode])
-        indicator /= total[mode];
+      CellIndicator<3> solid(sector.dofs().get_fe(), sheets, &SectorMotion::solid);
+      sector.for_each_owned_cell([&](const auto &cell, SolidElement &element)
+                                 { solid.add(sector, cell, element, motions, sums); });
     }
-    return indicators;
+    if (sector.shell_dofs().has_active_dofs())
+    {
+      CellIndicator<2> shell(sector.shell_dofs().get_fe(), sheets, &SectorMotion::shell);
+      sector.for_each_owned_shell_cell([&](const auto &cell, ShellElement &element)
+                                       { shell.add(sector, cell, element, motions, sums); });
+    }
+
+    for (std::vector<double> &of_motion : sums)
+      Utilities::MPI::sum(of_motion, sector.communicator(), of_motion);
+    return sums;
   }
 } // namespace ringmotor

@@ -13,22 +13,39 @@ namespace ringmotor
 {
   using namespace dealii;
 
-  SectorNodes::SectorNodes(const DoFHandler<3> &dof_handler, const Mapping<3> &mapping,
+  SectorNodes::SectorNodes(const DoFHandler<3> &solid, const Mapping<3> &mapping,
+                           const DoFHandler<2, 3> &shell, const Mapping<2, 3> &shell_mapping,
                            const SectorMesh &mesh)
       : pitch(2. * numbers::PI / mesh.n_sectors)
   {
-    collect(dof_handler, mapping);
-    if (mesh.form == SectorForm::half)
+    if (solid.has_active_dofs())
+      collect(solid, mapping, 0);
+    n_solid_dofs = place.size();
+    if (shell.has_active_dofs())
+      collect(shell, shell_mapping, n_solid_dofs);
+
+    const bool half = mesh.form == SectorForm::half;
+    std::vector<types::boundary_id> planes;
+    if (half)
+      planes.push_back(ids::mirror);
+    if (mesh.has_cuts)
+      planes.insert(planes.end(),
+                    half ? std::initializer_list<types::boundary_id>{ids::cut}
+                         : std::initializer_list<types::boundary_id>{ids::cut_low, ids::cut_high});
+    for (const types::boundary_id plane : planes)
     {
-      mark(dof_handler, ids::mirror);
-      mark(dof_handler, ids::cut);
+      const bool on_solid = solid.has_active_dofs() && mark(solid, plane, 0);
+      const bool on_shell = shell.has_active_dofs() && mark(shell, plane, n_solid_dofs);
+      if (!on_solid && !on_shell)
+        throw UserError(
+            "Stator/Mesh file: no face has the physical id " + std::to_string(plane) +
+            "; a half sector needs 11 (mirror plane) and 12 (cut), a whole sector 13 and 14 "
+            "(cuts): add it to the mesh (meshes/README.md)");
+    }
+    if (half)
+    {
       check_angle(ids::mirror, 0., "mirror plane");
       check_angle(ids::cut, numbers::PI / mesh.n_sectors, "cut");
-    }
-    else
-    {
-      mark(dof_handler, ids::cut_low);
-      mark(dof_handler, ids::cut_high);
     }
     // Unit vectors of r and theta. The mirror plane needs none: there they are x and y.
     for (Node &node : nodes)
@@ -40,37 +57,44 @@ namespace ringmotor
       }
   }
 
-  void SectorNodes::collect(const DoFHandler<3> &dof_handler, const Mapping<3> &mapping)
+  template <int dim>
+  void SectorNodes::collect(const DoFHandler<dim, 3> &dof_handler, const Mapping<dim, 3> &mapping,
+                            const Dof first_dof)
   {
-    const FiniteElement<3> &fe      = dof_handler.get_fe();
+    const FiniteElement<dim, 3> &fe = dof_handler.get_fe();
     const unsigned int n_cell_nodes = fe.base_element(0).n_dofs_per_cell();
     std::vector<Point<3>> positions(dof_handler.n_dofs());
     DoFTools::map_dofs_to_support_points(mapping, dof_handler, positions);
 
-    place.resize(dof_handler.n_dofs());
+    place.resize(first_dof + dof_handler.n_dofs());
     std::vector<bool> known(dof_handler.n_dofs(), false);
     std::vector<Dof> cell_dofs(fe.n_dofs_per_cell());
     for (const auto &cell : dof_handler.active_cell_iterators())
     {
       cell->get_dof_indices(cell_dofs);
       for (unsigned int cell_node = 0; cell_node < n_cell_nodes; ++cell_node)
-      {
-        std::array<Dof, 3> dofs;
-        for (unsigned int component = 0; component < 3; ++component)
-          dofs[component] = cell_dofs[fe.component_to_system_index(component, cell_node)];
-        if (known[dofs[0]])
-          continue;
-        for (unsigned int component = 0; component < 3; ++component)
+        for (unsigned int first = 0; first < fe.n_components(); first += 3)
         {
-          known[dofs[component]] = true;
-          place[dofs[component]] = {static_cast<unsigned int>(nodes.size()), component};
+          std::array<Dof, 3> dofs;
+          for (unsigned int component = 0; component < 3; ++component)
+            dofs[component] = cell_dofs[fe.component_to_system_index(first + component, cell_node)];
+          if (known[dofs[0]])
+            continue;
+          const Point<3> position = positions[dofs[0]];
+          for (unsigned int component = 0; component < 3; ++component)
+          {
+            known[dofs[component]] = true;
+            dofs[component] += first_dof;
+            place[dofs[component]] = {static_cast<unsigned int>(nodes.size()), component};
+          }
+          nodes.push_back({dofs, position, ids::free, first == 3});
         }
-        nodes.push_back({dofs, positions[dofs[0]], ids::free});
-      }
     }
   }
 
-  void SectorNodes::mark(const DoFHandler<3> &dof_handler, const types::boundary_id boundary)
+  template <int dim>
+  bool SectorNodes::mark(const DoFHandler<dim, 3> &dof_handler, const types::boundary_id boundary,
+                         const Dof first_dof)
   {
     std::vector<Dof> face_dofs(dof_handler.get_fe().n_dofs_per_face());
     bool found = false;
@@ -81,13 +105,9 @@ namespace ringmotor
           found = true;
           face->get_dof_indices(face_dofs);
           for (const Dof dof : face_dofs)
-            nodes[place[dof].node].plane = boundary;
+            nodes[place[first_dof + dof].node].plane = boundary;
         }
-    if (!found)
-      throw UserError(
-          "Stator/Mesh file: no face has the physical id " + std::to_string(boundary) +
-          "; a half sector needs 11 (mirror plane) and 12 (cut), a whole sector 13 and 14 (cuts): "
-          "add it to the mesh (meshes/README.md)");
+    return found;
   }
 
   void SectorNodes::check_angle(const types::boundary_id boundary, const double angle,
@@ -126,7 +146,7 @@ namespace ringmotor
   }
 
   std::vector<std::pair<SectorNodes::Dof, SectorNodes::Dof>>
-  SectorNodes::partners(const AffineConstraints<double> &hanging_nodes) const
+  SectorNodes::partners(const AffineConstraints<double> &dependent) const
   {
     struct OnCut
     {
@@ -137,7 +157,7 @@ namespace ringmotor
     {
       std::vector<OnCut> found;
       for (const Node &node : nodes)
-        if (node.plane == boundary && !hanging_nodes.is_constrained(node.dofs[0]))
+        if (node.plane == boundary && !dependent.is_constrained(node.dofs[0]))
           found.push_back(
               {std::hypot(node.position[0], node.position[1]), node.position[2], &node});
       std::sort(found.begin(), found.end(),
@@ -154,7 +174,8 @@ namespace ringmotor
           std::lower_bound(low.begin(), low.end(), node.radius - tolerance,
                            [](const OnCut &a, const double radius) { return a.radius < radius; });
       while (candidate != low.end() && candidate->radius <= node.radius + tolerance &&
-             std::abs(candidate->z - node.z) > tolerance)
+             (std::abs(candidate->z - node.z) > tolerance ||
+              candidate->node->rotation != node.node->rotation))
         ++candidate;
       if (candidate == low.end() || candidate->radius > node.radius + tolerance ||
           low.size() != high.size())
@@ -173,10 +194,11 @@ namespace ringmotor
   }
 
   AffineConstraints<double>
-  SectorNodes::scalar_hanging_node_constraints(const DoFHandler<3> &dof_handler) const
+  SectorNodes::scalar_hanging_node_constraints(const DoFHandler<3> &solid) const
   {
     AffineConstraints<double> cartesian;
-    DoFTools::make_hanging_node_constraints(dof_handler, cartesian);
+    if (solid.has_active_dofs())
+      DoFTools::make_hanging_node_constraints(solid, cartesian);
     cartesian.close();
 
     AffineConstraints<double> constraints;
@@ -191,30 +213,34 @@ namespace ringmotor
     return constraints;
   }
 
-  AffineConstraints<double>
-  SectorNodes::hanging_node_constraints(const AffineConstraints<double> &scalar) const
+  std::vector<SlaveNode>
+  SectorNodes::slaves_of(const AffineConstraints<double> &scalar_hanging_nodes)
+  {
+    std::vector<SlaveNode> slaves;
+    for (const auto &line : scalar_hanging_nodes.get_lines())
+    {
+      SlaveNode slave{static_cast<unsigned int>(line.index), {}};
+      for (const auto &[node, weight] : line.entries)
+        slave.masters.emplace_back(node, weight * unit_symmetric_tensor<3>());
+      slaves.push_back(std::move(slave));
+    }
+    return slaves;
+  }
+
+  AffineConstraints<double> SectorNodes::constraints(const std::vector<SlaveNode> &slaves) const
   {
     AffineConstraints<double> constraints;
-    for (const auto &line : scalar.get_lines())
-      for (unsigned int component = 0; component < 3; ++component)
+    for (const SlaveNode &slave : slaves)
+      for (const Dof dof : nodes[slave.node].dofs)
       {
-        const Node &slave       = nodes[line.index];
-        const bool slave_on_cut = slave.plane != ids::free && slave.plane != ids::mirror;
-        const Dof dof           = slave.dofs[component];
         constraints.add_line(dof);
-        for (const auto &[node, weight] : line.entries)
-        {
-          const Node &master = nodes[node];
-          if (slave_on_cut || component == 2 || master.sine == 0.)
-            constraints.add_entry(dof, master.dofs[component], weight); // same axes
-          else
+        for (const auto &[node, weight] : slave.masters)
+          for (const Dof master : nodes[node].dofs)
           {
-            const double along_r     = component == 0 ? master.cosine : master.sine;
-            const double along_theta = component == 0 ? -master.sine : master.cosine;
-            constraints.add_entry(dof, master.dofs[0], weight * along_r);
-            constraints.add_entry(dof, master.dofs[1], weight * along_theta);
+            const double entry = direction(dof) * (weight * direction(master));
+            if (std::abs(entry) > 1e-14 * weight.norm())
+              constraints.add_entry(dof, master, entry);
           }
-        }
       }
     constraints.close();
     return constraints;
@@ -266,6 +292,16 @@ namespace ringmotor
     }
   }
 
+  void SectorNodes::rotate_to_axes(Vector<double> &field) const
+  {
+    for (const Node &node : nodes)
+    {
+      const double x = field[node.dofs[0]], y = field[node.dofs[1]];
+      field[node.dofs[0]] = node.cosine * x + node.sine * y;
+      field[node.dofs[1]] = -node.sine * x + node.cosine * y;
+    }
+  }
+
   void SectorNodes::rotate_to_cartesian(Vector<double> &field) const
   {
     for (const Node &node : nodes)
@@ -276,13 +312,14 @@ namespace ringmotor
     }
   }
 
-  void SectorNodes::interpolate(
-      const std::function<std::array<std::complex<double>, 3>(const Point<3> &)> &displacement,
-      Vector<double> &real, Vector<double> &imaginary) const
+  void SectorNodes::interpolate(const std::function<NodeMotion(const Point<3> &)> &motion,
+                                Vector<double> &real, Vector<double> &imaginary) const
   {
     for (const Node &node : nodes)
     {
-      const std::array<std::complex<double>, 3> u = displacement(node.position);
+      const NodeMotion there = motion(node.position);
+      const std::array<std::complex<double>, 3> u =
+          node.rotation ? there.rotation : there.displacement;
       const std::array<std::complex<double>, 3> along{
           {node.cosine * u[0] + node.sine * u[1], -node.sine * u[0] + node.cosine * u[1], u[2]}};
       for (unsigned int component = 0; component < 3; ++component)

@@ -2,8 +2,8 @@
 
 // Bars along edges of solid cells, against exact values: E A (t . G t)^2 L for a displacement of
 // uniform gradient G along a straight edge; no energy in rigid motions of a curved one; length and
-// mass of a quarter of a circle; E A (u/R)^2 L and k u^2 L for the expansion of a circle by u. All
-// cells at an edge find the same.
+// mass of a quarter of a circle; E A (u/R)^2 L for the expansion of a circle by u. All cells at an
+// edge find the same.
 
 #include <ringmotor/elements/bar.h>
 
@@ -174,7 +174,7 @@ TEST_P(Bar, UniformStretchOfStraightEdgesIsExact)
   const auto field =
       bars.interpolate([&](const Point<3> &x) { return gradient * Tensor<1, 3>(x); });
   unsigned int n_edges = 0;
-  bars.for_each_edge({7e6, 0., 0.}, field,
+  bars.for_each_edge({7e6, 0.}, field,
                      [&](BarElement &element, const auto &on_bar, const auto &line)
                      {
                        const Tensor<1, 3> along = line->vertex(1) - line->vertex(0);
@@ -194,7 +194,7 @@ TEST_P(CurvedBar, RigidMotionsCostNothing)
 {
   Bars bars(GetParam(), 2);
   bars.make_ring(8);
-  const BarSection section{1., 0., 0.};
+  const BarSection section{1., 0.};
   const auto rigid = bars.interpolate(
       [](const Point<3> &x)
       {
@@ -213,7 +213,7 @@ TEST_P(Bar, MatricesAreSymmetricAndGiveTheSameEnergies)
   const unsigned size = 3 * (GetParam() + 1);
   dealii::FullMatrix<double> stiffness(size, size), mass(size, size);
   bars.for_each_edge(
-      {3., 5., 7.}, any,
+      {3., 5.}, any,
       [&](BarElement &element, const auto &on_bar, const auto &)
       {
         element.matrices(stiffness, mass);
@@ -235,7 +235,7 @@ TEST_P(Bar, AllCellsAtAnEdgeFindTheSame)
   Bars bars(GetParam(), 2);
   bars.make_ring(8);
   std::map<unsigned int, std::vector<Energies>> by_line;
-  bars.for_each_edge({3., 5., 7.}, bars.random_field(),
+  bars.for_each_edge({3., 5.}, bars.random_field(),
                      [&](BarElement &element, const auto &on_bar, const auto &line)
                      {
                        by_line[line->index()].push_back({element.length(),
@@ -260,7 +260,7 @@ TEST_P(Bar, QuarterOfACircle)
       [](const Point<3> &) {
         return Tensor<1, 3>({0.6, 0., 0.8});
       });
-  const auto quarter = bars.sums({0., mass_per_length, 0.}, shift,
+  const auto quarter = bars.sums({0., mass_per_length}, shift,
                                  [](const Point<3> &x)
                                  { return on_outer_circle(x) && x[0] > -1e-9 && x[1] > -1e-9; });
   EXPECT_NEAR(quarter.length / exact, 1., 1e-7);
@@ -272,16 +272,11 @@ TEST_P(CurvedBar, ExpansionOfACircle)
 {
   Bars bars(GetParam(), 2);
   bars.make_ring(64);
-  const double u = 1e-3, length = 2. * M_PI * outer_radius, axial = 5e6, radial = 2e8;
+  const double u = 1e-3, length = 2. * M_PI * outer_radius, axial = 5e6;
   const auto expansion = bars.interpolate([u](const Point<3> &x) { return u * outward(x); });
-  EXPECT_NEAR(bars.sums({axial, 0., 0.}, expansion, on_outer_circle).stiffness /
+  EXPECT_NEAR(bars.sums({axial, 0.}, expansion, on_outer_circle).stiffness /
                   (axial * u * u / (outer_radius * outer_radius) * length),
               1., 1e-6);
-  EXPECT_NEAR(bars.sums({0., 0., radial}, expansion, on_outer_circle).stiffness /
-                  (radial * u * u * length),
-              1., 1e-6);
-  const auto lift = bars.interpolate([](const Point<3> &) { return Tensor<1, 3>({0., 0., 1.}); });
-  EXPECT_EQ(bars.sums({0., 0., radial}, lift, on_outer_circle).stiffness, 0.);
 }
 
 INSTANTIATE_TEST_SUITE_P(Degrees, Bar, testing::Values(1, 2, 3, 4));

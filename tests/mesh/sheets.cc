@@ -30,7 +30,7 @@ namespace
   SectorMesh split_sector()
   {
     const double pitch = 0.5;
-    SectorMesh mesh{empty_triangulation(MPI_COMM_SELF), SectorForm::whole, 12};
+    SectorMesh mesh{empty_triangulation<3>(MPI_COMM_SELF), SectorForm::whole, 12};
     dealii::Table<3, dealii::types::material_id> materials(2, 3, 2);
     for (unsigned int i = 0; i < 2; ++i)
       for (unsigned int j = 0; j < 3; ++j)
@@ -96,7 +96,7 @@ namespace
     unsigned int count = 0;
     for (const auto &cell : mesh.triangulation->active_cell_iterators())
       for (unsigned int direction = 0; direction < 3; ++direction)
-        count += sheets.sheet(cell, direction) == sheet;
+        count += sheets.sheet(*cell, direction) == sheet;
     return count;
   }
 
@@ -123,7 +123,7 @@ TEST(Sheets, GoOnAcrossTheCuts)
   EXPECT_EQ(sheets.n_sheets(), 2u + 2u + 2u);
   std::vector<bool> chosen(sheets.n_sheets(), false);
   for (unsigned int direction = 0; direction < 3; ++direction)
-    chosen[sheets.sheet(mesh.triangulation->begin_active(), direction)] = true;
+    chosen[sheets.sheet(*mesh.triangulation->begin_active(), direction)] = true;
   sheets.refine(mesh, chosen);
   expect_conforming(mesh);
   // First piece 3 x 2 x 3 cells, the second, not cut in theta, 3 x 1 x 3
@@ -142,7 +142,7 @@ TEST(Sheets, OfTheStatorRunThroughTheSector)
       if (cell->at_boundary(face) && cell->face(face)->boundary_id() == ids::mirror)
         for (unsigned int direction = 0; direction < 3; ++direction)
           if (direction != face / 2)
-            through.insert(half_sheets.sheet(cell, direction));
+            through.insert(half_sheets.sheet(*cell, direction));
   EXPECT_GT(through.size(), 5u);
   EXPECT_LT(through.size(), half_sheets.n_sheets());
   EXPECT_EQ(whole_sheets.n_sheets(), 2 * half_sheets.n_sheets() - through.size());

@@ -246,7 +246,7 @@ TEST(StatorSector, HasCellsThatCanBeSlender)
 
 TEST(SectorManifold, GoesThereAndBack)
 {
-  const SectorManifold manifold(other_stator(), n_teeth);
+  const SectorManifold<3> manifold(other_stator(), n_teeth);
   for (const double rho : {0., 0.3, 1.})
     for (const double s : {-2., -1.3, -0.4, 0., 0.7, 1.6, 2.})
       for (const double z : {-0.3e-3, 0., 2e-3, 4.5e-3})

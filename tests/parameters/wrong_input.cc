@@ -285,16 +285,27 @@ TEST(WrongInput, AmplitudesThatAreNotSmall)
 TEST(WrongInput, ChoicesThatAreNotAvailable)
 {
   const std::string why = "not available in this version";
-  expect_clash({"Modes/Body = tooth"}, {"Modes/Body = tooth", why, "allowed: stator | rotor"});
-  expect_clash({"Modes/Body = rotor"}, {"Rotor/Flange element = shell", why, "allowed: solid"});
-  expect_clash({"Modes/Body = rotor", "Rotor/Flange element = solid"},
-               {"Rotor/Radial bar stiffness", "1e+09", why, "allowed: 0"});
-  expect_clash({"Stator/Piezoceramic element = shell"},
-               {"Stator/Piezoceramic element = shell", why, "allowed: solid"});
-  for (const std::string effect : {"Target plates", "Felt support"})
-    for (const std::string choice : {"on", "auto"})
-      expect_clash({"Effects/" + effect + " = " + choice},
-                   {"Effects/" + effect + " = " + choice, why, "allowed: off"});
+  for (const std::string choice : {"on", "auto"})
+    expect_clash({"Effects/Felt support = " + choice},
+                 {"Effects/Felt support = " + choice, why, "allowed: off"});
+  expect_clash({"Effects/Target plates = auto"},
+               {"Effects/Target plates = auto", why, "allowed: off | on"});
+}
+
+TEST(WrongInput, WhatAMeshFileCannotHave)
+{
+  const std::string mesh = "Stator/Mesh file = any.msh";
+  expect_clash({mesh, "Effects/Target plates = on"},
+               {"Effects/Target plates = on", "Stator/Mesh file", "any.msh", "allowed: off"});
+  expect_clash(
+      {mesh, "Stator/Piezoceramic element = shell"},
+      {"Stator/Piezoceramic element = shell", "Stator/Mesh file", "any.msh", "allowed: solid"});
+}
+
+TEST(WrongInput, RotorsWithoutRoomForTheirBars)
+{
+  expect_clash({"Modes/Body = rotor", "Rotor/Radial bar height = 0.003"},
+               {"Rotor/Ring upper face - Radial bar height", "Flange thickness"});
 }
 
 TEST(WrongInput, MeshFiles)

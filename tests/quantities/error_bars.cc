@@ -85,7 +85,7 @@ TEST(ErrorBars, HoldTheExactFrequencyOfATwistedCylinder)
             std::find_if(search.modes().begin(), search.modes().end(),
                          [&](const FoundMode &found)
                          {
-                           const ComplexField &u = found.mode.displacement;
+                           const ComplexField &u = found.mode.motion.solid;
                            return u.real.l2_norm() < 1e-6 * u.imaginary.l2_norm() &&
                                   std::abs(found.mode.frequency() / exact - 1.) < 0.11;
                          });

@@ -20,7 +20,15 @@ using namespace ringmotor::tests;
 namespace
 {
   const Material aluminium{68.9e9, 0.33, 2700., 0.};
-  const MaterialTable material{{ids::rotor, aluminium}};
+  const MaterialTable material{{ids::rotor, aluminium}, {ids::lip_shell, aluminium}};
+
+  RotorGeometry rotor_with(const ElementKind flange, const double bar_stiffness = 0.)
+  {
+    RotorGeometry rotor;
+    rotor.flange_element       = flange;
+    rotor.radial_bar_stiffness = bar_stiffness;
+    return rotor;
+  }
 
   Modes request(const std::vector<unsigned int> &nodal_diameters)
   {

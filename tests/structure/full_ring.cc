@@ -57,7 +57,7 @@ namespace
 
   SectorMesh one_sector()
   {
-    SectorMesh mesh{empty_triangulation(MPI_COMM_WORLD), SectorForm::whole, n_sectors};
+    SectorMesh mesh{empty_triangulation<3>(MPI_COMM_WORLD), SectorForm::whole, n_sectors};
     make_toothed_sector(*mesh.triangulation, 0.);
     for (const auto &cell : mesh.triangulation->active_cell_iterators())
       for (const auto &face : cell->face_iterators())

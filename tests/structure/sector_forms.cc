@@ -171,7 +171,7 @@ TEST(Sector, ExpandsModesToFields)
             dealii::FullMatrix<double> stiffness(size, size), mass(size, size);
             element.matrices(stiffness, mass);
             dealii::Vector<double> values(size);
-            for (const auto *field : {&mode.displacement.real, &mode.displacement.imaginary})
+            for (const auto *field : {&mode.motion.solid.real, &mode.motion.solid.imaginary})
             {
               cell->get_dof_values(*field, values);
               mass_norm += mass.matrix_norm_square(values);
@@ -199,8 +199,8 @@ TEST(Sector, ExpandsModesToFields)
           const auto dof           = cell_dofs[i];
           const dealii::Point<3> x = positions[dof];
           const double theta       = std::atan2(x[1], x[0]);
-          const std::complex<double> value(mode.displacement.real[dof],
-                                           mode.displacement.imaginary[dof]);
+          const std::complex<double> value(mode.motion.solid.real[dof],
+                                           mode.motion.solid.imaginary[dof]);
           largest              = std::max(largest, std::abs(value));
           const unsigned int d = dofs.get_fe().system_to_component_index(i).first;
           if (std::abs(theta - 0.5 * alpha) < 1e-9)

@@ -26,7 +26,7 @@ namespace ringmotor::tests
     const double half_pitch = numbers::PI / n_sectors;
     const double length     = form == SectorForm::half ? half_pitch : 2. * half_pitch;
 
-    SectorMesh mesh{empty_triangulation(communicator), form, n_sectors};
+    SectorMesh mesh{empty_triangulation<3>(communicator), form, n_sectors};
     Triangulation<3> &triangulation = *mesh.triangulation;
     GridGenerator::extrude_triangulation(section, n_around + 1, length, triangulation);
     for (const auto &cell : triangulation.active_cell_iterators())
@@ -73,6 +73,43 @@ namespace ringmotor::tests
         section, {widths, std::vector<double>(n_axial, height / n_axial)},
         Point<2>(inner_radius, 0.), Point<2>(outer_radius, height));
     return sweep(section, n_sectors, form, n_around, communicator);
+  }
+
+  /** A flat ring that is nothing but a shell, @p n_radial by @p n_around cells. */
+  inline SectorMesh shell_ring(const double inner_radius, const double outer_radius,
+                               const ShellSection &section, const unsigned int n_radial,
+                               const unsigned int n_sectors, const SectorForm form,
+                               const unsigned int n_around)
+  {
+    using namespace dealii;
+    SectorMesh mesh;
+    mesh.triangulation       = empty_triangulation<3>(MPI_COMM_WORLD);
+    mesh.form                = form;
+    mesh.n_sectors           = n_sectors;
+    mesh.sections[ids::base] = section;
+    const double last_angle  = numbers::PI / n_sectors;
+    const double first_angle = form == SectorForm::half ? 0. : -last_angle;
+    std::vector<Point<3>> vertices;
+    std::vector<CellData<2>> cells;
+    for (unsigned int i = 0; i <= n_radial; ++i)
+      for (unsigned int j = 0; j <= n_around; ++j)
+      {
+        const double r     = inner_radius + i * (outer_radius - inner_radius) / n_radial;
+        const double theta = first_angle + j * (last_angle - first_angle) / n_around;
+        vertices.emplace_back(r * std::cos(theta), r * std::sin(theta), 0.);
+        if (i < n_radial && j < n_around)
+        {
+          const unsigned int corner = i * (n_around + 1) + j;
+          CellData<2> cell;
+          cell.vertices    = {corner, corner + n_around + 1, corner + 1, corner + n_around + 2};
+          cell.material_id = ids::base;
+          cells.push_back(cell);
+        }
+      }
+    add_shell(mesh, vertices, cells);
+    mesh.shell->set_all_manifold_ids(0);
+    mesh.shell->set_manifold(0, CylindricalManifold<2, 3>(2));
+    return mesh;
   }
 
   /** Radius, angle and turns along the surface of a torus about the z axis. */

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <ringmotor/elements/sum_of_squares.h>
+#include <ringmotor/mesh/sections.h>
 
 #include <deal.II/base/tensor.h>
 #include <deal.II/fe/fe.h>
@@ -15,18 +16,6 @@
 
 namespace ringmotor
 {
-  /** What acts along an edge of solid cells. */
-  struct BarSection
-  {
-    double axial_stiffness = 0.; ///< N, E A
-    double mass_per_length = 0.; ///< kg/m
-    /**
-     * N/m^2, force per length of the edge and displacement, against the displacement away from the
-     * z axis: a row of radial bars fixed at their other end.
-     */
-    double radial_stiffness = 0.;
-  };
-
   /**
    * A bar along an edge of a solid cell in FESystem(FE_Q(p), 3): it moves as the edge does, stands
    * against its stretch by the force E A (du/ds . t), t the tangent, and has mass; bending and
@@ -74,7 +63,7 @@ namespace ringmotor
 
     std::vector<Edge> edges;
     unsigned int line = 0;
-    SumOfSquares strains; ///< two rows for each point: stretch, displacement from the z axis
+    SumOfSquares strains; ///< the stretch, at each point
     SumOfSquares motions; ///< the components, at each point
     double edge_length = 0.;
   };

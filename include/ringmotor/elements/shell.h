@@ -2,6 +2,7 @@
 #pragma once
 
 #include <ringmotor/elements/sum_of_squares.h>
+#include <ringmotor/mesh/sections.h>
 #include <ringmotor/parameters/materials.h>
 
 #include <deal.II/base/tensor.h>
@@ -16,14 +17,6 @@
 
 namespace ringmotor
 {
-  /** What a shell has across its reference surface, the one that is meshed. */
-  struct ShellSection
-  {
-    double thickness; ///< m
-    double offset =
-        0.; ///< m, from the reference surface to the mid-surface, along the cells' normals
-  };
-
   /**
    * A curved, shear-flexible shell of isotropic linear elastic material (Reissner-Mindlin
    * kinematics in the degenerated-solid form of Ahmad, Irons and Zienkiewicz, 1970): each node

@@ -15,7 +15,8 @@ namespace ringmotor
     constexpr dealii::types::material_id tooth = 2; ///< metal of the tooth, above the slot's bottom
     constexpr dealii::types::material_id piezoceramic = 3; ///< ceramic ring bonded below the base
 
-    constexpr dealii::types::material_id rotor = 4; ///< ring, flange and lip of the rotor
+    constexpr dealii::types::material_id rotor     = 4; ///< ring, flange and lip of the rotor
+    constexpr dealii::types::material_id lip_shell = 5; ///< lip of the rotor where it is a shell
 
     constexpr dealii::types::boundary_id free      = 0;  ///< no load, no condition
     constexpr dealii::types::boundary_id mirror    = 11; ///< half sector: the plane theta = 0
@@ -26,5 +27,15 @@ namespace ringmotor
     constexpr dealii::types::boundary_id lip       = 16; ///< the face that can touch the teeth
     constexpr dealii::types::boundary_id ring_top  = 17; ///< upper face of the rotor's ring
     constexpr dealii::types::boundary_id ring_bore = 18; ///< inner side of the rotor's ring
-  }                                                      // namespace ids
+    constexpr dealii::types::boundary_id shell_root =
+        19; ///< faces of a solid that follow the edge of a shell, and that edge
+    constexpr dealii::types::boundary_id skin = 20; ///< face of a solid that a shell is bonded to
+    constexpr dealii::types::boundary_id clamped = 21; ///< face that does not move
+
+    constexpr dealii::types::boundary_id radial_bars =
+        22; ///< band of the ring's inner side that the bars hold
+
+    // Edges
+    constexpr dealii::types::boundary_id target_plate = 30; ///< where a plate is bonded to a tooth
+  }                                                         // namespace ids
 } // namespace ringmotor

@@ -13,15 +13,17 @@ namespace ringmotor
    * at the tooth's centre over 1 at the slot wall to 2 at the cut theta = alpha/2 (negative for
    * theta < 0), z is the height in m. Slot walls are parallel planes, so the angle of s = 1 depends
    * on r; below the slots the same lines go on through the base. No cell may cross s = -1 or 1.
+   * @p dim is that of the mesh: 3, or 2 for a shell on the stator's surface.
    */
-  class SectorManifold : public dealii::ChartManifold<3, 3>
+  template <int dim>
+  class SectorManifold : public dealii::ChartManifold<dim, 3, 3>
   {
   public:
     SectorManifold(const StatorGeometry &stator, const unsigned int n_teeth);
 
     dealii::Point<3> pull_back(const dealii::Point<3> &position) const override;
     dealii::Point<3> push_forward(const dealii::Point<3> &chart) const override;
-    std::unique_ptr<dealii::Manifold<3, 3>> clone() const override;
+    std::unique_ptr<dealii::Manifold<dim, 3>> clone() const override;
 
   private:
     /** Inner and outer radius in m of the cross-section at height z. */

@@ -28,9 +28,14 @@ namespace ringmotor
 
   /**
    * Meshes the sector of the stator: ceramic ring, base ring and tooth, with curved cells of exact
-   * shape (SectorManifold). The geometry must have passed check_for_stator().
+   * shape (SectorManifold). The ceramic ring may be a shell on the base's lower face. Outer edges
+   * of the tooth tops carry ids::target_plate. The geometry must have passed check_for_stator().
    */
   SectorMesh make_stator_sector(const StatorGeometry &stator, const unsigned int n_teeth,
                                 const SectorForm form, const SectorGrading &grading,
                                 MPI_Comm communicator);
+
+  /** Meshes half of a tooth alone, clamped at its foot. */
+  SectorMesh make_tooth(const StatorGeometry &stator, const unsigned int n_teeth,
+                        const SectorGrading &grading, MPI_Comm communicator);
 } // namespace ringmotor

@@ -45,6 +45,7 @@ namespace ringmotor
     double slot_width                = 0.6e-3;  ///< between the parallel walls
     double piezoceramic_thickness    = 0.5e-3;  ///< of the ring below z = 0; 0 means no ring
     ElementKind piezoceramic_element = ElementKind::solid;
+    double target_plate_area         = 1.e-7; ///< m^2, see Effects#target_plates
     std::string mesh_file; ///< Gmsh file of one sector, absolute path after reading; empty: none
 
     /** Declares the entries; reading them changes the members. */
@@ -66,7 +67,8 @@ namespace ringmotor
     ElementKind flange_element  = ElementKind::shell;
     double lip_inner_radius     = 33.2e-3;
     double lip_outer_radius     = 34.2e-3;
-    double radial_bar_stiffness = 1.e9; ///< N/m per m of circumference; 0 means no bars
+    double radial_bar_stiffness = 1.e9;   ///< N/m per m of circumference; 0 means no bars
+    double radial_bar_height    = 0.5e-3; ///< of the band that the bars hold, below the upper edge
     std::string mesh_file; ///< Gmsh file of one sector, absolute path after reading; empty: none
 
     /** Declares the entries; reading them changes the members. */

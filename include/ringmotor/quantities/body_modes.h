@@ -47,6 +47,7 @@ namespace ringmotor
   private:
     bool is_generated() const;
     void make_mesh(const unsigned int new_level);
+    void make_stator_mesh();
     void compute_pass(const unsigned int degree,
                       const std::function<void(const Pass &)> &after_pass);
     [[noreturn]] void give_up() const;

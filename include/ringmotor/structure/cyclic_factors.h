@@ -15,7 +15,9 @@ namespace ringmotor
    * The factorised K - shift M of a cyclic sector. The two real fields meet only at the cut, and
    * only there a nodal diameter makes a difference: one sparse factorisation of each field down to
    * its cut serves all nodal diameters, and each of these adds a small dense one. (On a whole
-   * sector both fields have the same sparse factors.)
+   * sector both fields have the same sparse factors.) Where much of the body lies on its cuts, as
+   * with a ring without teeth, the dense matrices would be large: there (and where there is no
+   * cut), each nodal diameter gets a sparse factorisation of both fields together.
    */
   class CyclicFactors
   {
@@ -44,8 +46,10 @@ namespace ringmotor
     };
 
     void factorise_cut(const unsigned int k);
+    void factorise_together(const unsigned int k, const double shift);
 
     const CyclicSector &sector;
+    std::unique_ptr<SparseLDLT> together; ///< both fields; null if they are factorised one by one
     std::vector<SparsePart> sparse_parts;
     std::vector<unsigned int> cut_unknowns; ///< in the order of the dense matrix
     std::vector<unsigned int> cut_place;    ///< the inverse, by unknown

@@ -1,57 +1,38 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/elements/solid.h>
-#include <ringmotor/mesh/sector_mesh.h>
-#include <ringmotor/structure/sector_nodes.h>
-#include <ringmotor/structure/sparse_ldlt.h>
-
-#include <deal.II/dofs/dof_handler.h>
-#include <deal.II/fe/fe_system.h>
-#include <deal.II/fe/mapping_q.h>
-#include <deal.II/lac/affine_constraints.h>
-#include <deal.II/lac/trilinos_sparse_matrix.h>
-#include <deal.II/lac/vector.h>
+#include <ringmotor/structure/sector_elements.h>
+#include <ringmotor/structure/sector_matrices.h>
 
 #include <array>
-#include <complex>
 #include <functional>
-#include <map>
 #include <utility>
 #include <vector>
 
 namespace ringmotor
 {
-  /** The material of the cells of each material id. */
-  using MaterialTable = std::map<dealii::types::material_id, Material>;
-
-  /** A complex displacement amplitude U = real + i imaginary on the mesh of the sector, in
-   * Cartesian components. */
-  struct ComplexField
-  {
-    dealii::Vector<double> real, imaginary;
-  };
-
   /**
-   * The finite-element model of one sector of a cyclic body. Stiffness and mass are assembled once,
+   * The finite-element model of one sector of a cyclic body, of solids, shells and bars in one
+   * numbering. Stiffness and mass are assembled once,
    * with no condition on the cuts; a nodal diameter k only changes how the unknowns of the two real
    * fields (real and imaginary part of U) are tied to each other:
    *
    * - half sector: the mirror plane theta = 0 fixes u_theta of the real and u_r, u_z of the
-   * imaginary part; on the cut theta = alpha/2, with c = cos(k alpha/2) and s = sin(k alpha/2), the
-   * pair (real, imaginary) is (c, -s) a for the r and z components and (s, c) a for the theta
-   * component: one unknown a instead of two, from U(-theta) = S conj(U(theta)) and the cyclic
-   * condition;
+   * imaginary part, and of a shell's rotations the other components; on the cut theta = alpha/2,
+   * with c = cos(k alpha/2) and s = sin(k alpha/2), the pair (real, imaginary) is (c, -s) a for the
+   * r and z components and (s, c) a for the theta component: one unknown a instead of two, from
+   * U(-theta) = S conj(U(theta)) and the cyclic condition;
    * - whole sector: u(high cut) = exp(-i k alpha) u(low cut) in cylindrical components.
    *
-   * Unknowns of nodes on the cuts are cylindrical components at the node, all others Cartesian.
+   * Unknowns of nodes on the cuts are cylindrical components at the node, all others Cartesian. A
+   * sector without cuts is the same for all k.
    */
-  class CyclicSector
+  class CyclicSector : public SectorElements
   {
   public:
     /**
-     * Numbers and assembles @p mesh with FE_Q(@p degree) for each displacement component. The mesh
-     * must outlive this object.
+     * Numbers and assembles @p mesh with FE_Q(@p degree) for each component of displacement and
+     * rotation. The mesh must outlive this object.
      * @throws UserError if the cuts do not match or the mirror and cut faces are not where they
      * belong.
      */
@@ -63,7 +44,7 @@ namespace ringmotor
 
     /** True if the unknowns are the real parts, then the imaginary parts, of n_unknowns()/2 complex
      * numbers. */
-    bool is_complex() const { return mesh.form == SectorForm::whole; }
+    bool is_complex() const { return sector_mesh().form == SectorForm::whole; }
 
     /** The degrees of freedom of one real field that are free before the condition on the cuts ties
      * some of them, across the cut and to the other field. */
@@ -97,27 +78,17 @@ namespace ringmotor
     void multiply_mass(const unsigned int k, const std::vector<double> &unknowns,
                        std::vector<double> &product) const;
 
-    /** The displacement that belongs to the unknowns of nodal diameter @p k. */
-    ComplexField expand(const unsigned int k, const std::vector<double> &unknowns) const;
+    /** The motion that belongs to the unknowns of nodal diameter @p k. */
+    SectorMotion expand(const unsigned int k, const std::vector<double> &unknowns) const;
 
-    /** The unknowns of nodal diameter @p k that interpolate a Cartesian complex @p displacement
-     * given at points. */
+    /** The transposed of expand(): the loads on the unknowns from forces on all degrees of freedom
+     * (N, and N m on rotations), Cartesian, complete on every rank. */
+    std::vector<double> loads_of(const unsigned int k, const SectorMotion &forces) const;
+
+    /** The unknowns of nodal diameter @p k that interpolate a @p motion given at points. */
     std::vector<double>
     unknowns_of(const unsigned int k,
-                const std::function<std::array<std::complex<double>, 3>(const dealii::Point<3> &)>
-                    &displacement) const;
-
-    /** Called with a cell and the element, which has gone there. */
-    using CellVisitor =
-        std::function<void(const dealii::DoFHandler<3>::active_cell_iterator &, SolidElement &)>;
-
-    /** Visits the cells that this rank owns. */
-    void for_each_owned_cell(const CellVisitor &visit) const;
-
-    const dealii::DoFHandler<3> &dofs() const { return dof_handler; }
-    const dealii::Mapping<3> &geometry() const { return mapping; }
-    const SectorMesh &sector_mesh() const { return mesh; }
-    const MaterialTable &material_table() const { return materials; }
+                const std::function<NodeMotion(const dealii::Point<3> &)> &motion) const;
 
   private:
     /** How one real field's degree of freedom follows from an unknown: coefficient(k) * unknown. */
@@ -134,7 +105,7 @@ namespace ringmotor
       Factor factor;
     };
     /** At most two terms; no term where the degree of freedom is fixed or depends on others
-     * (hanging). */
+     * (hanging, tied). */
     struct Terms
     {
       std::array<Term, 2> term;
@@ -148,26 +119,19 @@ namespace ringmotor
     void number_half_sector();
     void number_whole_sector();
     void number_fields();
-    void assemble();
     /** Values of the factors one, cosine, sine, minus sine for nodal diameter k. */
     std::array<double, 4> factors(const unsigned int k) const;
     std::array<dealii::Vector<double>, 2> to_fields(const unsigned int k,
                                                     const std::vector<double> &unknowns) const;
 
-    const SectorMesh &mesh;
-    const MaterialTable materials;
-    const dealii::MappingQ<3> mapping;
-    const dealii::FESystem<3> fe;
-    dealii::DoFHandler<3> dof_handler;
+    /** The transposed of to_fields(). */
+    std::vector<double> to_unknowns(const unsigned int k,
+                                    const std::array<dealii::Vector<double>, 2> &dof_loads) const;
 
-    SectorNodes nodes;
-    dealii::AffineConstraints<double> scalar_hanging_nodes, hanging_nodes;
     std::array<std::vector<Terms>, 2>
         terms; ///< for the real and the imaginary field, by degree of freedom
     unsigned int unknown_count = 0;
     std::array<RealField, 2> fields;
-
-    dealii::TrilinosWrappers::SparseMatrix stiffness; ///< in the axes of the nodes
-    dealii::TrilinosWrappers::SparseMatrix node_mass; ///< of one component, by nodes
+    SectorMatrices matrices;
   };
 } // namespace ringmotor

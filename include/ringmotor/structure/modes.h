@@ -13,9 +13,9 @@ namespace ringmotor
   struct Mode
   {
     unsigned int nodal_diameter;
-    double eigenvalue;         ///< omega^2 in 1/s^2
-    bool rigid;                ///< a motion without strain
-    ComplexField displacement; ///< M-normalised on the meshed part of the sector, in m/sqrt(kg)
+    double eigenvalue;   ///< omega^2 in 1/s^2
+    bool rigid;          ///< a motion without strain
+    SectorMotion motion; ///< M-normalised on the meshed part of the sector, in m/sqrt(kg)
 
     /** Relative difference between the eigensolver's eigenvalue and that from the energies of the
      * mode. */

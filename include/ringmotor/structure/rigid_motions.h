@@ -6,8 +6,15 @@
 namespace ringmotor
 {
   /**
-   * The rigid motions that a wave of nodal diameter @p k contains, as unknowns of @p sector: axial
-   * shift and spin for k = 0, in-plane shift and tilt for k = 1, none otherwise. M-orthonormal.
+   * An eigenvalue in 1/s^2 far below those of the elastic modes, and far above the rounding errors
+   * of rigid motions: that of waves a thousand times longer than the body.
+   */
+  double slow_eigenvalue(const CyclicSector &sector);
+
+  /**
+   * The rigid motions that a wave of nodal diameter @p k contains and that neither bars nor clamped
+   * faces hold, as unknowns of @p sector: from axial shift and spin for k = 0, in-plane shift and
+   * tilt for k = 1, none otherwise. M-orthonormal.
    */
   std::vector<std::vector<double>> rigid_motions(const CyclicSector &sector, const unsigned int k);
 

@@ -12,15 +12,33 @@
 #include <array>
 #include <complex>
 #include <functional>
+#include <string>
 #include <utility>
 #include <vector>
 
 namespace ringmotor
 {
+  /** A node whose value follows those of other nodes: the sum of weight * value over its masters,
+   * in Cartesian components. */
+  struct SlaveNode
+  {
+    unsigned int node;
+    std::vector<std::pair<unsigned int, dealii::Tensor<2, 3>>> masters;
+  };
+
+  /** How a body moves at a node: displacement in m and, where there is a shell, rotation in rad;
+   * Cartesian components. */
+  struct NodeMotion
+  {
+    std::array<std::complex<double>, 3> displacement, rotation;
+  };
+
   /**
-   * The nodes of a vector-valued FE_Q on a sector: which three degrees of freedom belong together,
-   * which nodes lie on the mirror plane or on a cut, and the axes used there. On a cut the degrees
-   * of freedom of a node mean its (r, theta, z) components, elsewhere (x, y, z).
+   * The nodes of the solids (FE_Q with three components) and of the shells (with six) of a sector,
+   * in one numbering of degrees of freedom, those of the shell after those of the solids. A node is
+   * what has three degrees of freedom that belong together: a displacement, or a rotation of the
+   * shell. It knows whether it lies on the mirror plane or on a cut, and the axes used there. On a
+   * cut the degrees of freedom of a node mean its (r, theta, z) components, elsewhere (x, y, z).
    */
   class SectorNodes
   {
@@ -31,12 +49,19 @@ namespace ringmotor
     SectorNodes() = default;
 
     /**
-     * Finds the nodes of @p dof_handler.
+     * Finds the nodes of @p solid and @p shell; one of them may have none.
      * @throws UserError if the mirror plane is not theta = 0, the half sector's cut is not
      *         theta = alpha/2, or such faces are missing.
      */
-    SectorNodes(const dealii::DoFHandler<3> &dof_handler, const dealii::Mapping<3> &mapping,
+    SectorNodes(const dealii::DoFHandler<3> &solid, const dealii::Mapping<3> &mapping,
+                const dealii::DoFHandler<2, 3> &shell, const dealii::Mapping<2, 3> &shell_mapping,
                 const SectorMesh &mesh);
+
+    /** Degrees of freedom of solids and shells. */
+    unsigned int n_dofs() const { return place.size(); }
+
+    /** The number of the shell's first degree of freedom. */
+    unsigned int first_shell_dof() const { return n_solid_dofs; }
 
     /** True if the node of @p dof lies on a face with this boundary id (mirror or one of the cuts).
      */
@@ -44,6 +69,13 @@ namespace ringmotor
 
     /** 0, 1, 2 for x, y, z or, on a cut, for r, theta, z. */
     unsigned int component(const Dof dof) const { return place[dof].component; }
+
+    /** Whether the mirror theta -> -theta turns the component round: the theta component of a
+     * displacement, r and z components of a rotation. */
+    bool turned_by_mirror(const Dof dof) const
+    {
+      return (place[dof].component == 1) != nodes[place[dof].node].rotation;
+    }
 
     unsigned int size() const { return nodes.size(); }
 
@@ -54,38 +86,43 @@ namespace ringmotor
       return nodes[node].dofs[component];
     }
 
+    const dealii::Point<3> &position(const unsigned int node) const { return nodes[node].position; }
+
     /** The unit vector (Cartesian) along which a degree of freedom moves its node. */
     dealii::Tensor<1, 3> direction(const Dof dof) const;
 
     /**
      * For each degree of freedom on the high cut of a whole sector that is not hanging in
-     * @p hanging_nodes, its partner on the low cut.
+     * @p dependent, its partner on the low cut.
      * @throws UserError if a node has no partner at the same (r, z).
      */
     std::vector<std::pair<Dof, Dof>>
-    partners(const dealii::AffineConstraints<double> &hanging_nodes) const;
+    partners(const dealii::AffineConstraints<double> &dependent) const;
 
     /** The constraints of hanging nodes for a scalar with one value for each node, closed. */
     dealii::AffineConstraints<double>
-    scalar_hanging_node_constraints(const dealii::DoFHandler<3> &dof_handler) const;
+    scalar_hanging_node_constraints(const dealii::DoFHandler<3> &solid) const;
 
-    /** From these, the constraints of the displacement in the axes used here, closed. */
-    dealii::AffineConstraints<double>
-    hanging_node_constraints(const dealii::AffineConstraints<double> &scalar) const;
+    /** These as conditions on vectors. */
+    static std::vector<SlaveNode>
+    slaves_of(const dealii::AffineConstraints<double> &scalar_hanging_nodes);
+
+    /** The constraints that make @p slaves follow their masters, in the axes used here, closed. */
+    dealii::AffineConstraints<double> constraints(const std::vector<SlaveNode> &slaves) const;
 
     /** Turns a cell matrix from Cartesian components to the axes of the nodes. */
     void rotate_to_axes(const std::vector<Dof> &cell_dofs,
                         dealii::FullMatrix<double> &matrix) const;
 
+    /** Turns a field from Cartesian components to the axes of the nodes. */
+    void rotate_to_axes(dealii::Vector<double> &field) const;
+
     /** Turns a field from the axes of the nodes to Cartesian components. */
     void rotate_to_cartesian(dealii::Vector<double> &field) const;
 
-    /** Fills a complex field, in the axes of the nodes, with a Cartesian displacement given at
-     * points. */
-    void
-    interpolate(const std::function<std::array<std::complex<double>, 3>(const dealii::Point<3> &)>
-                    &displacement,
-                dealii::Vector<double> &real, dealii::Vector<double> &imaginary) const;
+    /** Fills a complex field, in the axes of the nodes, with a motion given at points. */
+    void interpolate(const std::function<NodeMotion(const dealii::Point<3> &)> &motion,
+                     dealii::Vector<double> &real, dealii::Vector<double> &imaginary) const;
 
   private:
     struct Place
@@ -98,19 +135,26 @@ namespace ringmotor
       std::array<Dof, 3> dofs;
       dealii::Point<3> position;
       dealii::types::boundary_id plane; ///< mirror, one of the cuts, or free
+      bool rotation;                    ///< of a shell; else a displacement
       /** Unit vectors of r and theta, where the node lies on a cut. */
       double cosine = 1., sine = 0.;
     };
 
-    void collect(const dealii::DoFHandler<3> &dof_handler, const dealii::Mapping<3> &mapping);
-    void mark(const dealii::DoFHandler<3> &dof_handler, const dealii::types::boundary_id boundary);
+    template <int dim>
+    void collect(const dealii::DoFHandler<dim, 3> &dof_handler,
+                 const dealii::Mapping<dim, 3> &mapping, const Dof first_dof);
+    /** Returns whether there are faces with this id. */
+    template <int dim>
+    bool mark(const dealii::DoFHandler<dim, 3> &dof_handler,
+              const dealii::types::boundary_id boundary, const Dof first_dof);
     void check_angle(const dealii::types::boundary_id boundary, const double angle,
                      const char *what) const;
 
     /** Throws a UserError if two partners are not apart by the pitch, in the right direction. */
     void check_turn(const Node &low, const Node &high) const;
 
-    double pitch = 0.; ///< angle of a whole sector
+    double pitch              = 0.; ///< angle of a whole sector
+    unsigned int n_solid_dofs = 0;
     std::vector<Node> nodes;
     std::vector<Place> place; ///< of each degree of freedom
   };

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/elements/bar.h>
+#include <ringmotor/elements/foundation.h>
+#include <ringmotor/elements/shell.h>
+#include <ringmotor/elements/solid.h>
+#include <ringmotor/mesh/sector_mesh.h>
+#include <ringmotor/structure/sector_nodes.h>
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/mapping_q.h>
+#include <deal.II/lac/affine_constraints.h>
+
+#include <array>
+#include <complex>
+#include <functional>
+#include <map>
+#include <vector>
+
+namespace ringmotor
+{
+  /** The material of the cells of each material id. */
+  using MaterialTable = std::map<dealii::types::material_id, Material>;
+
+  /** A complex amplitude U = real + i imaginary on a mesh of the sector, in Cartesian components.
+   */
+  struct ComplexField
+  {
+    dealii::Vector<double> real, imaginary;
+  };
+
+  /** How the sector moves: displacements (m) of the solids, and of the shells' reference surfaces
+   * with their rotations (rad). */
+  struct SectorMotion
+  {
+    ComplexField solid, shell;
+
+    /** Scales the motion and turns its phase. */
+    SectorMotion &operator*=(const std::complex<double> factor);
+  };
+
+  /**
+   * The solids, shells and bars of a sector in finite elements of one degree: their degrees of
+   * freedom in one numbering, those of the shell after those of the solids, and what ties some of
+   * them to others whatever the wave.
+   */
+  class SectorElements
+  {
+  public:
+    using Dof       = SectorNodes::Dof;
+    using Cell      = dealii::DoFHandler<3>::active_cell_iterator;
+    using ShellCell = dealii::DoFHandler<2, 3>::active_cell_iterator;
+
+    /**
+     * Numbers @p mesh with FE_Q(@p degree) for each component of displacement and rotation. The
+     * mesh must outlive this object.
+     * @throws UserError if the cuts do not match or the mirror and cut faces are not where they
+     * belong.
+     */
+    SectorElements(const SectorMesh &mesh, const MaterialTable &materials,
+                   const unsigned int degree);
+
+    /** Degrees of freedom of solids and shells. */
+    unsigned int n_dofs() const { return sector_nodes.n_dofs(); }
+    /** Those that this rank owns. */
+    dealii::IndexSet owned_dofs() const;
+
+    const SectorNodes &nodes() const { return sector_nodes; }
+    /** Hanging nodes of the solids, for a scalar by nodes. */
+    const dealii::AffineConstraints<double> &scalar_hanging_nodes() const { return hanging; }
+    /** Hanging nodes, ties between solids and shells, clamped faces; in the axes of the nodes. */
+    const dealii::AffineConstraints<double> &dependent() const { return dependent_dofs; }
+    /** Whether some of these degrees of freedom follow a shell. */
+    bool are_tied(const std::vector<Dof> &dofs) const;
+
+    /** The degrees of freedom of a cell in the order of its element. */
+    std::vector<Dof> dofs_of(const Cell &cell) const;
+    std::vector<Dof> dofs_of(const ShellCell &cell) const;
+
+    /** Visits the solid cells that this rank owns, with the element, which has gone there. */
+    void for_each_owned_cell(const std::function<void(const Cell &, SolidElement &)> &visit) const;
+    /** As well for the cells of the shell. */
+    void for_each_owned_shell_cell(
+        const std::function<void(const ShellCell &, ShellElement &)> &visit) const;
+    /** As well for the edges with bars: one of their cells, their boundary id and the element. */
+    void for_each_owned_bar(const std::function<void(const Cell &, const dealii::types::boundary_id,
+                                                     BarElement &)> &visit) const;
+    /** As well for the faces on a foundation: their cell, their boundary id and the element. */
+    void for_each_owned_foundation(
+        const std::function<void(const Cell &, const dealii::types::boundary_id,
+                                 FoundationElement &)> &visit) const;
+
+    /** Fields in the axes of the nodes, with dependent degrees of freedom still zero, as a motion.
+     */
+    SectorMotion to_motion(std::array<dealii::Vector<double>, 2> fields) const;
+
+    /** The transposed of to_motion(): forces on all degrees of freedom become forces on those that
+     * are not dependent, in the axes of the nodes. */
+    std::array<dealii::Vector<double>, 2> from_forces(const SectorMotion &forces) const;
+
+    /** A zero motion. */
+    SectorMotion at_rest() const;
+
+    const dealii::DoFHandler<3> &dofs() const { return dof_handler; }
+    const dealii::Mapping<3> &geometry() const { return mapping; }
+    /** Six components, displacement and rotation; without active degrees of freedom if there is no
+     * shell. */
+    const dealii::DoFHandler<2, 3> &shell_dofs() const { return shell_dof_handler; }
+    const dealii::Mapping<2, 3> &shell_geometry() const { return shell_mapping; }
+    const SectorMesh &sector_mesh() const { return mesh; }
+    const MaterialTable &material_table() const { return materials; }
+    MPI_Comm communicator() const { return mesh.triangulation->get_communicator(); }
+
+  private:
+    void constrain();
+
+    const SectorMesh &mesh;
+    const MaterialTable materials;
+    const dealii::MappingQ<3> mapping;
+    const dealii::FESystem<3> fe;
+    dealii::DoFHandler<3> dof_handler;
+    const dealii::MappingQ<2, 3> shell_mapping;
+    const dealii::FESystem<2, 3> shell_fe;
+    dealii::DoFHandler<2, 3> shell_dof_handler;
+
+    SectorNodes sector_nodes;
+    dealii::AffineConstraints<double> hanging, dependent_dofs;
+    std::vector<bool> tied; ///< by node
+  };
+} // namespace ringmotor
