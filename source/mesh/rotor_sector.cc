@@ -39,12 +39,22 @@ namespace ringmotor
       return widths;
     }
 
+    /**
+     * Where a flange that is a shell begins: half its thickness away from the ring. The stresses in
+     * the corners at the ring, which no shell knows, have died down there.
+     */
+    double root_radius(const RotorGeometry &rotor)
+    {
+      return rotor.flange_element == ElementKind::shell
+                 ? rotor.ring_inner_radius - 0.5 * rotor.flange_thickness
+                 : rotor.ring_inner_radius;
+    }
+
     /** Sets the boundary ids while the mesh is still the box of cylindrical coordinates (r, theta,
      * z). */
     void set_boundary_ids(Triangulation<3> &box, const RotorGeometry &rotor, const SectorForm form,
                           const std::vector<double> &angles)
     {
-      const double flange_top = rotor.flange_lower_face + rotor.flange_thickness;
       const auto at = [](const double a, const double b) { return std::abs(a - b) < 1e-10; };
       for (const auto &cell : box.active_cell_iterators())
         for (const auto &face : cell->face_iterators())
@@ -53,8 +63,6 @@ namespace ringmotor
             const Point<3> center = face->center();
             const bool level =
                 at(face->vertex(0)[2], face->vertex(3)[2]) && at(face->vertex(0)[2], center[2]);
-            const bool at_bore    = at(center[0], rotor.ring_inner_radius);
-            const bool at_flange  = center[2] > rotor.flange_lower_face && center[2] < flange_top;
             types::boundary_id id = ids::free;
             if (at(center[1], angles.back()))
               id = form == SectorForm::half ? ids::cut : ids::cut_high;
@@ -65,10 +73,12 @@ namespace ringmotor
             else if (level && at(center[2], rotor.flange_lower_face) &&
                      center[0] < rotor.lip_outer_radius)
               id = ids::lip;
-            else if (at_bore)
-              id = at_flange                                                     ? ids::shell_root
-                   : center[2] > rotor.ring_upper_face - rotor.radial_bar_height ? ids::radial_bars
-                                                                                 : ids::ring_bore;
+            else if (at(center[0], root_radius(rotor)) &&
+                     rotor.flange_element == ElementKind::shell)
+              id = ids::shell_root;
+            else if (at(center[0], rotor.ring_inner_radius))
+              id = center[2] > rotor.ring_upper_face - rotor.radial_bar_height ? ids::radial_bars
+                                                                               : ids::ring_bore;
             face->set_boundary_id(id);
           }
     }
@@ -79,7 +89,7 @@ namespace ringmotor
       return Point<3>(x[0] * std::cos(x[1]), x[0] * std::sin(x[1]), x[2]);
     }
 
-    /** Lip and flange as a shell, tied to the ring by its outer edge. */
+    /** Lip and flange as a shell, tied to the solid root of the flange by its outer edge. */
     void add_flange_shell(SectorMesh &mesh, const RotorGeometry &rotor,
                           const std::vector<double> &angles, const unsigned int level)
     {
@@ -91,7 +101,7 @@ namespace ringmotor
                         i * (rotor.lip_outer_radius - rotor.lip_inner_radius) / n_lip);
       for (unsigned int i = 1; i <= n_span; ++i)
         radii.push_back(rotor.lip_outer_radius +
-                        i * (rotor.ring_inner_radius - rotor.lip_outer_radius) / n_span);
+                        i * (root_radius(rotor) - rotor.lip_outer_radius) / n_span);
 
       std::vector<Point<3>> vertices;
       std::vector<CellData<2>> cells;
@@ -112,8 +122,8 @@ namespace ringmotor
       for (const auto &cell : mesh.shell->active_cell_iterators())
         for (const auto &edge : cell->face_iterators())
           if (edge->at_boundary() &&
-              std::hypot(edge->vertex(0)[0], edge->vertex(0)[1]) > rotor.ring_inner_radius - 1e-9 &&
-              std::hypot(edge->vertex(1)[0], edge->vertex(1)[1]) > rotor.ring_inner_radius - 1e-9)
+              std::hypot(edge->vertex(0)[0], edge->vertex(0)[1]) > root_radius(rotor) - 1e-9 &&
+              std::hypot(edge->vertex(1)[0], edge->vertex(1)[1]) > root_radius(rotor) - 1e-9)
             edge->set_boundary_id(ids::shell_root);
       mesh.shell->set_all_manifold_ids(0);
       mesh.shell->set_manifold(0, CylindricalManifold<2, 3>(2));
@@ -132,10 +142,9 @@ namespace ringmotor
 
     std::vector<double> r_lines{rotor.ring_inner_radius};
     if (solid_flange)
-    {
       r_lines.push_back(rotor.lip_inner_radius);
-      append_lines(r_lines, rotor.ring_inner_radius, rotor.lip_outer_radius, first);
-    }
+    append_lines(r_lines, rotor.ring_inner_radius,
+                 solid_flange ? rotor.lip_outer_radius : root_radius(rotor), first);
     append_lines(r_lines, rotor.ring_inner_radius, rotor.ring_outer_radius, first);
     std::vector<double> z_lines{rotor.flange_lower_face, flange_top};
     append_lines(z_lines, rotor.flange_lower_face, rotor.ring_lower_face, first);

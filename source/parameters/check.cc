@@ -140,6 +140,10 @@ namespace ringmotor
                   rotor.lip_outer_radius);
       check_order("Lip outer radius", rotor.lip_outer_radius, "Ring inner radius",
                   rotor.ring_inner_radius);
+      if (rotor.flange_element == ElementKind::shell)
+        check_order("Lip outer radius", rotor.lip_outer_radius,
+                    "Ring inner radius - half of Rotor/Flange thickness",
+                    rotor.ring_inner_radius - 0.5 * rotor.flange_thickness);
       check_order("Ring inner radius", rotor.ring_inner_radius, "Ring outer radius",
                   rotor.ring_outer_radius);
       check_order("Ring lower face", rotor.ring_lower_face, "Flange lower face",

@@ -53,7 +53,7 @@ namespace ringmotor
     if (dof_handler.has_active_dofs() && shell_dof_handler.has_active_dofs())
     {
       const TiedMeshes meshes{dof_handler, mapping, shell_dof_handler, shell_mapping, sector_nodes};
-      for (const std::vector<SlaveNode> &ties : {edge_ties(meshes), skin_ties(meshes)})
+      for (const std::vector<SlaveNode> &ties : {edge_ties(meshes, mesh), skin_ties(meshes)})
         for (const SlaveNode &slave : ties)
         {
           tied[slave.node] = true;
@@ -64,7 +64,7 @@ namespace ringmotor
       for (const Dof dof :
            DoFTools::extract_boundary_dofs(dof_handler, ComponentMask(), {ids::clamped}))
         if (sector_nodes.component(dof) == 0)
-          slaves.push_back({sector_nodes.node(dof), {}});
+          slaves.push_back({sector_nodes.node(dof), {}, {}});
     dependent_dofs = sector_nodes.constraints(slaves);
   }
 

@@ -219,7 +219,7 @@ namespace ringmotor
     std::vector<SlaveNode> slaves;
     for (const auto &line : scalar_hanging_nodes.get_lines())
     {
-      SlaveNode slave{static_cast<unsigned int>(line.index), {}};
+      SlaveNode slave{static_cast<unsigned int>(line.index), {}, {}};
       for (const auto &[node, weight] : line.entries)
         slave.masters.emplace_back(node, weight * unit_symmetric_tensor<3>());
       slaves.push_back(std::move(slave));
@@ -231,17 +231,34 @@ namespace ringmotor
   {
     AffineConstraints<double> constraints;
     for (const SlaveNode &slave : slaves)
-      for (const Dof dof : nodes[slave.node].dofs)
+    {
+      // Where one direction n is free, the component nearest to it is: value = given + lambda n.
+      const Tensor<1, 3> &n         = slave.free_direction;
+      const std::array<Dof, 3> dofs = nodes[slave.node].dofs;
+      const Dof free =
+          *std::max_element(dofs.begin(), dofs.end(),
+                            [&](const Dof a, const Dof b)
+                            { return std::abs(n * direction(a)) < std::abs(n * direction(b)); });
+      const bool has_free = n.norm() > 0.;
+      for (const Dof dof : dofs)
       {
+        if (has_free && dof == free)
+          continue;
+        const double share = has_free ? (n * direction(dof)) / (n * direction(free)) : 0.;
+        const Tensor<1, 3> projection =
+            has_free ? direction(dof) - share * direction(free) : direction(dof);
         constraints.add_line(dof);
+        if (std::abs(share) > 1e-14)
+          constraints.add_entry(dof, free, share);
         for (const auto &[node, weight] : slave.masters)
           for (const Dof master : nodes[node].dofs)
           {
-            const double entry = direction(dof) * (weight * direction(master));
+            const double entry = projection * (weight * direction(master));
             if (std::abs(entry) > 1e-14 * weight.norm())
               constraints.add_entry(dof, master, entry);
           }
       }
+    }
     constraints.close();
     return constraints;
   }

@@ -3,9 +3,12 @@
 #include <ringmotor/structure/ties.h>
 
 #include <deal.II/base/geometry_info.h>
+#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe.h>
+#include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -67,36 +70,69 @@ namespace ringmotor
       return cells;
     }
 
-    /** The nodes of displacement that a cell's shape functions give weight at a point, or, from
-     * @p first_component 3, those of rotation. */
-    template <int dim>
-    std::vector<std::pair<unsigned int, double>>
-    weights_at(const Foot<dim> &foot, const SectorNodes &nodes, const SectorNodes::Dof first_dof,
-               const unsigned int first_component = 0)
+    using Weights = std::map<unsigned int, double>; ///< by node
+
+    /** The nodes of displacement that a cell's shape functions give weight at a point. */
+    Weights weights_at(const Foot<3> &foot, const SectorNodes &nodes)
     {
-      const FiniteElement<dim, 3> &fe = foot.cell->get_fe();
+      const FiniteElement<3> &fe = foot.cell->get_fe();
       std::vector<SectorNodes::Dof> dofs(fe.n_dofs_per_cell());
       foot.cell->get_dof_indices(dofs);
-      std::vector<std::pair<unsigned int, double>> weights;
+      Weights weights;
       for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
         if (const double weight = fe.base_element(0).shape_value(i, foot.unit);
             std::abs(weight) > negligible_weight)
-          weights.emplace_back(
-              nodes.node(first_dof + dofs[fe.component_to_system_index(first_component, i)]),
-              weight);
+          weights[nodes.node(dofs[fe.component_to_system_index(0, i)])] = weight;
       return weights;
     }
 
-    /** The matrix of theta -> theta x d. */
-    Tensor<2, 3> turn_by(const Tensor<1, 3> &d)
+    /** What a shell's edge sees of the solid along a line across it, as sums over nodes. */
+    struct AcrossTheShell
+    {
+      Weights mean;      ///< of the displacement
+      Weights parabolic; ///< mean with the weight of the shear stress, 3/2 (1 - 4 z^2/t^2)
+      Weights slope;     ///< the displacement's moment by the moment of inertia, 12/t^3 int z u dz
+    };
+
+    AcrossTheShell
+    integrate_across(const TiedMeshes &meshes,
+                     const std::vector<DoFHandler<3>::active_cell_iterator> &solid_cells,
+                     const Point<3> &on_surface, const Tensor<1, 3> &normal,
+                     const ShellSection &section)
+    {
+      // Exact for what varies linearly, whatever cells the line runs through.
+      const QGauss<1> gauss(3);
+      constexpr unsigned int n_panels = 16;
+      AcrossTheShell result;
+      for (unsigned int panel = 0; panel < n_panels; ++panel)
+        for (unsigned int q = 0; q < gauss.size(); ++q)
+        {
+          const double share = (panel + gauss.point(q)[0]) / n_panels - 0.5; // z/t
+          const Point<3> x   = on_surface + (section.offset + share * section.thickness) * normal;
+          const auto foot    = foot_of<3>(x, solid_cells, meshes.mapping, 1e-3 * section.thickness);
+          AssertThrow(foot, ExcMessage("The edge of a shell is tied to faces that do not cover its "
+                                       "thickness."));
+          for (const auto &[node, value] : weights_at(*foot, meshes.nodes))
+          {
+            const double weight = value * gauss.weight(q) / n_panels;
+            result.mean[node] += weight;
+            result.parabolic[node] += weight * 1.5 * (1. - 4. * share * share);
+            result.slope[node] += weight * 12. * share / section.thickness;
+          }
+        }
+      return result;
+    }
+
+    /** The matrix of u -> n x u. */
+    Tensor<2, 3> cross_with(const Tensor<1, 3> &n)
     {
       Tensor<2, 3> matrix;
-      matrix[0][1] = d[2];
-      matrix[1][0] = -d[2];
-      matrix[1][2] = d[0];
-      matrix[2][1] = -d[0];
-      matrix[2][0] = d[1];
-      matrix[0][2] = -d[1];
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        const unsigned int e = (d + 1) % 3, f = (d + 2) % 3;
+        matrix[d][f] = n[e];
+        matrix[d][e] = -n[f];
+      }
       return matrix;
     }
 
@@ -122,38 +158,89 @@ namespace ringmotor
     }
   } // namespace
 
-  std::vector<SlaveNode> edge_ties(const TiedMeshes &meshes)
+  namespace
   {
-    const SectorNodes &nodes = meshes.nodes;
-    const auto edge_cells    = cells_at(meshes.shell, ids::shell_root);
-    std::vector<Point<3>> feet;
-    std::vector<SlaveNode> slaves;
-    for (const unsigned int node : nodes_on(meshes.solid, nodes, ids::shell_root, 0))
+    /** Displacement and rotation of a point of the shell's edge as the solid has them there. */
+    std::array<SlaveNode, 2> edge_slaves(const std::array<unsigned int, 2> &shell_nodes,
+                                         const AcrossTheShell &across, const Tensor<1, 3> &normal,
+                                         const ShellSection &section)
     {
-      const Point<3> &x = nodes.position(node);
-      const auto foot   = foot_of<2>(x, edge_cells, meshes.shell_mapping, 0.5 * x.norm());
-      AssertThrow(foot, ExcMessage("A face is tied to the edge of a shell that is far from it."));
-      const Point<3> on_shell =
-          meshes.shell_mapping.transform_unit_to_real_cell(foot->cell, foot->unit);
-      const Tensor<1, 3> way = x - on_shell;
-      if (std::none_of(feet.begin(), feet.end(),
-                       [&](const Point<3> &other)
-                       { return on_shell.distance(other) < 1e-8 * x.norm(); }))
-        feet.push_back(on_shell);
-      SlaveNode slave{node, {}};
-      for (const auto &[master, weight] : weights_at(*foot, nodes, nodes.first_shell_dof()))
-        slave.masters.emplace_back(master, weight * unit_symmetric_tensor<3>());
-      if (way.norm() > 1e-10 * x.norm())
-        for (const auto &[master, weight] : weights_at(*foot, nodes, nodes.first_shell_dof(), 3))
-          slave.masters.emplace_back(master, weight * turn_by(way));
-      slaves.push_back(std::move(slave));
+      const Tensor<2, 3> along_normal = outer_product(normal, normal);
+      const Tensor<2, 3> in_surface   = unit_symmetric_tensor<3>() - symmetrize(along_normal);
+      // u(z) = mean + z slope; slope = theta x n, so that theta = n x slope but for its part along
+      // n.
+      SlaveNode displacement{shell_nodes[0], {}, {}}, rotation{shell_nodes[1], {}, normal};
+      for (const auto &[node, mean] : across.mean)
+      {
+        const double slope = across.slope.at(node);
+        displacement.masters.emplace_back(node, (mean - section.offset * slope) * in_surface +
+                                                    across.parabolic.at(node) * along_normal);
+        rotation.masters.emplace_back(node, slope * cross_with(normal));
+      }
+      return {{displacement, rotation}};
     }
 
+    /** Points of the shell's edge that nodes of the solid lie over, all different. */
+    std::size_t n_feet(const TiedMeshes &meshes)
+    {
+      const auto edge_cells = cells_at(meshes.shell, ids::shell_root);
+      std::vector<Point<3>> feet;
+      for (const unsigned int node : nodes_on(meshes.solid, meshes.nodes, ids::shell_root, 0))
+      {
+        const Point<3> &x = meshes.nodes.position(node);
+        const auto foot   = foot_of<2>(x, edge_cells, meshes.shell_mapping, 0.5 * x.norm());
+        AssertThrow(foot, ExcMessage("A face is tied to the edge of a shell that is far from it."));
+        const Point<3> on_shell =
+            meshes.shell_mapping.transform_unit_to_real_cell(foot->cell, foot->unit);
+        if (std::none_of(feet.begin(), feet.end(),
+                         [&](const Point<3> &other)
+                         { return on_shell.distance(other) < 1e-8 * x.norm(); }))
+          feet.push_back(on_shell);
+      }
+      return feet.size();
+    }
+  } // namespace
+
+  std::vector<SlaveNode> edge_ties(const TiedMeshes &meshes, const SectorMesh &mesh)
+  {
+    const SectorNodes &nodes = meshes.nodes;
+    const std::set<unsigned int> edge =
+        nodes_on(meshes.shell, nodes, ids::shell_root, nodes.first_shell_dof());
     AssertThrow(
-        nodes_on(meshes.shell, nodes, ids::shell_root, nodes.first_shell_dof()).size() <=
-            feet.size(),
-        ExcMessage("The edge of a shell is finer than the solid that is tied to it, so that the "
-                   "solid does not hold all of its nodes: refine the solid or coarsen the shell."));
+        n_feet(meshes) <= edge.size(),
+        ExcMessage("A solid is finer than the edge of the shell that is tied to it, so that "
+                   "the shell would hold it in single points: coarsen the solid or refine "
+                   "the shell."));
+
+    const auto solid_cells        = cells_at(meshes.solid, ids::shell_root);
+    const FiniteElement<2, 3> &fe = meshes.shell.get_fe();
+    FEValues<2, 3> at_nodes(meshes.shell_mapping, fe,
+                            Quadrature<2>(fe.base_element(0).get_unit_support_points()),
+                            update_quadrature_points | update_normal_vectors);
+    std::vector<SectorNodes::Dof> dofs(fe.n_dofs_per_cell());
+    std::set<unsigned int> done;
+    std::vector<SlaveNode> slaves;
+    for (const auto &cell : cells_at(meshes.shell, ids::shell_root))
+    {
+      at_nodes.reinit(cell);
+      cell->get_dof_indices(dofs);
+      for (const unsigned int i : at_nodes.quadrature_point_indices())
+      {
+        const auto node_of = [&](const unsigned int component) {
+          return nodes.node(nodes.first_shell_dof() +
+                            dofs[fe.component_to_system_index(component, i)]);
+        };
+        const unsigned int node = node_of(0);
+        if (edge.count(node) == 0 || !done.insert(node).second)
+          continue;
+        const Tensor<1, 3> normal   = at_nodes.normal_vector(i);
+        const ShellSection &section = mesh.sections.at(cell->material_id());
+        const AcrossTheShell across =
+            integrate_across(meshes, solid_cells, at_nodes.quadrature_point(i), normal, section);
+        for (const SlaveNode &slave : edge_slaves({{node, node_of(3)}}, across, normal, section))
+          slaves.push_back(slave);
+      }
+    }
     return slaves;
   }
 
@@ -182,8 +269,8 @@ namespace ringmotor
         ++n_bonded;
         if (!done.insert(node).second)
           continue;
-        SlaveNode slave{node, {}};
-        for (const auto &[master, weight] : weights_at(*foot, nodes, 0))
+        SlaveNode slave{node, {}, {}};
+        for (const auto &[master, weight] : weights_at(*foot, nodes))
           slave.masters.emplace_back(master, weight * unit_symmetric_tensor<3>());
         slaves.push_back(std::move(slave));
       }

@@ -101,13 +101,13 @@ TEST(RotorSector, HasItsFlangeAsAShell)
         const SectorMesh mesh = make_rotor_sector(rotor, n_teeth, form, level, MPI_COMM_SELF);
         const double angle    = (form == SectorForm::half ? 1. : 2.) * M_PI / n_teeth;
         const double height   = rotor.ring_upper_face - rotor.ring_lower_face;
+        const double root     = rotor.ring_inner_radius - 0.5 * rotor.flange_thickness;
         EXPECT_NEAR(volumes(*mesh.triangulation, 6).at(ids::rotor) /
-                        (height * annulus(rotor.ring_inner_radius, rotor.ring_outer_radius, angle)),
+                        (height * annulus(rotor.ring_inner_radius, rotor.ring_outer_radius, angle) +
+                         rotor.flange_thickness * annulus(root, rotor.ring_inner_radius, angle)),
                     1., 1e-10);
         std::map<dealii::types::boundary_id, double> area = boundary_areas(*mesh.triangulation, 6);
-        EXPECT_NEAR(area[ids::shell_root] /
-                        (angle * rotor.ring_inner_radius * rotor.flange_thickness),
-                    1., 1e-10);
+        EXPECT_NEAR(area[ids::shell_root] / (angle * root * rotor.flange_thickness), 1., 1e-10);
 
         ASSERT_TRUE(mesh.shell);
         const dealii::MappingQ<2, 3> mapping(6);
@@ -132,15 +132,13 @@ TEST(RotorSector, HasItsFlangeAsAShell)
         EXPECT_NEAR(shell_area[ids::lip_shell] /
                         annulus(rotor.lip_inner_radius, rotor.lip_outer_radius, angle),
                     1., 1e-10);
-        EXPECT_NEAR(shell_area[ids::rotor] /
-                        annulus(rotor.lip_outer_radius, rotor.ring_inner_radius, angle),
-                    1., 1e-10);
+        EXPECT_NEAR(shell_area[ids::rotor] / annulus(rotor.lip_outer_radius, root, angle), 1.,
+                    1e-10);
         for (const auto &cell : mesh.shell->active_cell_iterators())
           for (const auto &edge : cell->face_iterators())
             if (edge->at_boundary() && edge->boundary_id() == ids::shell_root)
             {
-              EXPECT_NEAR(std::hypot(edge->vertex(0)[0], edge->vertex(0)[1]),
-                          rotor.ring_inner_radius, 1e-12);
+              EXPECT_NEAR(std::hypot(edge->vertex(0)[0], edge->vertex(0)[1]), root, 1e-12);
             }
       }
 }

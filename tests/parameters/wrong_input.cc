@@ -302,8 +302,10 @@ TEST(WrongInput, WhatAMeshFileCannotHave)
       {"Stator/Piezoceramic element = shell", "Stator/Mesh file", "any.msh", "allowed: solid"});
 }
 
-TEST(WrongInput, RotorsWithoutRoomForTheirBars)
+TEST(WrongInput, RotorsWithoutRoom)
 {
+  expect_clash({"Modes/Body = rotor", "Rotor/Lip outer radius = 0.0363"},
+               {"Rotor/Lip outer radius", "Rotor/Ring inner radius", "Flange thickness"});
   expect_clash({"Modes/Body = rotor", "Rotor/Radial bar height = 0.003"},
                {"Rotor/Ring upper face - Radial bar height", "Flange thickness"});
 }

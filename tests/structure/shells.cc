@@ -65,20 +65,27 @@ TEST(ShellRingsHard, ThinPlatesDoNotLock)
       }
 }
 
-TEST(ShellRingsHard, ErrorsDoNotDependOnTheThickness)
+TEST(ShellRingsHard, ThinnerPlatesAreNoHarder)
 {
-  // From a plate of moderate thickness on, errors against a finer mesh of the same shell.
+  // Against a far better mesh of the same plate. Layers as wide as the plate is thick, along its
+  // free edges, rule the errors down to 1e-2, so that their slopes depend on the thickness; a shell
+  // that locks would grow worse with every step.
   for (const unsigned int degree : {3u, 4u})
-  {
-    std::vector<double> errors;
-    for (const double thickness : {1e-2, 1e-3, 1e-4})
-      errors.push_back(frequency_parameter(0.5, thickness, 5, degree, 2) /
-                           frequency_parameter(0.5, thickness, 5, 5, 8) -
-                       1.);
-    EXPECT_GT(errors[0], 0.);
-    EXPECT_LT(errors[1], 2. * errors[0]) << degree;
-    EXPECT_NEAR(errors[2] / errors[1], 1., 0.2) << degree;
-  }
+    for (const unsigned int n_radial : {1u, 2u, 4u})
+    {
+      const auto error = [&](const double thickness)
+      {
+        return frequency_parameter(0.5, thickness, 5, degree, n_radial) /
+                   frequency_parameter(0.5, thickness, 5, 6, 8) -
+               1.;
+      };
+      const double moderate = error(1e-2);
+      for (const double thickness : {1e-3, 1e-4})
+      {
+        EXPECT_GT(error(thickness), 0.);
+        EXPECT_LT(error(thickness), moderate) << degree << " " << n_radial << " " << thickness;
+      }
+    }
 }
 
 TEST(ShellRings, HalfAndWholeSectorHaveTheSameModes)

@@ -24,6 +24,7 @@ namespace ringmotor
   {
     unsigned int node;
     std::vector<std::pair<unsigned int, dealii::Tensor<2, 3>>> masters;
+    dealii::Tensor<1, 3> free_direction; ///< the part of the value along it is free, unless zero
   };
 
   /** How a body moves at a node: displacement in m and, where there is a shell, rotation in rad;

@@ -16,14 +16,16 @@ namespace ringmotor
   };
 
   /**
-   * Ties the solids to the edge of the shell: the nodes of faces marked ids::shell_root move as the
-   * cross-section of the shell, u + theta x d, d being the way from the shell's edge. The meshes
-   * need not match, but the shell must not be the finer one: what its edge does between the solid's
-   * nodes would be free.
-   * @throws dealii::StandardExceptions::ExcMessage if it is, or if a node is not on the normal
-   *         of the shell's edge.
+   * Ties the edge of the shell to the solids: its displacement and rotation there are those of the
+   * faces marked ids::shell_root, averaged across the shell's thickness with the weights that make
+   * the forces on the solid those of beam theory, stresses that vary linearly and shear stresses
+   * that vary as a parabola. (A cross-section that stays rigid would make the root too stiff.) The
+   * turn about the shell's normal stays free. The meshes need not match, but the solid must not be
+   * the finer one: the shell would hold it in single points.
+   * @throws dealii::StandardExceptions::ExcMessage if it is, or if the faces do not cover the
+   *         shell's thickness.
    */
-  std::vector<SlaveNode> edge_ties(const TiedMeshes &meshes);
+  std::vector<SlaveNode> edge_ties(const TiedMeshes &meshes, const SectorMesh &mesh);
 
   /**
    * Bonds the shell to the faces of the solids marked ids::skin: displacements of its nodes follow
