@@ -8,7 +8,7 @@ namespace ringmotor
 {
   Estimate frequency_estimate(const FrequencySample &sample)
   {
-    const double kappa      = sample.degree <= 2 ? 3.0 : sample.degree == 3 ? 3.3 : 2.5;
+    const double kappa      = sample.degree <= 2 ? 1.1 : sample.degree == 3 ? 3.3 : 2.5;
     const double half_width = 0.25 * kappa * sample.indicator * sample.frequency;
     return {sample.frequency - half_width, half_width};
   }

@@ -97,9 +97,7 @@ namespace ringmotor
       constexpr double fastest = 0.05;
       const double slowest     = std::pow((degree - 1.) / degree, 3.2);
       const double decay       = std::clamp(highest / second, fastest, slowest);
-      // Degree 1 contains rigid rotations: it says nothing of the size of degree 2.
-      const double top = degree > 2 ? std::max(highest, fastest * second) : highest;
-      return top * decay / (1. - decay);
+      return std::max(highest, fastest * second) * decay / (1. - decay);
     }
 
     /**

@@ -157,7 +157,9 @@ namespace ringmotor
     {
       std::vector<OnCut> found;
       for (const Node &node : nodes)
-        if (node.plane == boundary && !dependent.is_constrained(node.dofs[0]))
+        if (node.plane == boundary &&
+            !std::all_of(node.dofs.begin(), node.dofs.end(),
+                         [&](const Dof dof) { return dependent.is_constrained(dof); }))
           found.push_back(
               {std::hypot(node.position[0], node.position[1]), node.position[2], &node});
       std::sort(found.begin(), found.end(),
@@ -188,7 +190,8 @@ namespace ringmotor
                         "(Gmsh: Periodic Surface)");
       check_turn(*candidate->node, *node.node);
       for (unsigned int component = 0; component < 3; ++component)
-        pairs.emplace_back(node.node->dofs[component], candidate->node->dofs[component]);
+        if (!dependent.is_constrained(node.node->dofs[component]))
+          pairs.emplace_back(node.node->dofs[component], candidate->node->dofs[component]);
     }
     return pairs;
   }

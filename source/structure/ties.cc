@@ -72,15 +72,28 @@ namespace ringmotor
 
     using Weights = std::map<unsigned int, double>; ///< by node
 
+    /** The coordinate of a node that this one differs from by no more than rounding errors of the
+     * search for it, if there is one: where meshes match, they shall match exactly. */
+    double snapped(const double coordinate, const std::vector<Point<3>> &nodes)
+    {
+      for (const Point<3> &node : nodes)
+        if (std::abs(node[0] - coordinate) < 1e-6)
+          return node[0];
+      return coordinate;
+    }
+
     /** The nodes of displacement that a cell's shape functions give weight at a point. */
     Weights weights_at(const Foot<3> &foot, const SectorNodes &nodes)
     {
       const FiniteElement<3> &fe = foot.cell->get_fe();
+      Point<3> unit;
+      for (unsigned int d = 0; d < 3; ++d)
+        unit[d] = snapped(foot.unit[d], fe.base_element(0).get_unit_support_points());
       std::vector<SectorNodes::Dof> dofs(fe.n_dofs_per_cell());
       foot.cell->get_dof_indices(dofs);
       Weights weights;
       for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
-        if (const double weight = fe.base_element(0).shape_value(i, foot.unit);
+        if (const double weight = fe.base_element(0).shape_value(i, unit);
             std::abs(weight) > negligible_weight)
           weights[nodes.node(dofs[fe.component_to_system_index(0, i)])] = weight;
       return weights;

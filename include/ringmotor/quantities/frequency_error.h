@@ -21,12 +21,12 @@ namespace ringmotor
   /**
    * The frequency with its error bar.
    *
-   * The relative excess of a computed eigenvalue is kappa times the indicator. On sectors of four
-   * different stators (13 meshes, 12 modes of 0 to 14 waves each, against meshes with a hundredth
-   * of the error) kappa was at most 2.7 for degree 2, 3.0 for degree 3 and 2.3 for degree 4, and
-   * mostly between 0.5 and 2. A tenth is added to these. The exact frequency then lies between the
-   * computed one and kappa/2 indicators below it; the value is the middle, the error half the
-   * width.
+   * The relative excess of a computed eigenvalue is kappa times the indicator. On sectors of three
+   * different stators and four rotors (with and without bars, flange solid or shell; 8 modes of 0
+   * to 7 waves each, against meshes with a hundredth of the error) kappa was at most 0.98 for
+   * degree 2, 2.9 for degree 3 and 2.1 for degree 4, and mostly half of that. A tenth or more is
+   * added to these. The exact frequency then lies between the computed one and kappa/2 indicators
+   * below it; the value is the middle, the error half the width.
    *
    * Not covered: with degree 2, a motion that is exactly odd within each cell of a sheet, so that
    * its quadratic part vanishes.
