@@ -296,8 +296,11 @@ namespace ringmotor
 
     Mode StatorProgram::scaled(Mode mode) const
     {
-      const ComplexField &u = mode.motion.solid;
-      const double largest  = std::max(u.real.linfty_norm(), u.imaginary.linfty_norm());
+      double largest = 0.;
+      for (const SectorField::Cell &cell : sample_sector(body.search().sector(), mode, 1).cells)
+        for (const auto &u : cell.displacement)
+          largest =
+              std::max(largest, std::sqrt(std::norm(u[0]) + std::norm(u[1]) + std::norm(u[2])));
       mode.motion *= parameters.wave.amplitude / largest;
       return mode;
     }
@@ -332,7 +335,7 @@ namespace ringmotor
       if (!wave)
         return;
       // Many frames of all sectors: where cells are small already, straight ones will do.
-      const bool fine = sector.sector_mesh().triangulation->n_active_cells() > 60;
+      const bool fine = sector.sector_mesh().n_cells() > 50;
       write_ring_animation(folder, "ring", sample_sector(sector, wave->found.mode, fine ? 1 : 2),
                            parameters.output.frames_per_period);
     }

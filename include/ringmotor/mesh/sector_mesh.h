@@ -35,6 +35,12 @@ namespace ringmotor
     std::map<dealii::types::boundary_id, BarSection> bars{};       ///< by the id of edges of solids
     std::map<dealii::types::boundary_id, double>
         foundations{}; ///< normal stiffness per area (N/m^3) by the id of faces of solids
+
+    /** Of solids and shell. */
+    std::size_t n_cells() const
+    {
+      return triangulation->n_active_cells() + (shell ? shell->n_active_cells() : 0);
+    }
   };
 
   /** An empty triangulation that METIS partitions over the ranks of @p communicator. */
