@@ -9,6 +9,7 @@
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/programs/run_program.h>
 #include <ringmotor/quantities/body_modes.h>
+#include <ringmotor/quantities/effects.h>
 #include <ringmotor/version.h>
 
 #include <deal.II/base/mpi.h>
@@ -70,7 +71,7 @@ namespace ringmotor
       Mode scaled(Mode mode) const;
       void write_results();
       void write_fields();
-      void write_summary_file();
+      void write_summary_file(const double plate_shift);
       void add_wave_quantities(Summary &summary, const double seconds) const;
 
       const Parameters &parameters;
@@ -307,6 +308,10 @@ namespace ringmotor
 
     void StatorProgram::write_results()
     {
+      const double plate_shift = // all ranks take part
+          of_stator
+              ? target_plate_shift(body.search().sector(), shown().mode, target_plates(parameters))
+              : 0.;
       if (speaks)
       {
         const auto scope = phases.measure("output");
@@ -321,7 +326,7 @@ namespace ringmotor
       if (speaks && parameters.output.vtu && (wave || !of_stator))
         write_fields();
       if (speaks)
-        write_summary_file();
+        write_summary_file(plate_shift);
       log.line("results in " + folder);
     }
 
@@ -340,7 +345,7 @@ namespace ringmotor
                            parameters.output.frames_per_period);
     }
 
-    void StatorProgram::write_summary_file()
+    void StatorProgram::write_summary_file(const double plate_shift)
     {
       Summary summary;
       summary.program = "stator";
@@ -376,7 +381,7 @@ namespace ringmotor
       }
       if (of_stator)
         summary.effects.push_back(
-            {"Target plates", 0.,
+            {"Target plates", plate_shift,
              parameters.effects.target_plates == EffectChoice::on ? "on" : "off", 0., 0});
       summary.certificate.push_back({"modes counted (Sturm) but not found",
                                      static_cast<double>(body.search().n_missed()), 0.});

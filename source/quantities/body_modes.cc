@@ -5,6 +5,7 @@
 #include <ringmotor/mesh/stator_sector.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/quantities/body_modes.h>
+#include <ringmotor/quantities/effects.h>
 
 #include <algorithm>
 #include <chrono>
@@ -144,11 +145,7 @@ namespace ringmotor
     mesh = make_stator_sector(parameters.stator, parameters.motor.n_teeth, SectorForm::half,
                               SectorGrading::level(level), communicator);
     if (parameters.effects.target_plates == EffectChoice::on)
-    {
-      const Material &metal        = parameters.materials.target_plate;
-      const double area            = parameters.stator.target_plate_area;
-      mesh.bars[ids::target_plate] = {area * metal.young_modulus, area * metal.density};
-    }
+      mesh.bars[ids::target_plate] = target_plates(parameters);
   }
 
   void BodyModes::compute_pass(const unsigned int degree,

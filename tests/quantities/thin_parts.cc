@@ -10,6 +10,7 @@
 
 #include <ringmotor/mesh/stator_sector.h>
 #include <ringmotor/quantities/body_modes.h>
+#include <ringmotor/quantities/effects.h>
 #include <ringmotor/quantities/sector_field.h>
 #include <ringmotor/quantities/surface_trace.h>
 
@@ -183,6 +184,7 @@ TEST(TargetPlates, ShiftTheFrequencyAsRayleighSays)
       }
   const double expected = 0.5 * (stiffness / mode.eigenvalue - mass);
   ASSERT_LT(expected, -1e-4);
+  EXPECT_NEAR(target_plate_shift(without, mode, plate) / expected, 1., 1e-6);
 
   mesh.bars[ids::target_plate] = plate;
   const CyclicSector with(mesh, stator_materials(), 3);
