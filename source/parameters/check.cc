@@ -72,6 +72,19 @@ namespace ringmotor
                         ", which has the ceramic ring in its solid cells; allowed: solid");
     }
 
+    /** Shells are for thin parts. */
+    void check_shell(const std::string &element, const std::string &name, const double thickness,
+                     const double width)
+    {
+      constexpr double thickest = 0.3;
+      if (thickness > thickest * width)
+        throw UserError(
+            entry(name, thickness) + " is not thin against the width of the part, " +
+            entry("as " + element + " = shell needs; allowed: up to 30 % of it, here " + name,
+                  thickest * width) +
+            ", or " + element + " = solid");
+    }
+
     void check_mesh_file(const std::string &file)
     {
       std::error_code no_throw;
@@ -85,6 +98,24 @@ namespace ringmotor
         throw UserError(found + "is a folder; give a Gmsh file (.msh)");
       if (!std::ifstream(file))
         throw UserError(found + "cannot be read; check its permissions");
+    }
+
+    void check_thin_parts(const StatorGeometry &stator, const Effects &effects)
+    {
+      if (stator.piezoceramic_element == ElementKind::shell)
+        check_shell("Stator/Piezoceramic element", "Stator/Piezoceramic thickness",
+                    stator.piezoceramic_thickness,
+                    stator.base_outer_radius - stator.base_inner_radius);
+      const double largest = 0.1 * stator.tooth_height * stator.tooth_height;
+      if (effects.target_plates == EffectChoice::on && stator.target_plate_area > largest)
+      {
+        std::ostringstream text;
+        text << "Stator/Target plate cross-section = " << stator.target_plate_area
+             << " m^2 is no thin plate on teeth of "
+             << entry("Stator/Tooth height", stator.tooth_height)
+             << "; allowed: up to a tenth of the height's square, " << largest << " m^2";
+        throw UserError(text.str());
+      }
     }
 
     /** Two radii of one face: in order, and not so close that no solid is left between them. */
@@ -141,9 +172,13 @@ namespace ringmotor
       check_order("Lip outer radius", rotor.lip_outer_radius, "Ring inner radius",
                   rotor.ring_inner_radius);
       if (rotor.flange_element == ElementKind::shell)
+      {
+        check_shell("Rotor/Flange element", "Rotor/Flange thickness", rotor.flange_thickness,
+                    rotor.ring_inner_radius - rotor.lip_inner_radius);
         check_order("Lip outer radius", rotor.lip_outer_radius,
                     "Ring inner radius - half of Rotor/Flange thickness",
                     rotor.ring_inner_radius - 0.5 * rotor.flange_thickness);
+      }
       check_order("Ring inner radius", rotor.ring_inner_radius, "Ring outer radius",
                   rotor.ring_outer_radius);
       check_order("Ring lower face", rotor.ring_lower_face, "Flange lower face",
@@ -183,6 +218,7 @@ namespace ringmotor
       check_mesh_file(stator.mesh_file);
       return;
     }
+    check_thin_parts(stator, parameters.effects);
     check_radii("Base", stator.base_inner_radius, stator.base_outer_radius);
     check_radii("Tip", stator.tip_inner_radius, stator.tip_outer_radius);
     check_slot(stator, parameters.motor.n_teeth);

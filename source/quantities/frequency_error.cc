@@ -8,8 +8,9 @@ namespace ringmotor
 {
   Estimate frequency_estimate(const FrequencySample &sample)
   {
-    const double kappa      = sample.degree <= 2 ? 1.1 : sample.degree == 3 ? 3.3 : 2.5;
-    const double half_width = 0.25 * kappa * sample.indicator * sample.frequency;
+    const double kappa = sample.degree <= 2 ? 1.1 : sample.degree == 3 ? 3.3 : 2.5;
+    // Hopeless meshes know no more than that a frequency is not negative.
+    const double half_width = std::min(0.25 * kappa * sample.indicator, 0.5) * sample.frequency;
     return {sample.frequency - half_width, half_width};
   }
 

@@ -302,6 +302,16 @@ TEST(WrongInput, WhatAMeshFileCannotHave)
       {"Stator/Piezoceramic element = shell", "Stator/Mesh file", "any.msh", "allowed: solid"});
 }
 
+TEST(WrongInput, ThinPartsThatAreThick)
+{
+  expect_clash({"Modes/Body = rotor", "Rotor/Flange thickness = 2e-3"},
+               {"Rotor/Flange thickness = 0.002 m", "Rotor/Flange element", "30 %", "solid"});
+  expect_clash({"Stator/Piezoceramic element = shell", "Stator/Piezoceramic thickness = 3e-3"},
+               {"Stator/Piezoceramic thickness = 0.003 m", "Stator/Piezoceramic element", "30 %"});
+  expect_clash({"Effects/Target plates = on", "Stator/Target plate cross-section = 1"},
+               {"Stator/Target plate cross-section = 1 m^2", "Stator/Tooth height", "4e-07 m^2"});
+}
+
 TEST(WrongInput, RotorsWithoutRoom)
 {
   expect_clash({"Modes/Body = rotor", "Rotor/Lip outer radius = 0.0363"},

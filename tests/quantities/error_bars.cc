@@ -170,6 +170,13 @@ TEST(ErrorBarsLong, ShrinkAsTheMeshIsRefined)
   EXPECT_LT(earlier, 0.15 * first);
 }
 
+TEST(ErrorBars, OfHopelessMeshesDoNotReachBelowZero)
+{
+  const Estimate estimate = frequency_estimate({2, 1000., 50.});
+  EXPECT_DOUBLE_EQ(estimate.value, 500.);
+  EXPECT_DOUBLE_EQ(estimate.error, 500.);
+}
+
 TEST(ErrorBars, OfShapesFollowTheLastChange)
 {
   // The indicator fell to a quarter, the shape's error (its square root) to a half: what is left
