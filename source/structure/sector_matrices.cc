@@ -32,7 +32,7 @@ namespace ringmotor
       matrix.reinit(owned, owned, pattern, communicator);
     }
 
-    /** Adds the entries of @p view to @p row_values, by column. */
+    /** This rank's row of a matrix: values and global columns of its entries. */
     class RowView
     {
     public:

@@ -28,7 +28,7 @@ namespace ringmotor
     constexpr dealii::types::boundary_id ring_top  = 17; ///< upper face of the rotor's ring
     constexpr dealii::types::boundary_id ring_bore = 18; ///< inner side of the rotor's ring
     constexpr dealii::types::boundary_id shell_root =
-        19; ///< faces of a solid that follow the edge of a shell, and that edge
+        19; ///< faces of a solid that the edge of a shell follows, and that edge
     constexpr dealii::types::boundary_id skin = 20; ///< face of a solid that a shell is bonded to
     constexpr dealii::types::boundary_id clamped = 21; ///< face that does not move
 
