@@ -10,6 +10,7 @@
 // (2 pi), which shear and rotary inertia lower by about (h/R)^2 for n = 2.
 
 #include "support/materials.h"
+#include "support/same_modes.h"
 
 #include <ringmotor/mesh/rotor_sector.h>
 #include <ringmotor/quantities/mode_search.h>
@@ -58,24 +59,7 @@ TEST_P(RotorForms, HaveTheSameModesAndRigidOnes)
   const SectorMesh half     = make_rotor_sector(rotor, 90, SectorForm::half, 0, MPI_COMM_WORLD),
                    whole    = make_rotor_sector(rotor, 90, SectorForm::whole, 0, MPI_COMM_WORLD);
   const CyclicSector half_sector(half, material, 2), whole_sector(whole, material, 2);
-  ModeSolver half_solver(half_sector), whole_solver(whole_sector);
-  for (const unsigned int k : {0u, 1u, 7u})
-  {
-    const double shift             = half_solver.shift_above(k, 2, 0.);
-    const std::vector<Mode> modes  = half_solver.below(k, shift),
-                            others = whole_solver.below(k, shift);
-    ASSERT_EQ(modes.size(), others.size());
-    EXPECT_EQ(std::count_if(modes.begin(), modes.end(), [](const Mode &m) { return m.rigid; }),
-              k < 2 ? 2 : 0);
-    for (unsigned int i = 0; i < modes.size(); ++i)
-    {
-      EXPECT_EQ(modes[i].rigid, others[i].rigid);
-      if (!modes[i].rigid)
-      {
-        EXPECT_NEAR(modes[i].eigenvalue / others[i].eigenvalue, 1., 1e-10);
-      }
-    }
-  }
+  expect_same_modes(half_sector, whole_sector, {0, 1, 7}, 2);
 }
 
 INSTANTIATE_TEST_SUITE_P(Flange, RotorForms,

@@ -7,12 +7,12 @@
 
 #include "support/materials.h"
 #include "support/ring_sector.h"
+#include "support/same_modes.h"
 
 #include <ringmotor/structure/modes.h>
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -94,24 +94,7 @@ TEST(ShellRings, HalfAndWholeSectorHaveTheSameModes)
   const SectorMesh half  = shell_ring(0.6, 1., eccentric, 2, 11, SectorForm::half, 2),
                    whole = shell_ring(0.6, 1., eccentric, 2, 11, SectorForm::whole, 4);
   const CyclicSector half_sector(half, all_of(steel), 3), whole_sector(whole, all_of(steel), 3);
-  ModeSolver half_solver(half_sector), whole_solver(whole_sector);
-  for (const unsigned int k : {0u, 1u, 2u, 5u})
-  {
-    const double shift             = half_solver.shift_above(k, 4, 0.);
-    const std::vector<Mode> modes  = half_solver.below(k, shift),
-                            others = whole_solver.below(k, shift);
-    ASSERT_EQ(modes.size(), others.size());
-    EXPECT_EQ(std::count_if(modes.begin(), modes.end(), [](const Mode &m) { return m.rigid; }),
-              k < 2 ? 2 : 0);
-    for (unsigned int i = 0; i < modes.size(); ++i)
-    {
-      EXPECT_EQ(modes[i].rigid, others[i].rigid);
-      if (!modes[i].rigid)
-      {
-        EXPECT_NEAR(modes[i].eigenvalue / others[i].eigenvalue, 1., 1e-9) << k << " " << i;
-      }
-    }
-  }
+  expect_same_modes(half_sector, whole_sector, {0, 1, 2, 5}, 4);
 }
 
 TEST(ShellRings, OffsetOnlyMovesTheReferenceSurface)
