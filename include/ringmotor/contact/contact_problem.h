@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <deal.II/base/tensor.h>
+#include <deal.II/lac/full_matrix.h>
+
+#include <vector>
+
+namespace ringmotor
+{
+  /** A force (N) or a motion (m) at a contact point. Components: normal (away from the stator),
+   * along the driven direction t = -theta, radial. */
+  using PointVector = dealii::Tensor<1, 3>;
+
+  /** The unknowns of a contact problem. */
+  struct ContactState
+  {
+    std::vector<PointVector> force; ///< N, on the rotor, by contact point
+    std::vector<double> rigid;      ///< rigid motions of the rotor that forces have to balance
+  };
+
+  /**
+   * A linear relation between the forces at contact points and how the bodies move there in a time
+   * step: what is left of elastic bodies when only their contact is looked at. Points touch where
+   * the gap closes; the motion of the rotor over the stator in the step is its slip.
+   */
+  class ContactProblem
+  {
+  public:
+    virtual ~ContactProblem() = default;
+
+    virtual unsigned int n_points() const = 0;
+    /** Number of rigid motions, and of the balances that go with them. */
+    virtual unsigned int n_rigid() const = 0;
+
+    /** For each point the gap (m), and the slip of the rotor over the stator in the step (m). */
+    virtual std::vector<PointVector> relative_motion(const ContactState &state) const = 0;
+
+    /**
+     * Derivatives of the relative motion of some points, three rows for each, by the forces at the
+     * same points, three columns for each, and by the rigid motions, one column for each. Sets size
+     * and all entries of @p matrix.
+     */
+    virtual void derivatives(const std::vector<unsigned int> &points,
+                             dealii::FullMatrix<double> &matrix) const = 0;
+
+    /** For each rigid motion the sum of forces that must vanish. */
+    virtual std::vector<double> balances(const ContactState &state) const = 0;
+
+    /** Derivatives of the balances, one row for each, by forces at some points and rigid motions.
+     */
+    virtual void balance_derivatives(const std::vector<unsigned int> &points,
+                                     dealii::FullMatrix<double> &matrix) const = 0;
+  };
+} // namespace ringmotor
