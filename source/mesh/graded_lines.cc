@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/mesh/graded_lines.h>
+#include <ringmotor/mesh/interface_grading.h>
 
 #include <cmath>
 
@@ -16,6 +17,14 @@ namespace ringmotor
     if (length - lines.back() > 0.6 * length)
       lines.push_back(0.5 * (lines.back() + length));
     lines.push_back(length);
+    return lines;
+  }
+
+  std::vector<double> squared_lines(const double length, const unsigned int n_cells)
+  {
+    std::vector<double> lines;
+    for (unsigned int i = 0; i <= n_cells; ++i)
+      lines.push_back(length * i * i / (n_cells * n_cells));
     return lines;
   }
 } // namespace ringmotor

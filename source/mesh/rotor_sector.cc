@@ -25,6 +25,31 @@ namespace ringmotor
         lines.push_back(from + (to > from ? distances[i] : -distances[i]));
     }
 
+    /**
+     * Lines across flange and lip, without the ring's: finer ones at the ring and, for contact, on
+     * both sides of the lip's outer line.
+     */
+    void append_flange_lines(std::vector<double> &lines, const RotorGeometry &rotor,
+                             const double first, const InterfaceGrading &lip)
+    {
+      for (const double distance :
+           squared_lines(rotor.lip_outer_radius - rotor.lip_inner_radius, lip.n_across))
+        lines.push_back(rotor.lip_outer_radius - distance);
+      if (lip.n_across == 1)
+      {
+        lines.pop_back();
+        lines.back() = rotor.lip_inner_radius;
+        append_lines(lines, rotor.ring_inner_radius, rotor.lip_outer_radius, first);
+        return;
+      }
+      const double middle = 0.5 * (rotor.lip_outer_radius + rotor.ring_inner_radius);
+      append_lines(lines, rotor.ring_inner_radius, middle, first);
+      const std::vector<double> distances =
+          squared_lines(middle - rotor.lip_outer_radius, lip.n_across);
+      for (unsigned int i = 1; i + 1 < distances.size(); ++i)
+        lines.push_back(rotor.lip_outer_radius + distances[i]);
+    }
+
     std::vector<double> sorted(std::vector<double> lines)
     {
       std::sort(lines.begin(), lines.end());
@@ -91,14 +116,15 @@ namespace ringmotor
 
     /** Lip and flange as a shell, tied to the solid root of the flange by its outer edge. */
     void add_flange_shell(SectorMesh &mesh, const RotorGeometry &rotor,
-                          const std::vector<double> &angles, const unsigned int level)
+                          const std::vector<double> &angles, const unsigned int level,
+                          const InterfaceGrading &lip)
     {
-      const double height = rotor.flange_lower_face + 0.5 * rotor.flange_thickness;
-      std::vector<double> radii{rotor.lip_inner_radius};
-      const unsigned int n_lip = 1 + level / 2, n_span = 2 + level;
-      for (unsigned int i = 1; i <= n_lip; ++i)
-        radii.push_back(rotor.lip_inner_radius +
-                        i * (rotor.lip_outer_radius - rotor.lip_inner_radius) / n_lip);
+      const double height      = rotor.flange_lower_face + 0.5 * rotor.flange_thickness;
+      const unsigned int n_lip = std::max(1 + level / 2, lip.n_across), n_span = 2 + level;
+      std::vector<double> radii;
+      for (const double distance :
+           squared_lines(rotor.lip_outer_radius - rotor.lip_inner_radius, n_lip))
+        radii.insert(radii.begin(), rotor.lip_outer_radius - distance);
       for (unsigned int i = 1; i <= n_span; ++i)
         radii.push_back(rotor.lip_outer_radius +
                         i * (root_radius(rotor) - rotor.lip_outer_radius) / n_span);
@@ -133,7 +159,7 @@ namespace ringmotor
 
   SectorMesh make_rotor_sector(const RotorGeometry &rotor, const unsigned int n_teeth,
                                const SectorForm form, const unsigned int level,
-                               MPI_Comm communicator)
+                               MPI_Comm communicator, const InterfaceGrading &lip)
   {
     const double flange_top    = rotor.flange_lower_face + rotor.flange_thickness;
     const double flange_middle = 0.5 * (rotor.flange_lower_face + flange_top);
@@ -142,25 +168,36 @@ namespace ringmotor
 
     std::vector<double> r_lines{rotor.ring_inner_radius};
     if (solid_flange)
-      r_lines.push_back(rotor.lip_inner_radius);
-    append_lines(r_lines, rotor.ring_inner_radius,
-                 solid_flange ? rotor.lip_outer_radius : root_radius(rotor), first);
+      append_flange_lines(r_lines, rotor, first, lip);
+    else
+      append_lines(r_lines, rotor.ring_inner_radius, root_radius(rotor), first);
     append_lines(r_lines, rotor.ring_inner_radius, rotor.ring_outer_radius, first);
     std::vector<double> z_lines{rotor.flange_lower_face, flange_top};
     append_lines(z_lines, rotor.flange_lower_face, rotor.ring_lower_face, first);
-    append_lines(z_lines, rotor.flange_lower_face, flange_middle, first);
-    append_lines(z_lines, flange_top, flange_middle, first);
+    if (solid_flange && lip.n_across > 1)
+    {
+      for (const double distance : squared_lines(rotor.flange_thickness, lip.n_across + 1))
+        z_lines.push_back(rotor.flange_lower_face + distance);
+    }
+    else
+    {
+      append_lines(z_lines, rotor.flange_lower_face, flange_middle, first);
+      append_lines(z_lines, flange_top, flange_middle, first);
+    }
     append_lines(z_lines, flange_top, rotor.ring_upper_face - rotor.radial_bar_height, first);
     z_lines.push_back(rotor.ring_upper_face);
     r_lines = sorted(r_lines);
     z_lines = sorted(z_lines);
-    // The middle of the flange was met from both sides.
-    z_lines.erase(std::unique(z_lines.begin(), z_lines.end()), z_lines.end());
+    // The flange was met from both sides.
+    z_lines.erase(std::unique(z_lines.begin(), z_lines.end(),
+                              [](const double a, const double b) { return b - a < 1e-12; }),
+                  z_lines.end());
 
     const double half_pitch = numbers::PI / n_teeth;
-    std::vector<double> angles{0., half_pitch};
-    if (form == SectorForm::whole)
-      angles.insert(angles.begin(), -half_pitch);
+    std::vector<double> angles;
+    const int n_around = static_cast<int>(lip.n_around);
+    for (int i = form == SectorForm::whole ? -n_around : 0; i <= n_around; ++i)
+      angles.push_back(i * half_pitch / n_around);
     const std::vector<double> theta_widths = widths(angles);
 
     Table<3, types::material_id> materials(r_lines.size() - 1, theta_widths.size(),
@@ -187,7 +224,7 @@ namespace ringmotor
     triangulation.set_all_manifold_ids(0);
     triangulation.set_manifold(0, CylindricalManifold<3>(2));
     if (!solid_flange)
-      add_flange_shell(mesh, rotor, angles, level);
+      add_flange_shell(mesh, rotor, angles, level, lip);
     if (rotor.radial_bar_stiffness > 0.)
       mesh.foundations[ids::radial_bars] = rotor.radial_bar_stiffness / rotor.radial_bar_height;
     return mesh;

@@ -275,4 +275,89 @@ namespace ringmotor
   {
     return make_sector(stator, n_teeth, SectorForm::half, grading, Parts::tooth, communicator);
   }
+
+  namespace
+  {
+    /** Lines from the inner (0) to the outer side (1) of the tooth's top, finer ones at the outer
+     * line of what the lip covers. */
+    std::vector<double> lines_across(const StatorGeometry &stator, const double lip_inner,
+                                     const double lip_outer, const InterfaceGrading &grading)
+    {
+      const double inner = std::max(lip_inner, stator.tip_inner_radius),
+                   outer = std::min(lip_outer, stator.tip_outer_radius);
+      std::vector<double> radii;
+      for (const double distance : squared_lines(outer - inner, grading.n_across))
+        radii.insert(radii.begin(), outer - distance);
+      if (inner > stator.tip_inner_radius)
+      {
+        const std::vector<double> distances = squared_lines(inner - stator.tip_inner_radius, 2);
+        for (unsigned int i = 1; i < distances.size(); ++i)
+          radii.insert(radii.begin(), inner - distances[i]);
+      }
+      if (outer < stator.tip_outer_radius)
+      {
+        const std::vector<double> distances = squared_lines(stator.tip_outer_radius - outer, 2);
+        for (unsigned int i = 1; i < distances.size(); ++i)
+          radii.push_back(outer + distances[i]);
+      }
+      for (double &radius : radii)
+        radius = (radius - stator.tip_inner_radius) /
+                 (stator.tip_outer_radius - stator.tip_inner_radius);
+      return radii;
+    }
+
+    std::vector<double> widths(const std::vector<double> &lines)
+    {
+      std::vector<double> widths;
+      for (unsigned int i = 1; i < lines.size(); ++i)
+        widths.push_back(lines[i] - lines[i - 1]);
+      return widths;
+    }
+  } // namespace
+
+  SectorMesh make_contact_tooth(const StatorGeometry &stator, const unsigned int n_teeth,
+                                const double lip_inner, const double lip_outer,
+                                const InterfaceGrading &grading, MPI_Comm communicator)
+  {
+    const double top              = stator.base_thickness + stator.tooth_height;
+    const std::vector<double> rho = lines_across(stator, lip_inner, lip_outer, grading);
+    std::vector<double> side, up;
+    for (const double distance : squared_lines(1., grading.n_around))
+      side.insert(side.begin(), 1. - distance);
+    for (const double distance : squared_lines(stator.tooth_height, grading.n_across + 1))
+      up.insert(up.begin(), top - distance);
+
+    SectorMesh mesh;
+    mesh.triangulation              = empty_triangulation<3>(communicator);
+    mesh.form                       = SectorForm::half;
+    mesh.n_sectors                  = n_teeth;
+    mesh.has_cuts                   = false;
+    Triangulation<3> &triangulation = *mesh.triangulation;
+    GridGenerator::subdivided_hyper_rectangle(
+        triangulation, {widths(rho), widths(side), widths(up)}, Point<3>(0., 0., up.front()),
+        Point<3>(1., 1., top), false);
+    const double tip = stator.tip_outer_radius - stator.tip_inner_radius;
+    for (const auto &cell : triangulation.active_cell_iterators())
+    {
+      cell->set_material_id(ids::tooth);
+      for (const auto &face : cell->face_iterators())
+        if (face->at_boundary())
+        {
+          const Point<3> center = face->center();
+          const double radius   = stator.tip_inner_radius + center[0] * tip;
+          if (center[1] < 1e-10)
+            face->set_boundary_id(ids::mirror);
+          else if (center[2] > top - 1e-10 * top && radius > lip_inner && radius < lip_outer)
+            face->set_boundary_id(ids::tooth_top);
+          else if (center[2] < up.front() + 1e-10 * top)
+            face->set_boundary_id(ids::tooth_foot);
+        }
+    }
+    const SectorManifold<3> shape(stator, n_teeth);
+    GridTools::transform([&](const Point<3> &chart) { return shape.push_forward(chart); },
+                         triangulation);
+    triangulation.set_all_manifold_ids(0);
+    triangulation.set_manifold(0, shape);
+    return mesh;
+  }
 } // namespace ringmotor

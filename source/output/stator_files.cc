@@ -125,6 +125,31 @@ namespace ringmotor
     table.write(path);
   }
 
+  std::vector<std::tuple<std::string, std::string, double>>
+  stator_fingerprint(const Parameters &parameters)
+  {
+    const StatorGeometry &stator = parameters.stator;
+    const Material &metal        = parameters.materials.stator_metal;
+    const Material &ceramic      = parameters.materials.piezoceramic;
+    return {
+        {"metal_young_modulus_Pa", "Materials/Stator metal/Young modulus", metal.young_modulus},
+        {"metal_poisson_ratio", "Materials/Stator metal/Poisson ratio", metal.poisson_ratio},
+        {"metal_density_kg_per_m3", "Materials/Stator metal/Density", metal.density},
+        {"ceramic_young_modulus_Pa", "Materials/Piezoceramic/Young modulus", ceramic.young_modulus},
+        {"ceramic_poisson_ratio", "Materials/Piezoceramic/Poisson ratio", ceramic.poisson_ratio},
+        {"ceramic_density_kg_per_m3", "Materials/Piezoceramic/Density", ceramic.density},
+        {"base_inner_radius_m", "Stator/Base inner radius", stator.base_inner_radius},
+        {"base_outer_radius_m", "Stator/Base outer radius", stator.base_outer_radius},
+        {"tip_inner_radius_m", "Stator/Tip inner radius", stator.tip_inner_radius},
+        {"tip_outer_radius_m", "Stator/Tip outer radius", stator.tip_outer_radius},
+        {"base_thickness_m", "Stator/Base thickness", stator.base_thickness},
+        {"tooth_height_m", "Stator/Tooth height", stator.tooth_height},
+        {"slot_width_m", "Stator/Slot width", stator.slot_width},
+        {"piezoceramic_thickness_m", "Stator/Piezoceramic thickness",
+         stator.piezoceramic_thickness},
+    };
+  }
+
   void write_modes_h5(const std::string &path, const Parameters &parameters,
                       const CyclicSector &sector, const std::vector<FoundMode> &modes,
                       const WaveResult *wave)
@@ -134,6 +159,8 @@ namespace ringmotor
     file.set_attribute("/", "n_waves", parameters.motor.n_waves);
     file.set_attribute("/", "n_teeth", parameters.motor.n_teeth);
     file.set_attribute("/", "polynomial_degree", sector.dofs().get_fe().degree);
+    for (const auto &[name, entry, value] : stator_fingerprint(parameters))
+      file.set_attribute("/stator", name, value);
     write_materials(file, parameters.materials);
     write_mode_list(file, modes);
     if (wave != nullptr)

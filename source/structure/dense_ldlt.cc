@@ -9,8 +9,8 @@ extern "C"
 {
   void dsytrf_(const char *uplo, const int *n, double *a, const int *lda, int *ipiv, double *work,
                const int *lwork, int *info);
-  void dsytrs_(const char *uplo, const int *n, const int *nrhs, const double *a, const int *lda,
-               const int *ipiv, double *b, const int *ldb, int *info);
+  void dsytrs2_(const char *uplo, const int *n, const int *nrhs, double *a, const int *lda,
+                const int *ipiv, double *b, const int *ldb, double *work, int *info);
 }
 
 namespace ringmotor
@@ -50,12 +50,14 @@ namespace ringmotor
     return count;
   }
 
-  void DenseLDLT::solve(std::vector<double> &right_hand_side) const
+  void DenseLDLT::solve(std::vector<double> &right_hand_sides)
   {
-    const int one = 1;
-    int info      = 0;
-    if (size > 0)
-      dsytrs_(&lower, &size, &one, factors.data(), &size, pivots.data(), right_hand_side.data(),
-              &size, &info);
+    if (size == 0)
+      return;
+    const int n_right_hand_sides = static_cast<int>(right_hand_sides.size() / size);
+    std::vector<double> work(size);
+    int info = 0;
+    dsytrs2_(&lower, &size, &n_right_hand_sides, factors.data(), &size, pivots.data(),
+             right_hand_sides.data(), &size, work.data(), &info);
   }
 } // namespace ringmotor

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/mesh/interface_grading.h>
 #include <ringmotor/mesh/sector_mesh.h>
 #include <ringmotor/parameters/motor.h>
 
@@ -38,4 +39,15 @@ namespace ringmotor
   /** Meshes half of a tooth alone, clamped at its foot. */
   SectorMesh make_tooth(const StatorGeometry &stator, const unsigned int n_teeth,
                         const SectorGrading &grading, MPI_Comm communicator);
+
+  /**
+   * Meshes half of a tooth alone for its contact with a lip that covers the radii @p lip_inner to
+   * @p lip_outer (m). The faces of the tooth's top below the lip carry ids::tooth_top, those of its
+   * foot ids::tooth_foot. Cells get smaller towards the outer one of the lines where lip and tooth
+   * end, and towards the sides and the top of the tooth.
+   * @throws UserError if the lip misses the tooth.
+   */
+  SectorMesh make_contact_tooth(const StatorGeometry &stator, const unsigned int n_teeth,
+                                const double lip_inner, const double lip_outer,
+                                const InterfaceGrading &grading, MPI_Comm communicator);
 } // namespace ringmotor

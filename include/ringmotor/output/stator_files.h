@@ -8,6 +8,7 @@
 #include <ringmotor/quantities/tooth_motion.h>
 
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace ringmotor
@@ -33,13 +34,18 @@ namespace ringmotor
     double gap_above = 0.;  ///< the same for the next faster one
   };
 
-  constexpr unsigned int modes_format_version = 1;
+  constexpr unsigned int modes_format_version = 2;
 
   /** `frequencies.csv`: all modes with their error bars and their content. */
   void write_frequencies(const std::string &path, const std::vector<FoundMode> &modes);
 
   /** `ellipses.csv`: the elliptic motion of the named points in the travelling wave. */
   void write_ellipses(const std::string &path, const WaveResult &wave);
+
+  /** What tells one stator from another: name of an attribute in `modes.h5`, entry of the parameter
+   * file, value. */
+  std::vector<std::tuple<std::string, std::string, double>>
+  stator_fingerprint(const Parameters &parameters);
 
   /** `modes.h5`: everything `contact` needs of the wave, and the list of modes. See doc/files.md.
    */

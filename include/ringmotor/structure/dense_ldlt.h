@@ -19,8 +19,8 @@ namespace ringmotor
     /** Number of negative eigenvalues of the factorised matrix. */
     unsigned int n_negative() const;
 
-    /** Replaces @p right_hand_side by the solution. */
-    void solve(std::vector<double> &right_hand_side) const;
+    /** Replaces @p right_hand_sides, one or several one after the other, by the solutions. */
+    void solve(std::vector<double> &right_hand_sides);
 
   private:
     int size = 0;

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/contact/contact_solver.h>
+#include <ringmotor/contact/ring_compliance.h>
+#include <ringmotor/mesh/interface_grading.h>
+#include <ringmotor/parameters/parameters.h>
+
+#include <array>
+#include <complex>
+#include <functional>
+#include <vector>
+
+namespace ringmotor
+{
+  /** The complex displacement amplitude of the stator's wave (m; r, theta, z components) at a point
+   * of a surface of tooth 0. */
+  using WaveMotion = std::function<std::array<std::complex<double>, 3>(const dealii::Point<3> &)>;
+
+  /** The travelling wave that drives the motor, as the stator's modes tell it. */
+  struct StatorWave
+  {
+    unsigned int n_waves     = 0;
+    double angular_frequency = 0.; ///< rad/s
+    WaveMotion foot;               ///< between base and tooth
+    WaveMotion top;                ///< of the tooth's top
+  };
+
+  /** How finely the bodies are divided for the contact. */
+  struct ContactDiscretisation
+  {
+    unsigned int degree = 2;
+    InterfaceGrading tooth{2, 2};
+    InterfaceGrading lip{2, 3};
+    unsigned int rotor_level = 0;
+
+    /** Discretisations 0, 1, 2, ... of a sequence in which all get finer. */
+    static ContactDiscretisation level(const unsigned int level);
+  };
+
+  /** What the contact needs to know of a motor: everything elastic in one matrix. */
+  struct CondensedMotor
+  {
+    /** A contact point of tooth 0. */
+    struct Node
+    {
+      double radius; ///< m
+      double angle;  ///< rad
+      double area;   ///< m^2
+      std::array<std::complex<double>, 3>
+          free_motion; ///< m, of the tooth without contact forces, see PointVector
+    };
+
+    unsigned int n_teeth, n_waves;
+    double angular_frequency; ///< rad/s
+    /** A motion of the rotor with one wave around the ring that hardly anything holds: a tilt or,
+     * without bars, a shift. */
+    struct LooseMotion
+    {
+      std::vector<std::array<std::complex<double>, 3>> motion; ///< of the rotor at each node of
+                                                               ///< tooth 0; times exp(-i theta_j)
+                                                               ///< for tooth j
+      double stiffness; ///< of the whole ring against the real or the imaginary part
+    };
+
+    std::vector<Node> nodes;
+    std::vector<LooseMotion> loose_motions;
+    RingCompliance compliance; ///< of rotor and teeth, relative motion of rotor against stator
+    ComplementarityConstants constants;
+    unsigned int n_dofs; ///< of both bodies
+
+    double period() const;
+    double pitch() const;
+  };
+
+  /**
+   * Condenses teeth and rotor of a motor to their contact points.
+   * @throws UserError if the lip misses the teeth
+   */
+  CondensedMotor condense_motor(const Parameters &parameters, const StatorWave &wave,
+                                const ContactDiscretisation &discretisation);
+} // namespace ringmotor

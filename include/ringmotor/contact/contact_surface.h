@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/structure/condensation.h>
+
+#include <deal.II/grid/tria.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace ringmotor
+{
+  /** A node of a surface that can touch. */
+  struct SurfaceNode
+  {
+    dealii::Point<2> place;                 ///< (r, theta) in m and rad
+    std::array<LinearForm, 3> displacement; ///< normal (z), along -theta, radial; see PointVector
+  };
+
+  /**
+   * A surface that can touch, one sector of it, as quadrilaterals in the plane (r, theta), over
+   * which displacements are polynomials of one degree in each direction.
+   */
+  struct ContactSurface
+  {
+    unsigned int degree = 0;
+    std::vector<SurfaceNode> nodes;
+    /** The nodes of a face in the order of FE_Q<2>(degree) on the face's cell of `plane`. */
+    std::vector<std::vector<unsigned int>> faces;
+    std::vector<std::array<dealii::Point<2>, 4>> corners; ///< of each face, as deal.II orders them
+  };
+
+  /** The faces of solids with this boundary id; of the meshed part of the sector. */
+  ContactSurface solid_surface(const SectorElements &sector,
+                               const dealii::types::boundary_id faces);
+
+  /** The lower face of the shell's cells with this material id. */
+  ContactSurface shell_surface(const SectorElements &sector,
+                               const dealii::types::material_id cells);
+
+  /** Completes the surface of half a sector by its mirror image. */
+  struct MirroredNode
+  {
+    unsigned int node; ///< of the half surface
+    bool mirrored;     ///< at -theta, where U(-theta) = S conj(U(theta))
+  };
+
+  /** A surface over a whole sector, and where its nodes come from. */
+  struct SectorSurface
+  {
+    ContactSurface surface; ///< without displacement forms
+    std::vector<MirroredNode> origin;
+  };
+
+  /** The surface over the whole sector: that of a half sector is completed by its mirror image. */
+  SectorSurface whole_surface(const ContactSurface &meshed, const SectorForm form);
+
+  /** All displacement forms of a surface, three for each node. */
+  std::vector<LinearForm> displacement_forms(const ContactSurface &surface);
+} // namespace ringmotor

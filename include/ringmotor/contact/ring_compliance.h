@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/contact/mortar.h>
+
+#include <complex>
+#include <functional>
+#include <vector>
+
+namespace ringmotor
+{
+  /** A complex square matrix by rows. */
+  struct ComplexMatrix
+  {
+    explicit ComplexMatrix(const unsigned int size = 0)
+        : size(size), entries(static_cast<std::size_t>(size) * size)
+    {
+    }
+    std::complex<double> &operator()(const unsigned int i, const unsigned int j)
+    {
+      return entries[static_cast<std::size_t>(i) * size + j];
+    }
+    const std::complex<double> &operator()(const unsigned int i, const unsigned int j) const
+    {
+      return entries[static_cast<std::size_t>(i) * size + j];
+    }
+    unsigned int size;
+    std::vector<std::complex<double>> entries;
+  };
+
+  /**
+   * The compliance of a body at the nodes of its surface over a whole sector (m/N, Hermitian, three
+   * components for each node) from that of the meshed part, see Condensation::compliance(). For a
+   * wave with nodal diameter k, motions and forces of sector j are exp(-i k j alpha) times those of
+   * sector 0, in cylindrical components.
+   */
+  ComplexMatrix sector_compliance(const dealii::FullMatrix<double> &condensed,
+                                  const std::vector<MirroredNode> &origin, const SectorForm form);
+
+  /** The compliance at the nodes of a coupling of a rotor with this compliance of its own nodes. */
+  ComplexMatrix coupled_compliance(const ComplexMatrix &rotor, const MortarCoupling &coupling,
+                                   const unsigned int k, const double pitch);
+
+  /**
+   * How all contact points of a ring of equal sectors move under forces on them: a matrix that only
+   * depends on the distance of two sectors.
+   */
+  class RingCompliance
+  {
+  public:
+    /**
+     * @param of_wave the compliance for a nodal diameter 0 .. @p n_sectors / 2
+     */
+    RingCompliance(const unsigned int n_sectors, const unsigned int n_nodes,
+                   const std::function<ComplexMatrix(unsigned int)> &of_wave);
+
+    /** Adds a compliance within each sector, by rows, three components for each node. */
+    void add_within_sectors(const dealii::FullMatrix<double> &compliance);
+
+    unsigned int n_sectors() const { return sector_count; }
+    unsigned int n_nodes() const { return node_count; }
+
+    /** Three rows and columns: motion of node a (m) by a force on node b (N) of a sector that lies
+     * @p distance sectors lower in theta, 0 .. n_sectors - 1. */
+    double operator()(const unsigned int distance, const unsigned int a, const unsigned int c,
+                      const unsigned int b, const unsigned int d) const
+    {
+      const std::size_t width = 3 * node_count;
+      return entries[(distance * width + 3 * a + c) * width + 3 * b + d];
+    }
+
+    /** The same ring seen as one of n_sectors / @p fold sectors, for forces and motions that repeat
+     * themselves. */
+    RingCompliance folded(const unsigned int fold) const;
+
+  private:
+    RingCompliance() = default;
+
+    unsigned int sector_count = 0, node_count = 0;
+    std::vector<double> entries;
+  };
+} // namespace ringmotor

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/contact/condensed_motor.h>
+
+#include <string>
+
+namespace ringmotor
+{
+  /**
+   * Reads the motor's wave from a file `modes.h5` that the program `stator` has written for the
+   * motor of @p parameters.
+   * @throws UserError in one line if the file is missing, damaged, without the motor's wave, of
+   *         another version or of another motor; it names the entry that differs
+   */
+  StatorWave read_stator_wave(const std::string &path, const Parameters &parameters);
+} // namespace ringmotor

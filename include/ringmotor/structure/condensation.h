@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/structure/cyclic_sector.h>
+
+#include <deal.II/lac/full_matrix.h>
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace ringmotor
+{
+  /** The sum of coefficient * value over some degrees of freedom, in the axes of their nodes. */
+  using LinearForm = std::vector<std::pair<SectorNodes::Dof, double>>;
+
+  /**
+   * A load that stands against a motion which nothing, or hardly anything, else holds. Its mean
+   * displacement, the sum over @p load, is kept at zero, so that the load becomes the reaction; in
+   * the end the reaction is the load that the body really carries, and that displacement comes back
+   * as an unknown, see SupportMotion.
+   */
+  struct CondensationSupport
+  {
+    unsigned int part; ///< 0: a load on the real field, 1: on the imaginary one
+    LinearForm load;   ///< N, for the meshed part of the sector
+  };
+
+  /** What a body does when the displacement of a support is 1, that of the others 0. */
+  struct SupportMotion
+  {
+    std::vector<double> interface; ///< displacements of the interface, real field, then imaginary
+    double stiffness;              ///< load of the support that it takes; 0 for a rigid motion
+  };
+
+  /**
+   * Static condensation of a cyclic sector: an elastic body (vibrating at one frequency) as seen
+   * from its interface. The two real fields of the sector are condensed to their interface and
+   * their cut once; each nodal diameter then only ties the cut and eliminates it.
+   *
+   * Exact linear algebra: what comes out is what a solution with all unknowns gives.
+   */
+  class Condensation
+  {
+  public:
+    /**
+     * @param interface displacements at which forces act; with a force goes the load that does work
+     * on the displacement. Their degrees of freedom must be independent.
+     * @param driven degrees of freedom with a given motion
+     * @param shift omega^2 in rad^2/s^2; 0: static
+     * @throws ComputationError if a body without its interface is singular
+     */
+    Condensation(const CyclicSector &sector, const std::vector<LinearForm> &interface,
+                 const std::vector<SectorNodes::Dof> &driven,
+                 const std::vector<CondensationSupport> &supports, const double shift);
+
+    /**
+     * Interface displacements under interface forces for nodal diameter @p k, with driven degrees
+     * of freedom at rest: a symmetric matrix, first all entries of the real field, then those of
+     * the imaginary one, in m/N on the meshed part of the sector. Supports hold if they are among
+     * @p held, as they must where a rigid motion is free.
+     */
+    dealii::FullMatrix<double> compliance(const unsigned int k,
+                                          const std::vector<unsigned int> &held) const;
+
+    /** The motion of one of the supports @p held. */
+    SupportMotion support_motion(const unsigned int k, const std::vector<unsigned int> &held,
+                                 const unsigned int support) const;
+
+    /**
+     * Interface displacements, real field, then imaginary one, without interface forces when the
+     * driven degrees of freedom move by @p motion (in the same order; axes of the nodes).
+     */
+    std::vector<double> follow(const unsigned int k, const std::vector<double> &motion) const;
+
+  private:
+    /** One real field, condensed to its cut, its interface and its supports. */
+    struct Field
+    {
+      std::vector<unsigned int> kept;       ///< numbers in the field, those of the cut first
+      std::vector<unsigned int> row_of_dof; ///< in the matrix, of kept degrees of freedom
+      std::vector<unsigned int> unknown;    ///< by row, of those not on the cut
+      std::vector<double> matrix;           ///< lower triangle by columns
+    };
+    struct Reduced;
+
+    void condense(const unsigned int part, const double shift);
+    /** Which unknowns stay when the cut is eliminated, and how kept rows depend on unknowns. */
+    Reduced layout(const unsigned int k, const std::vector<unsigned int> &held) const;
+    /** The condensed body with the condition on its cut, the rest of the cut eliminated. */
+    Reduced reduce(const unsigned int k, const std::vector<unsigned int> &held) const;
+    /** The interface displacements that belong to the unknowns which stay. */
+    std::vector<double> interface_motion(const Reduced &reduced,
+                                         const std::vector<double> &unknowns) const;
+    /** Where the driven degrees of freedom are in it. */
+    std::vector<unsigned int> driven_places(const Reduced &reduced) const;
+
+    const CyclicSector &sector;
+    const std::vector<LinearForm> interface;
+    const std::vector<SectorNodes::Dof> driven;
+    const std::vector<CondensationSupport> supports;
+    std::vector<bool> at_interface; ///< by degree of freedom: on the interface or driven
+    std::array<Field, 2> fields;
+  };
+} // namespace ringmotor

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/contact/condensed_motor.h>
+#include <ringmotor/mesh/ids.h>
+#include <ringmotor/mesh/rotor_sector.h>
+#include <ringmotor/mesh/stator_sector.h>
+#include <ringmotor/parameters/errors.h>
+#include <ringmotor/structure/surface_load.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ringmotor
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Complex = std::complex<double>;
+
+    /** The motion of a surface over the whole sector from that of the meshed half. */
+    std::vector<std::array<Complex, 3>> sector_motion(const std::vector<double> &half,
+                                                      const std::vector<MirroredNode> &origin)
+    {
+      std::vector<std::array<Complex, 3>> motions;
+      for (const MirroredNode &node : origin)
+      {
+        std::array<Complex, 3> motion;
+        for (unsigned int c = 0; c < 3; ++c)
+        {
+          const Complex u(half[3 * node.node + c], half[half.size() / 2 + 3 * node.node + c]);
+          motion[c] = node.mirrored ? (c == 1 ? -1. : 1.) * std::conj(u) : u;
+        }
+        motions.push_back(motion);
+      }
+      return motions;
+    }
+
+    /** A tooth alone: its compliance, and how its top follows the motion of its foot. */
+    struct CondensedTooth
+    {
+      SectorSurface surface;
+      ComplexMatrix compliance;
+      std::vector<std::array<Complex, 3>> free_motion; ///< by node of the surface
+      unsigned int n_dofs;
+    };
+
+    /** All degrees of freedom of the nodes on the tooth's foot. */
+    std::vector<SectorNodes::Dof> foot_dofs(const ContactSurface &foot)
+    {
+      std::vector<SectorNodes::Dof> dofs;
+      for (const SurfaceNode &node : foot.nodes)
+        for (const auto &[dof, coefficient] : node.displacement[0])
+          dofs.push_back(dof);
+      return dofs;
+    }
+
+    /** The real and the imaginary part of the wave along these degrees of freedom. */
+    std::vector<double> foot_motion(const CyclicSector &sector,
+                                    const std::vector<SectorNodes::Dof> &dofs,
+                                    const WaveMotion &wave)
+    {
+      std::vector<double> motion(2 * dofs.size());
+      for (unsigned int i = 0; i < dofs.size(); ++i)
+      {
+        const Point<3> &x          = sector.nodes().position(sector.nodes().node(dofs[i]));
+        const double r             = std::hypot(x[0], x[1]);
+        const auto u               = wave(x);
+        const Tensor<1, 3> along   = sector.nodes().direction(dofs[i]);
+        const Complex displacement = u[0] * (along[0] * x[0] + along[1] * x[1]) / r +
+                                     u[1] * (along[1] * x[0] - along[0] * x[1]) / r +
+                                     u[2] * along[2];
+        motion[i]               = displacement.real();
+        motion[dofs.size() + i] = displacement.imag();
+      }
+      return motion;
+    }
+
+    CondensedTooth condense_tooth(const Parameters &parameters, const StatorWave &wave,
+                                  const ContactDiscretisation &discretisation)
+    {
+      const SectorMesh mesh = make_contact_tooth(
+          parameters.stator, parameters.motor.n_teeth, parameters.rotor.lip_inner_radius,
+          parameters.rotor.lip_outer_radius, discretisation.tooth, MPI_COMM_SELF);
+      const CyclicSector sector(mesh, {{ids::tooth, parameters.materials.stator_metal}},
+                                discretisation.degree);
+      const ContactSurface top                 = solid_surface(sector, ids::tooth_top);
+      const std::vector<SectorNodes::Dof> foot = foot_dofs(solid_surface(sector, ids::tooth_foot));
+      const Condensation condensation(sector, displacement_forms(top), foot, {}, 0.);
+      CondensedTooth tooth;
+      tooth.surface = whole_surface(top, mesh.form);
+      tooth.compliance =
+          sector_compliance(condensation.compliance(0, {}), tooth.surface.origin, mesh.form);
+      tooth.n_dofs = sector.n_dofs();
+      const std::vector<double> moved =
+          condensation.follow(0, foot_motion(sector, foot, wave.foot));
+      tooth.free_motion = sector_motion(moved, tooth.surface.origin);
+      return tooth;
+    }
+
+    /** The loads of the rotor as supports: preload on the ring's top, torque on its inner side. */
+    std::vector<CondensationSupport> rotor_loads(const CyclicSector &sector)
+    {
+      const Traction up     = [](const Point<3> &) { return std::array<Complex, 3>{{0., 0., 1.}}; };
+      const Traction around = [](const Point<3> &x)
+      {
+        const double r = std::hypot(x[0], x[1]);
+        const Complex i(0., 1.);
+        return std::array<Complex, 3>{{-i * x[1] / r, i * x[0] / r, 0.}};
+      };
+      std::vector<CondensationSupport> supports;
+      for (const unsigned int part : {0u, 1u})
+      {
+        const Vector<double> load =
+            sector.from_forces(part == 0 ? face_load(sector, ids::ring_top, up)
+                                         : face_load(sector, ids::ring_bore, around))[part];
+        supports.push_back({part, {}});
+        const double scale = 1. / load.l1_norm();
+        for (SectorNodes::Dof dof = 0; dof < load.size(); ++dof)
+          if (load[dof] != 0.)
+            supports.back().load.emplace_back(dof, scale * load[dof]);
+      }
+      return supports;
+    }
+
+    /** The rotor rises and turns freely, and tilts nearly so; without bars it also shifts. */
+    std::vector<unsigned int> supports_that_hold(const unsigned int k, const bool has_bars)
+    {
+      if (k > 1)
+        return {};
+      return k == 1 && has_bars ? std::vector<unsigned int>{0} : std::vector<unsigned int>{0, 1};
+    }
+
+    CondensedMotor::LooseMotion loose_motion(const SupportMotion &support,
+                                             const std::vector<MirroredNode> &origin,
+                                             const MortarCoupling &mortar, const double pitch,
+                                             const unsigned int n_teeth)
+    {
+      const std::vector<std::array<Complex, 3>> rotor = sector_motion(support.interface, origin);
+      // Two halves make a sector, and the mean square of a wave is half of its amplitude's.
+      CondensedMotor::LooseMotion loose{{}, n_teeth * support.stiffness};
+      for (const MortarCoupling::Node &node : mortar.nodes)
+      {
+        std::array<Complex, 3> motion{};
+        for (const MortarCoupling::Weight &weight : node.weights)
+          for (unsigned int c = 0; c < 3; ++c)
+            motion[c] += weight.weight * std::polar(1., -weight.sector * pitch) *
+                         rotor[weight.rotor_node][c];
+        loose.motion.push_back(motion);
+      }
+      return loose;
+    }
+
+    /** Median of the normal compliances of the points, and the largest eigenvalue of the tangential
+     * compliance of a tooth. */
+    ComplementarityConstants constants_for(const RingCompliance &compliance)
+    {
+      const unsigned int n = compliance.n_nodes();
+      std::vector<double> normal;
+      for (unsigned int a = 0; a < n; ++a)
+        normal.push_back(compliance(0, a, 0, a, 0));
+      std::nth_element(normal.begin(), normal.begin() + n / 2, normal.end());
+
+      std::vector<double> vector(2 * n, 1.), product(2 * n);
+      double eigenvalue = 0.;
+      for (unsigned int step = 0; step < 50; ++step) // the size is all that matters
+      {
+        for (unsigned int i = 0; i < 2 * n; ++i)
+        {
+          product[i] = 0.;
+          for (unsigned int j = 0; j < 2 * n; ++j)
+            product[i] += compliance(0, i / 2, 1 + i % 2, j / 2, 1 + j % 2) * vector[j];
+        }
+        double square = 0.;
+        for (const double entry : product)
+          square += entry * entry;
+        eigenvalue = std::sqrt(square);
+        for (unsigned int i = 0; i < 2 * n; ++i)
+          vector[i] = product[i] / eigenvalue;
+      }
+      return {1. / normal[n / 2], 1. / eigenvalue};
+    }
+  } // namespace
+
+  ContactDiscretisation ContactDiscretisation::level(const unsigned int level)
+  {
+    ContactDiscretisation discretisation;
+    discretisation.tooth = {2 + level, 1 + level};
+    discretisation.lip   = {2 + level, 2 + level};
+    return discretisation;
+  }
+
+  double CondensedMotor::period() const
+  {
+    return 2. * numbers::PI / angular_frequency;
+  }
+
+  double CondensedMotor::pitch() const
+  {
+    return 2. * numbers::PI / n_teeth;
+  }
+
+  CondensedMotor condense_motor(const Parameters &parameters, const StatorWave &wave,
+                                const ContactDiscretisation &discretisation)
+  {
+    const unsigned int n_teeth = parameters.motor.n_teeth;
+    const double pitch         = 2. * numbers::PI / n_teeth;
+    const CondensedTooth tooth = condense_tooth(parameters, wave, discretisation);
+
+    const SectorMesh mesh =
+        make_rotor_sector(parameters.rotor, n_teeth, SectorForm::half, discretisation.rotor_level,
+                          MPI_COMM_SELF, discretisation.lip);
+    const Material &metal = parameters.materials.rotor_metal;
+    const CyclicSector sector(mesh, {{ids::rotor, metal}, {ids::lip_shell, metal}},
+                              discretisation.degree);
+    const ContactSurface lip    = parameters.rotor.flange_element == ElementKind::solid
+                                      ? solid_surface(sector, ids::lip)
+                                      : shell_surface(sector, ids::lip_shell);
+    const SectorSurface whole   = whole_surface(lip, mesh.form);
+    const MortarCoupling mortar = couple(tooth.surface.surface, whole.surface, pitch);
+    if (mortar.nodes.empty())
+      throw UserError("the lip (Rotor/Lip inner radius to Lip outer radius) covers no part of the "
+                      "tooth tops (Stator/Tip inner radius to Tip outer radius); let them overlap");
+
+    const Condensation condensation(sector, displacement_forms(lip), {}, rotor_loads(sector), 0.);
+    const auto held = [&](const unsigned int k)
+    { return supports_that_hold(k, parameters.rotor.radial_bar_stiffness > 0.); };
+    RingCompliance ring(
+        n_teeth, mortar.nodes.size(),
+        [&](const unsigned int k)
+        {
+          return coupled_compliance(
+              sector_compliance(condensation.compliance(k, held(k)), whole.origin, mesh.form),
+              mortar, k, pitch);
+        });
+    std::vector<CondensedMotor::LooseMotion> loose_motions;
+    for (const unsigned int support : held(1))
+      loose_motions.push_back(loose_motion(condensation.support_motion(1, held(1), support),
+                                           whole.origin, mortar, pitch, n_teeth));
+
+    const unsigned int n = mortar.nodes.size();
+    FullMatrix<double> of_tooth(3 * n, 3 * n);
+    std::vector<CondensedMotor::Node> nodes;
+    for (unsigned int a = 0; a < n; ++a)
+    {
+      const unsigned int i = mortar.nodes[a].tooth_node;
+      nodes.push_back({tooth.surface.surface.nodes[i].place[0],
+                       tooth.surface.surface.nodes[i].place[1], mortar.nodes[a].area,
+                       tooth.free_motion[i]});
+      for (unsigned int b = 0; b < n; ++b)
+        for (unsigned int c = 0; c < 3; ++c)
+          for (unsigned int d = 0; d < 3; ++d)
+            of_tooth(3 * a + c, 3 * b + d) =
+                tooth.compliance(3 * i + c, 3 * mortar.nodes[b].tooth_node + d).real();
+    }
+    ring.add_within_sectors(of_tooth);
+    const ComplementarityConstants constants = constants_for(ring);
+    return {n_teeth,
+            wave.n_waves,
+            wave.angular_frequency,
+            std::move(nodes),
+            std::move(loose_motions),
+            std::move(ring),
+            constants,
+            tooth.n_dofs + sector.n_dofs()};
+  }
+} // namespace ringmotor

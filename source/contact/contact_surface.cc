@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/contact/contact_surface.h>
+
+#include <deal.II/fe/fe_q.h>
+
+#include <cmath>
+#include <map>
+
+namespace ringmotor
+{
+  using namespace dealii;
+
+  namespace
+  {
+    Point<2> in_plane(const Point<3> &x)
+    {
+      return Point<2>(std::hypot(x[0], x[1]), std::atan2(x[1], x[0]));
+    }
+
+    /** Unit vectors of a point vector's components at a place: z, -theta, r. */
+    std::array<Tensor<1, 3>, 3> directions(const Point<3> &x)
+    {
+      const double r = std::hypot(x[0], x[1]);
+      std::array<Tensor<1, 3>, 3> axes;
+      axes[0][2] = 1.;
+      axes[1][0] = x[1] / r;
+      axes[1][1] = -x[0] / r;
+      axes[2][0] = x[0] / r;
+      axes[2][1] = x[1] / r;
+      return axes;
+    }
+
+    /** Corners that run around the quadrilateral as in deal.II, counterclockwise in (r, theta). */
+    std::array<Point<2>, 4> oriented(std::array<Point<2>, 4> corner)
+    {
+      const Tensor<1, 2> a = corner[1] - corner[0], b = corner[2] - corner[0];
+      if (a[0] * b[1] - a[1] * b[0] < 0.)
+        std::swap(corner[1], corner[2]);
+      return corner;
+    }
+
+    /** Where a point lies in a quadrilateral that is nearly a parallelogram, in unit coordinates.
+     */
+    Point<2> unit_point(const std::array<Point<2>, 4> &corner, const Point<2> &x)
+    {
+      Point<2> unit(0.5, 0.5);
+      for (unsigned int step = 0; step < 20; ++step)
+      {
+        const double u = unit[0], v = unit[1];
+        const Tensor<1, 2> miss = (1. - u) * (1. - v) * corner[0] + u * (1. - v) * corner[1] +
+                                  (1. - u) * v * corner[2] + u * v * corner[3] - x;
+        const Tensor<1, 2> by_u  = (1. - v) * (corner[1] - corner[0]) + v * (corner[3] - corner[2]),
+                           by_v  = (1. - u) * (corner[2] - corner[0]) + u * (corner[3] - corner[1]);
+        const double determinant = by_u[0] * by_v[1] - by_u[1] * by_v[0];
+        unit[0] -= (miss[0] * by_v[1] - miss[1] * by_v[0]) / determinant;
+        unit[1] -= (by_u[0] * miss[1] - by_u[1] * miss[0]) / determinant;
+      }
+      return unit;
+    }
+
+    /** Collects faces, each node once. */
+    class SurfaceBuilder
+    {
+    public:
+      explicit SurfaceBuilder(const unsigned int degree) : element(degree)
+      {
+        surface.degree = degree;
+      }
+
+      /** @p face_nodes are those of one face in any order, known by @p keys. */
+      void add_face(const std::array<Point<2>, 4> &vertices, const std::vector<unsigned int> &keys,
+                    const std::vector<SurfaceNode> &face_nodes)
+      {
+        const std::array<Point<2>, 4> corner = oriented(vertices);
+        std::vector<unsigned int> face(element.n_dofs_per_cell(), numbers::invalid_unsigned_int);
+        for (unsigned int i = 0; i < keys.size(); ++i)
+        {
+          const auto [entry, is_new] = number.emplace(keys[i], surface.nodes.size());
+          if (is_new)
+            surface.nodes.push_back(face_nodes[i]);
+          const Point<2> unit = unit_point(corner, face_nodes[i].place);
+          for (unsigned int j = 0; j < face.size(); ++j)
+            if (element.unit_support_point(j).distance(unit) < 0.1 / surface.degree)
+              face[j] = entry->second;
+        }
+        for (const unsigned int node : face)
+          AssertThrow(node != numbers::invalid_unsigned_int,
+                      ExcMessage("a face of the interface is too distorted"));
+        surface.corners.push_back(corner);
+        surface.faces.push_back(face);
+      }
+
+      ContactSurface surface;
+
+    private:
+      const FE_Q<2> element;
+      std::map<unsigned int, unsigned int> number;
+    };
+  } // namespace
+
+  ContactSurface solid_surface(const SectorElements &sector, const types::boundary_id faces)
+  {
+    const FiniteElement<3> &fe = sector.dofs().get_fe();
+    const SectorNodes &nodes   = sector.nodes();
+    SurfaceBuilder builder(fe.degree);
+    for (const auto &cell : sector.dofs().active_cell_iterators())
+      for (const unsigned int f : cell->face_indices())
+        if (cell->at_boundary(f) && cell->face(f)->boundary_id() == faces)
+        {
+          const std::vector<SectorNodes::Dof> dofs = sector.dofs_of(cell);
+          std::vector<unsigned int> keys;
+          std::vector<SurfaceNode> found;
+          for (unsigned int i = 0; i < dofs.size(); ++i)
+            if (fe.system_to_component_index(i).first == 0 && fe.has_support_on_face(i, f))
+            {
+              const unsigned int node = nodes.node(dofs[i]);
+              const auto axes         = directions(nodes.position(node));
+              SurfaceNode surface_node{in_plane(nodes.position(node)), {}};
+              for (unsigned int c = 0; c < 3; ++c)
+                for (unsigned int d = 0; d < 3; ++d)
+                  surface_node.displacement[c].emplace_back(
+                      nodes.dof(node, d), axes[c] * nodes.direction(nodes.dof(node, d)));
+              keys.push_back(node);
+              found.push_back(surface_node);
+            }
+          std::array<Point<2>, 4> vertices;
+          for (unsigned int v = 0; v < 4; ++v)
+            vertices[v] = in_plane(cell->face(f)->vertex(v));
+          builder.add_face(vertices, keys, found);
+        }
+    return builder.surface;
+  }
+
+  ContactSurface shell_surface(const SectorElements &sector, const types::material_id cells)
+  {
+    const FiniteElement<2, 3> &fe = sector.shell_dofs().get_fe();
+    const SectorNodes &nodes      = sector.nodes();
+    SurfaceBuilder builder(fe.degree);
+    for (const auto &cell : sector.shell_dofs().active_cell_iterators())
+      if (cell->material_id() == cells)
+      {
+        const double height = sector.sector_mesh().sections.at(cells).lower_face();
+        const std::vector<SectorNodes::Dof> dofs = sector.dofs_of(cell);
+        std::vector<unsigned int> keys;
+        std::vector<SurfaceNode> found;
+        // A scalar shape function belongs to six degrees of freedom.
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          if (fe.system_to_component_index(i).first == 0)
+          {
+            const unsigned int shape = fe.system_to_component_index(i).second;
+            const unsigned int node  = nodes.node(dofs[i]);
+            const unsigned int turn  = nodes.node(dofs[fe.component_to_system_index(3, shape)]);
+            const auto axes          = directions(nodes.position(node));
+            SurfaceNode surface_node{in_plane(nodes.position(node)), {}};
+            // The face moves by u + theta x (height z): the shell is level where it can touch.
+            const Tensor<1, 3> arm = height * axes[0];
+            for (unsigned int c = 0; c < 3; ++c)
+              for (unsigned int d = 0; d < 3; ++d)
+              {
+                const SectorNodes::Dof moves = nodes.dof(node, d), turns = nodes.dof(turn, d);
+                surface_node.displacement[c].emplace_back(moves, axes[c] * nodes.direction(moves));
+                surface_node.displacement[c].emplace_back(
+                    turns, axes[c] * cross_product_3d(nodes.direction(turns), arm));
+              }
+            keys.push_back(node);
+            found.push_back(surface_node);
+          }
+        std::array<Point<2>, 4> vertices;
+        for (unsigned int v = 0; v < 4; ++v)
+          vertices[v] = in_plane(cell->vertex(v));
+        builder.add_face(vertices, keys, found);
+      }
+    return builder.surface;
+  }
+
+  SectorSurface whole_surface(const ContactSurface &meshed, const SectorForm form)
+  {
+    SectorSurface whole;
+    whole.surface = meshed;
+    for (unsigned int i = 0; i < meshed.nodes.size(); ++i)
+    {
+      whole.surface.nodes[i].displacement = {};
+      whole.origin.push_back({i, false});
+    }
+    if (form == SectorForm::whole)
+      return whole;
+
+    std::vector<unsigned int> image(meshed.nodes.size());
+    for (unsigned int i = 0; i < meshed.nodes.size(); ++i)
+    {
+      const Point<2> &place = meshed.nodes[i].place;
+      image[i]              = i;
+      if (place[1] < 1e-10)
+        continue;
+      image[i] = whole.surface.nodes.size();
+      whole.surface.nodes.push_back({Point<2>(place[0], -place[1]), {}});
+      whole.origin.push_back({i, true});
+    }
+    for (unsigned int face = 0; face < meshed.faces.size(); ++face)
+    {
+      // Mirrored and turned round again: the local axes change places.
+      const auto mirrored = [&](const unsigned int v)
+      {
+        const Point<2> &corner = meshed.corners[face][v];
+        return Point<2>(corner[0], -corner[1]);
+      };
+      whole.surface.corners.push_back({{mirrored(0), mirrored(2), mirrored(1), mirrored(3)}});
+      const FE_Q<2> element(meshed.degree);
+      std::vector<unsigned int> nodes(meshed.faces[face].size());
+      for (unsigned int i = 0; i < nodes.size(); ++i)
+      {
+        const Point<2> unit = element.unit_support_point(i);
+        for (unsigned int j = 0; j < nodes.size(); ++j)
+          if (element.unit_support_point(j).distance(Point<2>(unit[1], unit[0])) < 1e-10)
+            nodes[j] = image[meshed.faces[face][i]];
+      }
+      whole.surface.faces.push_back(nodes);
+    }
+    return whole;
+  }
+
+  std::vector<LinearForm> displacement_forms(const ContactSurface &surface)
+  {
+    std::vector<LinearForm> forms;
+    for (const SurfaceNode &node : surface.nodes)
+      forms.insert(forms.end(), node.displacement.begin(), node.displacement.end());
+    return forms;
+  }
+} // namespace ringmotor

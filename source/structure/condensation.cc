@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/structure/condensation.h>
+#include <ringmotor/structure/dense_ldlt.h>
+#include <ringmotor/structure/sparse_ldlt.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+
+extern "C"
+{
+  void dgemm_(const char *transpose_a, const char *transpose_b, const int *m, const int *n,
+              const int *k, const double *alpha, const double *a, const int *lda, const double *b,
+              const int *ldb, const double *beta, double *c, const int *ldc);
+}
+
+namespace ringmotor
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr unsigned int none = numbers::invalid_unsigned_int;
+  }
+
+  /** What is left when the cut is eliminated: a dense symmetric matrix of some unknowns. */
+  struct Condensation::Reduced
+  {
+    /** An entry of a real field is the sum of factor * unknown over some of these. */
+    struct Part
+    {
+      unsigned int unknown;
+      double factor;
+    };
+    std::array<std::vector<std::vector<Part>>, 2> rows; ///< by field and row of its matrix
+    std::vector<unsigned int> place,
+        cut_place; ///< of an unknown that stays, and of others, or none
+    unsigned int size = 0, n_cut = 0;
+    std::vector<double> matrix; ///< by columns, both triangles
+
+    /** The unknowns that stay, with coefficients, that make up a sum over one field. */
+    std::vector<std::pair<unsigned int, double>>
+    in_places(const unsigned int part, const LinearForm &form, const Field &field) const
+    {
+      std::vector<std::pair<unsigned int, double>> sum;
+      for (const auto &[dof, coefficient] : form)
+        if (field.row_of_dof[dof] != none)
+          for (const Part &entry : rows[part][field.row_of_dof[dof]])
+            sum.emplace_back(place[entry.unknown], coefficient * entry.factor);
+      return sum;
+    }
+
+    /** Holds some unknowns at zero: their rows and columns become those of the unit matrix. */
+    std::vector<double> with_held(const std::vector<unsigned int> &held) const
+    {
+      std::vector<double> result = matrix;
+      for (const std::size_t i : held)
+      {
+        for (std::size_t j = 0; j < size; ++j)
+          result[i * size + j] = result[j * size + i] = 0.;
+        result[i * size + i] = 1.;
+      }
+      return result;
+    }
+  };
+
+  Condensation::Condensation(const CyclicSector &sector, const std::vector<LinearForm> &interface,
+                             const std::vector<SectorNodes::Dof> &driven,
+                             const std::vector<CondensationSupport> &supports, const double shift)
+      : sector(sector), interface(interface), driven(driven), supports(supports),
+        at_interface(sector.n_dofs(), false)
+  {
+    for (const LinearForm &form : interface)
+      for (const auto &[dof, coefficient] : form)
+        at_interface[dof] = true;
+    for (const SectorNodes::Dof dof : driven)
+      at_interface[dof] = true;
+    for (SectorNodes::Dof dof = 0; dof < at_interface.size(); ++dof)
+      AssertThrow(!at_interface[dof] || !sector.dependent().is_constrained(dof),
+                  ExcMessage("an interface must not depend on other nodes"));
+    for (const unsigned int part : {0u, 1u})
+      condense(part, shift);
+  }
+
+  void Condensation::condense(const unsigned int part, const double shift)
+  {
+    const CyclicSector::RealField &real_field = sector.field(part);
+    Field &field                              = fields[part];
+    field.kept                                = real_field.cut;
+    field.unknown.assign(field.kept.size(), none);
+    std::vector<unsigned int> row(real_field.size, none), unknown(real_field.size, none);
+    for (unsigned int i = 0; i < field.kept.size(); ++i)
+      row[field.kept[i]] = i;
+    for (const auto &[number, inner_unknown] : real_field.inner)
+      unknown[number] = inner_unknown;
+    field.row_of_dof.assign(sector.n_dofs(), none);
+    for (SectorNodes::Dof dof = 0; dof < at_interface.size(); ++dof)
+      if (const unsigned int number = real_field.number[dof]; at_interface[dof] && number != none)
+      {
+        if (row[number] == none)
+        {
+          row[number] = field.kept.size();
+          field.kept.push_back(number);
+          field.unknown.push_back(unknown[number]);
+        }
+        field.row_of_dof[dof] = row[number];
+      }
+
+    SymmetricTriplets triplets = sector.shifted_stiffness(part, shift);
+    unsigned int size          = real_field.size;
+    const bool speaks          = Utilities::MPI::this_mpi_process(sector.communicator()) == 0;
+    for (unsigned int s = 0; s < supports.size(); ++s)
+      if (supports[s].part == part)
+      {
+        if (speaks) // entries are added up over the ranks
+        {
+          for (const auto &[dof, load] : supports[s].load)
+            if (real_field.number[dof] != none)
+              triplets.add(size, real_field.number[dof], load);
+          triplets.add(size, size, 0.);
+        }
+        field.unknown.push_back(sector.n_unknowns() + s);
+        field.kept.push_back(size++);
+      }
+    SparseLDLT factors(size, sector.communicator(), field.kept);
+    factors.factorise(triplets);
+    field.matrix = factors.schur_complement();
+  }
+
+  Condensation::Reduced Condensation::layout(const unsigned int k,
+                                             const std::vector<unsigned int> &held) const
+  {
+    Reduced reduced;
+    const unsigned int n_all = sector.n_unknowns() + supports.size();
+    std::vector<bool> stays(n_all, false), is_held(n_all, false);
+    for (const unsigned int support : held)
+      is_held[sector.n_unknowns() + support] = true;
+    for (const unsigned int part : {0u, 1u})
+    {
+      const Field &field = fields[part];
+      auto &rows         = reduced.rows[part];
+      rows.resize(field.kept.size());
+      for (const CyclicSector::Tie &tie : sector.ties(part, k))
+        rows[tie.position].push_back({tie.unknown, tie.factor});
+      for (unsigned int row = 0; row < rows.size(); ++row)
+        if (const unsigned int unknown = field.unknown[row];
+            unknown != none && (unknown < sector.n_unknowns() || is_held[unknown]))
+          rows[row].push_back({unknown, 1.});
+      for (unsigned int row = 0; row < rows.size(); ++row)
+        if (field.unknown[row] != none)
+          for (const Reduced::Part &entry : rows[row])
+            stays[entry.unknown] = true;
+      for (const unsigned int row : field.row_of_dof)
+        if (row != none)
+          for (const Reduced::Part &entry : rows[row])
+            stays[entry.unknown] = true;
+    }
+    reduced.place.assign(n_all, none);
+    reduced.cut_place.assign(n_all, none);
+    for (const unsigned int part : {0u, 1u})
+      for (const auto &row : reduced.rows[part])
+        for (const Reduced::Part &entry : row)
+          if (stays[entry.unknown] && reduced.place[entry.unknown] == none)
+            reduced.place[entry.unknown] = reduced.size++;
+          else if (!stays[entry.unknown] && reduced.cut_place[entry.unknown] == none)
+            reduced.cut_place[entry.unknown] = reduced.n_cut++;
+    return reduced;
+  }
+
+  Condensation::Reduced Condensation::reduce(const unsigned int k,
+                                             const std::vector<unsigned int> &held) const
+  {
+    Reduced reduced        = layout(k, held);
+    const std::size_t size = reduced.size, n_cut = reduced.n_cut;
+    std::vector<double> cut(n_cut * n_cut, 0.), across(n_cut * size, 0.);
+    reduced.matrix.assign(size * size, 0.);
+    for (const unsigned int part : {0u, 1u})
+    {
+      const std::vector<double> &matrix = fields[part].matrix;
+      const auto &rows                  = reduced.rows[part];
+      for (std::size_t b = 0; b < rows.size(); ++b)
+        for (std::size_t a = 0; a < rows.size(); ++a)
+          for (const Reduced::Part &column : rows[b])
+            for (const Reduced::Part &row : rows[a])
+            {
+              const double entry = row.factor * column.factor *
+                                   matrix[std::min(a, b) * rows.size() + std::max(a, b)];
+              const std::size_t i = reduced.place[row.unknown], j = reduced.place[column.unknown];
+              if (i != none && j != none)
+                reduced.matrix[j * size + i] += entry;
+              else if (i == none && j != none)
+                across[j * n_cut + reduced.cut_place[row.unknown]] += entry;
+              else if (i == none && j == none)
+                cut[reduced.cut_place[column.unknown] * n_cut + reduced.cut_place[row.unknown]] +=
+                    entry;
+            }
+    }
+    if (n_cut > 0)
+    {
+      std::vector<double> solved = across;
+      DenseLDLT factors;
+      factors.factorise(n_cut, std::move(cut));
+      factors.solve(solved);
+      const int m = static_cast<int>(size), n = static_cast<int>(n_cut);
+      const double minus = -1., plus = 1.;
+      dgemm_("T", "N", &m, &m, &n, &minus, across.data(), &n, solved.data(), &n, &plus,
+             reduced.matrix.data(), &m);
+    }
+    return reduced;
+  }
+
+  FullMatrix<double> Condensation::compliance(const unsigned int k,
+                                              const std::vector<unsigned int> &held) const
+  {
+    const Reduced reduced  = reduce(k, held);
+    const std::size_t size = reduced.size, n_forms = interface.size();
+    DenseLDLT factors;
+    factors.factorise(size, reduced.with_held(driven_places(reduced)));
+
+    std::vector<std::vector<std::pair<unsigned int, double>>> forms;
+    for (const unsigned int part : {0u, 1u})
+      for (const LinearForm &form : interface)
+        forms.push_back(reduced.in_places(part, form, fields[part]));
+    std::vector<double> solutions(2 * n_forms * size, 0.);
+    for (std::size_t column = 0; column < forms.size(); ++column)
+      for (const auto &[place, coefficient] : forms[column])
+        solutions[column * size + place] += coefficient;
+    factors.solve(solutions);
+    FullMatrix<double> compliance(2 * n_forms, 2 * n_forms);
+    for (std::size_t column = 0; column < forms.size(); ++column)
+      for (std::size_t row = 0; row < forms.size(); ++row)
+        for (const auto &[place, coefficient] : forms[row])
+          compliance(row, column) += coefficient * solutions[column * size + place];
+    return compliance;
+  }
+
+  std::vector<unsigned int> Condensation::driven_places(const Reduced &reduced) const
+  {
+    std::vector<unsigned int> places;
+    for (const unsigned int part : {0u, 1u})
+      for (const SectorNodes::Dof dof : driven)
+        for (const auto &entry : reduced.in_places(part, {{dof, 1.}}, fields[part]))
+          places.push_back(entry.first);
+    return places;
+  }
+
+  std::vector<double> Condensation::follow(const unsigned int k,
+                                           const std::vector<double> &motion) const
+  {
+    const Reduced reduced                  = reduce(k, {});
+    const std::vector<unsigned int> places = driven_places(reduced);
+    // The given motion of each driven unknown; loads on the others are those that it causes.
+    std::vector<double> given(reduced.size, 0.), solution(reduced.size, 0.);
+    for (const unsigned int part : {0u, 1u})
+      for (std::size_t i = 0; i < driven.size(); ++i)
+        for (const auto &entry : reduced.in_places(part, {{driven[i], 1.}}, fields[part]))
+          given[entry.first] = motion[part * driven.size() + i];
+    for (std::size_t column = 0; column < reduced.size; ++column)
+      for (std::size_t row = 0; row < reduced.size; ++row)
+        solution[row] -= reduced.matrix[column * reduced.size + row] * given[column];
+    for (const unsigned int place : places)
+      solution[place] = given[place];
+    DenseLDLT factors;
+    factors.factorise(reduced.size, reduced.with_held(places));
+    factors.solve(solution);
+
+    return interface_motion(reduced, solution);
+  }
+
+  std::vector<double> Condensation::interface_motion(const Reduced &reduced,
+                                                     const std::vector<double> &unknowns) const
+  {
+    std::vector<double> motion;
+    for (const unsigned int part : {0u, 1u})
+      for (const LinearForm &form : interface)
+      {
+        double sum = 0.;
+        for (const auto &[place, coefficient] : reduced.in_places(part, form, fields[part]))
+          sum += coefficient * unknowns[place];
+        motion.push_back(sum);
+      }
+    return motion;
+  }
+
+  SupportMotion Condensation::support_motion(const unsigned int k,
+                                             const std::vector<unsigned int> &held,
+                                             const unsigned int support) const
+  {
+    const Reduced reduced    = reduce(k, held);
+    const unsigned int place = reduced.place[sector.n_unknowns() + support];
+    DenseLDLT factors;
+    factors.factorise(reduced.size, reduced.with_held(driven_places(reduced)));
+    std::vector<double> solution(reduced.size, 0.);
+    solution[place] = 1.;
+    factors.solve(solution);
+    // The multiplier of the condition on the displacement is minus the load.
+    return {interface_motion(reduced, solution), -solution[place]};
+  }
+} // namespace ringmotor
