@@ -157,7 +157,7 @@ namespace ringmotor
       const unsigned int n = compliance.n_nodes();
       std::vector<double> normal;
       for (unsigned int a = 0; a < n; ++a)
-        normal.push_back(compliance(0, a, 0, a, 0));
+        normal.push_back(compliance.motion_by(0, a, 0)[3 * a]);
       std::nth_element(normal.begin(), normal.begin() + n / 2, normal.end());
 
       std::vector<double> vector(2 * n, 1.), product(2 * n);
@@ -168,7 +168,8 @@ namespace ringmotor
         {
           product[i] = 0.;
           for (unsigned int j = 0; j < 2 * n; ++j)
-            product[i] += compliance(0, i / 2, 1 + i % 2, j / 2, 1 + j % 2) * vector[j];
+            product[i] +=
+                compliance.motion_by(0, j / 2, 1 + j % 2)[i / 2 * 3 + 1 + i % 2] * vector[j];
         }
         double square = 0.;
         for (const double entry : product)

@@ -97,9 +97,10 @@ namespace ringmotor
       {
         const std::complex<double> factor =
             weight * std::polar(1., -pitch * static_cast<double>(k * distance % n_sectors));
+        // Hermitian: its columns are its conjugate rows.
         double *block = entries.data() + distance * size;
         for (std::size_t entry = 0; entry < size; ++entry)
-          block[entry] += factor.real() * wave.entries[entry].real() -
+          block[entry] += factor.real() * wave.entries[entry].real() +
                           factor.imag() * wave.entries[entry].imag();
       }
     }
@@ -110,7 +111,7 @@ namespace ringmotor
     const unsigned int width = 3 * node_count;
     for (unsigned int i = 0; i < width; ++i)
       for (unsigned int j = 0; j < width; ++j)
-        entries[static_cast<std::size_t>(i) * width + j] += compliance(i, j);
+        entries[static_cast<std::size_t>(j) * width + i] += compliance(i, j);
   }
 
   RingCompliance RingCompliance::folded(const unsigned int fold) const

@@ -9,27 +9,78 @@ namespace ringmotor
 {
   using namespace dealii;
 
+  namespace
+  {
+    /** n s = gcd(n, N) (mod N) */
+    unsigned int neighbour_of(const unsigned int n_waves, const unsigned int n_teeth,
+                              const unsigned int fold)
+    {
+      unsigned int s = 0;
+      while (n_waves * s % n_teeth != fold % n_teeth)
+        ++s;
+      return s % (n_teeth / fold);
+    }
+  } // namespace
+
   RingContact::RingContact(const CondensedMotor &motor, const RotorLoad &load,
                            const unsigned int n_moments)
       : motor(motor), load(load), fold(std::gcd(motor.n_waves, motor.n_teeth)),
         n_sectors(motor.n_teeth / fold), n_nodes(motor.nodes.size()), n_moments(n_moments),
-        step(motor.period() / (n_sectors * n_moments)), compliance(motor.compliance.folded(fold))
+        step(motor.period() / (n_sectors * n_moments)),
+        steady_neighbour(neighbour_of(motor.n_waves, motor.n_teeth, fold)),
+        // Forces that repeat themselves around the ring shift and tilt nothing.
+        n_rigid_of_moment(fold > 1 ? 1 : 1 + 2 * motor.loose_motions.size()),
+        compliance(motor.compliance.folded(fold))
   {
-    // n s = gcd(n, N) (mod N)
-    for (neighbour = 0; motor.n_waves * neighbour % motor.n_teeth != fold; ++neighbour)
-      ;
-    neighbour %= n_sectors;
-    // Forces that repeat themselves around the ring shift and tilt nothing.
-    n_rigid_of_moment = fold > 1 ? 1 : 1 + 2 * motor.loose_motions.size();
+    place_stator(0., std::vector<double>(n_sectors, 0.));
+    tabulate_rigid_motions();
+  }
+
+  RingContact::RingContact(const CondensedMotor &motor, const RotorLoad &load,
+                           const TimeStep &time_step, const std::vector<double> &heights)
+      : motor(motor), load(load), fold(1), n_sectors(motor.n_teeth), n_nodes(motor.nodes.size()),
+        n_moments(1), step(time_step.length), given(time_step.earlier), steady_neighbour(0),
+        n_rigid_of_moment(1 + 2 * motor.loose_motions.size()), compliance(motor.compliance)
+  {
+    place_stator(time_step.time, heights);
+    tabulate_rigid_motions();
+  }
+
+  void RingContact::place_stator(const double first_time, const std::vector<double> &heights)
+  {
     for (unsigned int point = 0; point < n_points(); ++point)
     {
-      const double phase = 2. * numbers::PI *
-                           (moment(point) / static_cast<double>(n_sectors * n_moments) -
-                            motor.n_waves * static_cast<double>(sector(point)) / motor.n_teeth);
+      const double phase = motor.angular_frequency * (first_time + moment(point) * step) -
+                           motor.n_waves * motor.pitch() * tooth(point);
       PointVector motion;
       for (unsigned int c = 0; c < 3; ++c)
         motion[c] = (node(point).free_motion[c] * std::polar(1., phase)).real();
-      stator_motion.push_back(motion);
+      motion[0] += heights[tooth(point)];
+      stator.push_back(motion);
+    }
+  }
+
+  void RingContact::tabulate_rigid_motions()
+  {
+    for (unsigned int point = 0; point < n_sectors * n_nodes; ++point)
+    {
+      PointVector rise;
+      rise[0] = 1.;
+      rigid.push_back(rise);
+      const std::complex<double> phase = std::polar(1., -motor.pitch() * tooth(point));
+      for (unsigned int i = 0; 2 * i + 1 < n_rigid_of_moment; ++i)
+      {
+        PointVector cosine, sine;
+        for (unsigned int c = 0; c < 3; ++c)
+        {
+          const std::complex<double> motion =
+              phase * motor.loose_motions[i].motion[point % n_nodes][c];
+          cosine[c] = motion.real();
+          sine[c]   = -motion.imag();
+        }
+        rigid.push_back(cosine);
+        rigid.push_back(sine);
+      }
     }
   }
 
@@ -38,68 +89,43 @@ namespace ringmotor
     const unsigned int n_of_moment = n_sectors * n_nodes;
     if (moment(point) > 0)
       return point - n_of_moment;
-    const unsigned int tooth = (sector(point) + neighbour) % n_sectors;
-    return (n_moments - 1) * n_of_moment + tooth * n_nodes + point % n_nodes;
+    const unsigned int earlier_tooth = (tooth(point) + steady_neighbour) % n_sectors;
+    return (n_moments - 1) * n_of_moment + earlier_tooth * n_nodes + point % n_nodes;
   }
 
-  PointVector RingContact::free_motion(const unsigned int point) const
+  std::vector<PointVector> RingContact::positions(const ContactState &state) const
   {
-    return stator_motion[point];
-  }
-
-  std::vector<PointVector> RingContact::rigid_motions(const unsigned int point) const
-  {
-    std::vector<PointVector> motions(n_rigid_of_moment);
-    motions[0][0]                    = 1.;
-    const std::complex<double> phase = std::polar(1., -motor.pitch() * sector(point));
-    for (unsigned int i = 1; i < n_rigid_of_moment; i += 2)
-      for (unsigned int c = 0; c < 3; ++c)
-      {
-        const std::complex<double> motion =
-            phase * motor.loose_motions[i / 2].motion[point % n_nodes][c];
-        motions[i][c]     = motion.real();
-        motions[i + 1][c] = -motion.imag();
-      }
-    return motions;
-  }
-
-  std::vector<PointVector> RingContact::elastic_motion(const std::vector<PointVector> &force) const
-  {
-    std::vector<PointVector> motion(n_points());
-    for (unsigned int j = 0; j < force.size(); ++j)
-      if (force[j] != PointVector())
-      {
-        const unsigned int first = moment(j) * n_sectors * n_nodes, b = j % n_nodes;
-        for (unsigned int tooth = 0; tooth < n_sectors; ++tooth)
-        {
-          const unsigned int distance = (tooth + n_sectors - sector(j)) % n_sectors;
-          for (unsigned int a = 0; a < n_nodes; ++a)
+    std::vector<PointVector> position(n_points());
+    for (unsigned int point = 0; point < position.size(); ++point)
+    {
+      position[point] = -stator[point];
+      for (unsigned int r = 0; r < n_rigid_of_moment; ++r)
+        position[point] +=
+            state.rigid[moment(point) * n_rigid_of_moment + r] * rigid_motion(point, r);
+    }
+    const std::size_t width = 3 * n_nodes;
+    for (unsigned int j = 0; j < state.force.size(); ++j)
+      for (unsigned int d = 0; d < 3; ++d)
+        if (const double force = state.force[j][d]; force != 0.)
+          for (unsigned int t = 0; t < n_sectors; ++t)
           {
-            PointVector &moved = motion[first + tooth * n_nodes + a];
-            for (unsigned int c = 0; c < 3; ++c)
-              for (unsigned int d = 0; d < 3; ++d)
-                moved[c] += compliance(distance, a, c, b, d) * force[j][d];
+            const double *by_force =
+                compliance.motion_by((t + n_sectors - tooth(j)) % n_sectors, j % n_nodes, d);
+            double *moved = &position[(moment(j) * n_sectors + t) * n_nodes][0];
+            for (std::size_t i = 0; i < width; ++i)
+              moved[i] += force * by_force[i];
           }
-        }
-      }
-    return motion;
+    return position;
   }
 
   std::vector<PointVector> RingContact::relative_motion(const ContactState &state) const
   {
-    std::vector<PointVector> position = elastic_motion(state.force);
-    for (unsigned int point = 0; point < position.size(); ++point)
-    {
-      position[point] -= stator_motion[point];
-      const std::vector<PointVector> rigid = rigid_motions(point);
-      for (unsigned int r = 0; r < n_rigid_of_moment; ++r)
-        position[point] += state.rigid[moment(point) * n_rigid_of_moment + r] * rigid[r];
-    }
-    const double turned             = turn(state);
-    std::vector<PointVector> motion = position;
+    const std::vector<PointVector> position = positions(state);
+    const double turned                     = turn(state);
+    std::vector<PointVector> motion         = position;
     for (unsigned int point = 0; point < motion.size(); ++point)
     {
-      const PointVector &before = position[earlier(point)];
+      const PointVector &before = given ? (*given)[point] : position[earlier(point)];
       for (unsigned int c = 1; c < 3; ++c)
         motion[point][c] -= before[c];
       motion[point][1] += node(point).radius * turned;
@@ -107,18 +133,23 @@ namespace ringmotor
     return motion;
   }
 
-  void RingContact::add_compliance(const unsigned int row_point, const unsigned int column_point,
-                                   const double factor, const unsigned int first_component,
-                                   Tensor<2, 3> &block) const
+  void RingContact::add_elastic_rows(const unsigned int point,
+                                     const std::vector<unsigned int> &columns, const double factor,
+                                     const unsigned int row, const unsigned int first,
+                                     FullMatrix<double> &matrix) const
   {
-    if (moment(row_point) != moment(column_point))
-      return;
-    const unsigned int distance =
-        (sector(row_point) + n_sectors - sector(column_point)) % n_sectors;
-    for (unsigned int c = first_component; c < 3; ++c)
-      for (unsigned int d = 0; d < 3; ++d)
-        block[c][d] +=
-            factor * compliance(distance, row_point % n_nodes, c, column_point % n_nodes, d);
+    for (unsigned int j = 0; j < columns.size(); ++j)
+      if (moment(columns[j]) == moment(point))
+      {
+        const unsigned int distance = (tooth(point) + n_sectors - tooth(columns[j])) % n_sectors;
+        for (unsigned int d = 0; d < 3; ++d)
+        {
+          const double *by_force =
+              compliance.motion_by(distance, columns[j] % n_nodes, d) + 3 * (point % n_nodes);
+          for (unsigned int c = first; c < 3; ++c)
+            matrix(row + c, 3 * j + d) += factor * by_force[c];
+        }
+      }
   }
 
   void RingContact::derivatives(const std::vector<unsigned int> &points,
@@ -126,26 +157,22 @@ namespace ringmotor
   {
     const unsigned int n = points.size();
     matrix.reinit(3 * n, 3 * n + n_rigid());
+    const auto add_rigid = [&](const unsigned int point, const double factor,
+                               const unsigned int row, const unsigned int first)
+    {
+      for (unsigned int r = 0; r < n_rigid_of_moment; ++r)
+        for (unsigned int c = first; c < 3; ++c)
+          matrix(row + c, 3 * n + moment(point) * n_rigid_of_moment + r) +=
+              factor * rigid_motion(point, r)[c];
+    };
     for (unsigned int i = 0; i < n; ++i)
     {
-      const unsigned int before = earlier(points[i]);
-      for (unsigned int j = 0; j < n; ++j)
+      add_elastic_rows(points[i], points, 1., 3 * i, 0, matrix);
+      add_rigid(points[i], 1., 3 * i, 0);
+      if (!given)
       {
-        Tensor<2, 3> block;
-        add_compliance(points[i], points[j], 1., 0, block);
-        add_compliance(before, points[j], -1., 1, block);
-        for (unsigned int c = 0; c < 3; ++c)
-          for (unsigned int d = 0; d < 3; ++d)
-            matrix(3 * i + c, 3 * j + d) = block[c][d];
-      }
-      const std::vector<PointVector> now     = rigid_motions(points[i]);
-      const std::vector<PointVector> earlier = rigid_motions(before);
-      for (unsigned int r = 0; r < n_rigid_of_moment; ++r)
-      {
-        for (unsigned int c = 0; c < 3; ++c)
-          matrix(3 * i + c, 3 * n + moment(points[i]) * n_rigid_of_moment + r) += now[r][c];
-        for (unsigned int c = 1; c < 3; ++c)
-          matrix(3 * i + c, 3 * n + moment(before) * n_rigid_of_moment + r) -= earlier[r][c];
+        add_elastic_rows(earlier(points[i]), points, -1., 3 * i, 1, matrix);
+        add_rigid(earlier(points[i]), -1., 3 * i, 1);
       }
       if (load.torque)
         matrix(3 * i + 1, 3 * n + n_rigid() - 1) = node(points[i]).radius;
@@ -156,12 +183,9 @@ namespace ringmotor
   {
     std::vector<double> balances(n_rigid(), 0.);
     for (unsigned int point = 0; point < state.force.size(); ++point)
-      if (state.force[point] != PointVector())
-      {
-        const std::vector<PointVector> rigid = rigid_motions(point);
-        for (unsigned int r = 0; r < n_rigid_of_moment; ++r)
-          balances[moment(point) * n_rigid_of_moment + r] += rigid[r] * state.force[point];
-      }
+      for (unsigned int r = 0; r < n_rigid_of_moment; ++r)
+        balances[moment(point) * n_rigid_of_moment + r] +=
+            rigid_motion(point, r) * state.force[point];
     for (unsigned int m = 0; m < n_moments; ++m)
     {
       const unsigned int first = m * n_rigid_of_moment;
@@ -169,7 +193,7 @@ namespace ringmotor
       for (unsigned int r = 1; r < n_rigid_of_moment; ++r)
         balances[first + r] -= rigid_stiffness(r) * state.rigid[first + r];
     }
-    if (load.torque) // as a force at the mean radius of contact, to be compared with the others
+    if (load.torque) // as a force at the radius of contact, to be compared with the others
       balances.back() = (torque(state) - *load.torque) / fold / motor.nodes.front().radius;
     return balances;
   }
@@ -186,10 +210,10 @@ namespace ringmotor
       }
     for (unsigned int i = 0; i < points.size(); ++i)
     {
-      const std::vector<PointVector> rigid = rigid_motions(points[i]);
       for (unsigned int r = 0; r < n_rigid_of_moment; ++r)
         for (unsigned int c = 0; c < 3; ++c)
-          matrix(moment(points[i]) * n_rigid_of_moment + r, 3 * i + c) = rigid[r][c];
+          matrix(moment(points[i]) * n_rigid_of_moment + r, 3 * i + c) =
+              rigid_motion(points[i], r)[c];
       if (load.torque)
         matrix(n_rigid() - 1, 3 * i + 1) =
             node(points[i]).radius / n_moments / motor.nodes.front().radius;
@@ -214,14 +238,20 @@ namespace ringmotor
     return turn(state) / step;
   }
 
-  ContactState RingContact::pressed_down(const double depth) const
+  ContactState RingContact::pressed_down() const
   {
+    constexpr double share = 0.01;
     ContactState state{std::vector<PointVector>(n_points()), std::vector<double>(n_rigid(), 0.)};
-    double highest = 0.;
-    for (const PointVector &motion : stator_motion)
-      highest = std::max(highest, motion[0]);
+    const unsigned int n_of_moment = n_sectors * n_nodes;
     for (unsigned int m = 0; m < n_moments; ++m)
-      state.rigid[m * n_rigid_of_moment] = highest - depth;
+    {
+      std::vector<double> heights;
+      for (unsigned int point = m * n_of_moment; point < (m + 1) * n_of_moment; ++point)
+        heights.push_back(stator[point][0]);
+      const auto n_above = static_cast<std::ptrdiff_t>(1 + share * n_of_moment);
+      std::nth_element(heights.begin(), heights.end() - n_above, heights.end());
+      state.rigid[m * n_rigid_of_moment] = *(heights.end() - n_above);
+    }
     return state;
   }
 } // namespace ringmotor

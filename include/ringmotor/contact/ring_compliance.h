@@ -60,13 +60,13 @@ namespace ringmotor
     unsigned int n_sectors() const { return sector_count; }
     unsigned int n_nodes() const { return node_count; }
 
-    /** Three rows and columns: motion of node a (m) by a force on node b (N) of a sector that lies
-     * @p distance sectors lower in theta, 0 .. n_sectors - 1. */
-    double operator()(const unsigned int distance, const unsigned int a, const unsigned int c,
-                      const unsigned int b, const unsigned int d) const
+    /** How all 3 n_nodes() motions (m) of a sector change by a unit force (N) in @p direction on @p
+     * node of a sector that lies @p distance sectors lower in theta, 0 .. n_sectors() - 1. */
+    const double *motion_by(const unsigned int distance, const unsigned int node,
+                            const unsigned int direction) const
     {
       const std::size_t width = 3 * node_count;
-      return entries[(distance * width + 3 * a + c) * width + 3 * b + d];
+      return entries.data() + (distance * width + 3 * node + direction) * width;
     }
 
     /** The same ring seen as one of n_sectors / @p fold sectors, for forces and motions that repeat
@@ -77,6 +77,6 @@ namespace ringmotor
     RingCompliance() = default;
 
     unsigned int sector_count = 0, node_count = 0;
-    std::vector<double> entries;
+    std::vector<double> entries; ///< by distance, then by columns
   };
 } // namespace ringmotor

@@ -16,8 +16,13 @@ namespace ringmotor
     double speed = 0.;            ///< rad/s, if no torque is given
   };
 
-  /** Tangential positions of the rotor over the stator at the end of a step, by point. */
-  using TangentialPositions = std::vector<dealii::Tensor<1, 2>>;
+  /** One step in time from a known state. */
+  struct TimeStep
+  {
+    double time;                      ///< s, at its end
+    double length;                    ///< s
+    std::vector<PointVector> earlier; ///< positions at its begin, see RingContact::positions()
+  };
 
   /**
    * All teeth of a motor in contact with its rotor, at one or several moments.
@@ -28,17 +33,21 @@ namespace ringmotor
    * point in a step is the difference of its positions at one moment and at the one before or, at
    * the first moment, of its s-th neighbour at the last one. The rotor turns at an even speed.
    *
-   * *One step* from given positions.
+   * *One step* from a known state, of a ring that need not be uniform.
    *
    * Points are numbered by moment, tooth, node. Rigid motions are, for each moment, the rotor's
-   * rise (m) and, for a rotor without bars, its shifts (m) and tilts (rad) by two axes; at last, if
-   * the torque is given, its turn (rad) in a step.
+   * rise (m) and the cosine and sine parts of its loose motions; at last, if the torque is given,
+   * its turn (rad) in a step.
    */
   class RingContact : public ContactProblem
   {
   public:
     /** The steady state with @p n_moments moments. @p motor must outlive this object. */
     RingContact(const CondensedMotor &motor, const RotorLoad &load, const unsigned int n_moments);
+
+    /** One step. @p heights (m) of the teeth at rest. */
+    RingContact(const CondensedMotor &motor, const RotorLoad &load, const TimeStep &step,
+                const std::vector<double> &heights);
 
     unsigned int n_points() const override { return n_moments * n_sectors * n_nodes; }
     unsigned int n_rigid() const override
@@ -59,51 +68,58 @@ namespace ringmotor
     unsigned int n_teeth() const { return n_sectors; }
     unsigned int n_repeats() const { return fold; }
     unsigned int n_times() const { return n_moments; }
+    /** s: a step of T/P equals a turn by so many teeth. */
+    unsigned int neighbour() const { return steady_neighbour; }
 
-    /** The point that was one step earlier what this one is now. */
-    unsigned int earlier(const unsigned int point) const;
-    /** The node of the motor of a point. */
+    unsigned int moment(const unsigned int point) const { return point / (n_sectors * n_nodes); }
+    unsigned int tooth(const unsigned int point) const { return point / n_nodes % n_sectors; }
     const CondensedMotor::Node &node(const unsigned int point) const
     {
       return motor.nodes[point % n_nodes];
     }
-    /** How the stator moves a point (m) without contact forces. */
-    PointVector free_motion(const unsigned int point) const;
+    /** In the steady state: the point that was one step earlier what this one is now. */
+    unsigned int earlier(const unsigned int point) const;
+    /** Where the stator has a point (m, against a ring at rest without warp) without contact
+     * forces. */
+    const PointVector &free_motion(const unsigned int point) const { return stator[point]; }
 
+    /** Positions of rotor over stator (m), but for the turn of the rotor. */
+    std::vector<PointVector> positions(const ContactState &state) const;
     /** Torque (N m) of friction on the rotor, the mean over all moments. */
     double torque(const ContactState &state) const;
     /** rad/s */
     double speed(const ContactState &state) const;
 
-    /** A state from which the solver can start: no forces, the rotor pressed into the teeth by
-     * @p depth (m). */
-    ContactState pressed_down(const double depth) const;
+    /** A state from which the solver can start: no forces, the rotor so low that a small share of
+     * the points would touch. */
+    ContactState pressed_down() const;
 
   private:
+    void place_stator(const double first_time, const std::vector<double> &heights);
+    void tabulate_rigid_motions();
     double turn(const ContactState &state) const;
-    /** Motion of all points under the forces, m. */
-    std::vector<PointVector> elastic_motion(const std::vector<PointVector> &force) const;
-    unsigned int moment(const unsigned int point) const { return point / (n_sectors * n_nodes); }
-    unsigned int sector(const unsigned int point) const { return point / n_nodes % n_sectors; }
-    /** Motion of a point by unit rigid motions of its moment. */
-    std::vector<PointVector> rigid_motions(const unsigned int point) const;
+    const PointVector &rigid_motion(const unsigned int point, const unsigned int which) const
+    {
+      return rigid[point % (n_sectors * n_nodes) * n_rigid_of_moment + which];
+    }
     /** The stiffness against a rigid motion of a moment. */
     double rigid_stiffness(const unsigned int motion) const
     {
       return motion == 0 ? 0. : motor.loose_motions[(motion - 1) / 2].stiffness;
     }
-    /** Adds factor times the compliance between two points of one moment. */
-    void add_compliance(const unsigned int row_point, const unsigned int column_point,
-                        const double factor, const unsigned int first_component,
-                        dealii::Tensor<2, 3> &block) const;
+    void add_elastic_rows(const unsigned int point, const std::vector<unsigned int> &columns,
+                          const double factor, const unsigned int row, const unsigned int first,
+                          dealii::FullMatrix<double> &matrix) const;
 
     const CondensedMotor &motor;
     const RotorLoad load;
     const unsigned int fold, n_sectors, n_nodes, n_moments;
     const double step;
-    unsigned int neighbour;         ///< s
+    const std::optional<std::vector<PointVector>> given; ///< positions at the step's begin
+    unsigned int steady_neighbour;
     unsigned int n_rigid_of_moment; ///< of the rotor at one moment
     RingCompliance compliance;
-    std::vector<PointVector> stator_motion; ///< of all points without contact forces
+    std::vector<PointVector> stator; ///< motion of all points without contact forces
+    std::vector<PointVector> rigid;  ///< motions of the points of a moment by unit rigid motions
   };
 } // namespace ringmotor
