@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/contact/steady.h>
+
+namespace ringmotor
+{
+  /**
+   * Marches a motor through time in implicit steps, from a rotor that lies without friction on the
+   * teeth as they stand at the time 0. For rings that are not uniform, for the start, and for steps
+   * of any length.
+   */
+  class MarchingDriver
+  {
+  public:
+    /** @p heights (m) of the teeth at rest. @p motor must outlive this object and all its states.
+     */
+    MarchingDriver(const CondensedMotor &motor, const Friction &friction,
+                   const std::vector<double> &heights, const double preload);
+
+    /** Goes on by one step (s) under a load. @throws ComputationError */
+    OperatingState step(const RotorLoad &load, const double length);
+
+    double time() const { return now; }
+
+  private:
+    const CondensedMotor &motor;
+    const Friction friction;
+    const std::vector<double> heights;
+    double now = 0.;
+    ContactState state;                 ///< without the turn
+    std::vector<PointVector> positions; ///< at the end of the last step
+    std::vector<FrictionMemory> memory;
+    double last_turn = 0.; ///< rad/s
+  };
+} // namespace ringmotor

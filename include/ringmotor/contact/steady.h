@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/contact/ring_contact.h>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace ringmotor
+{
+  /** A motor at one operating point. */
+  struct OperatingState
+  {
+    std::shared_ptr<const RingContact> contact;
+    ContactSolution solution;
+    std::vector<FrictionMemory> memory; ///< of each point, at the begin of its step
+  };
+
+  /**
+   * Finds steady states of a motor, one after the other: each starts from the one before. Sliding
+   * history travels with the wave: what a point remembers is what happened one step earlier at the
+   * point that stands for it then.
+   */
+  class SteadyDriver
+  {
+  public:
+    /** @p motor must outlive this object and all its states. */
+    SteadyDriver(const CondensedMotor &motor, const Friction &friction, const double preload,
+                 const unsigned int n_moments);
+
+    /**
+     * The state at this speed (rad/s) or under this load torque (N m).
+     * @throws ComputationError if no state is found; the message says what was tried
+     */
+    OperatingState at_speed(const double speed);
+    OperatingState at_torque(const double torque);
+
+  private:
+    OperatingState find(const RotorLoad &load, const ContactState &start) const;
+    /** Solves at a load from the last state, with states between them where it has to. */
+    OperatingState approach(const RotorLoad &load);
+    void start();
+
+    const CondensedMotor &motor;
+    const Friction friction;
+    const double preload;
+    const unsigned int n_moments;
+    std::optional<OperatingState> last;
+  };
+
+  /** How far each point has slipped (m) since it stuck or came into contact, at the end of the
+   * step;
+   * @p earlier gives the same at its begin. */
+  std::vector<FrictionMemory> next_memory(const ContactSolution &solution,
+                                          const std::vector<FrictionMemory> &earlier);
+} // namespace ringmotor

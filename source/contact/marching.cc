@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/contact/marching.h>
+
+namespace ringmotor
+{
+  MarchingDriver::MarchingDriver(const CondensedMotor &motor, const Friction &friction,
+                                 const std::vector<double> &heights, const double preload)
+      : motor(motor), friction(friction), heights(heights)
+  {
+    const unsigned int n_points = motor.n_teeth * motor.nodes.size();
+    const RingContact contact(
+        motor, {preload, {}},
+        TimeStep{now, motor.period(), std::vector<PointVector>(n_points, PointVector())}, heights);
+    const PointFriction none = [](const unsigned int, const double)
+    { return FrictionCoefficient{}; };
+    state     = solve_contact(contact, none, motor.constants, contact.pressed_down()).state;
+    positions = contact.positions(state);
+    memory.resize(n_points);
+  }
+
+  OperatingState MarchingDriver::step(const RotorLoad &load, const double length)
+  {
+    const auto contact = std::make_shared<const RingContact>(
+        motor, load, TimeStep{now + length, length, positions}, heights);
+    std::vector<FrictionMemory> limits = memory;
+    const PointFriction law            = [&](const unsigned int point, const double slip)
+    { return friction_coefficient(friction, limits[point], slip, length); };
+    ContactState begin = state;
+    if (load.torque)
+      begin.rigid.push_back(last_turn * length);
+    unsigned int n_iterations = 0;
+    for (bool settled = false; !settled;)
+    {
+      ContactSolution solution = solve_contact(*contact, law, motor.constants, begin);
+      n_iterations             = solution.n_iterations += n_iterations;
+      // A point that exceeds its static limit falls to the dynamic one and stays there.
+      settled = true;
+      for (unsigned int point = 0; point < limits.size(); ++point)
+        if (friction.law == FrictionLaw::static_dynamic && limits[point].stuck &&
+            solution.status[point] == PointStatus::slip)
+        {
+          limits[point].stuck = false;
+          settled             = false;
+        }
+      begin = solution.state;
+      if (!settled)
+        continue;
+      now += length;
+      positions = contact->positions(solution.state);
+      memory    = next_memory(solution, memory);
+      last_turn = contact->speed(solution.state);
+      state     = solution.state;
+      state.rigid.resize(contact->n_rigid() - (load.torque ? 1 : 0));
+      return {contact, std::move(solution), std::move(limits)};
+    }
+    return {};
+  }
+} // namespace ringmotor

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/contact/steady.h>
+#include <ringmotor/parameters/errors.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace ringmotor
+{
+  namespace
+  {
+    constexpr unsigned int most_rounds = 60; ///< of an update of the memory
+
+    double slip_of(const PointVector &motion)
+    {
+      return std::hypot(motion[1], motion[2]);
+    }
+
+    /** What points remember in the steady state: what happened one step earlier. */
+    std::vector<FrictionMemory> travelled(const RingContact &contact,
+                                          const ContactSolution &solution)
+    {
+      const unsigned int n_points = contact.n_points();
+      std::vector<FrictionMemory> memory(n_points);
+      for (unsigned int point = 0; point < n_points; ++point)
+      {
+        unsigned int before  = contact.earlier(point);
+        memory[point].stuck  = solution.status[before] == PointStatus::stick;
+        unsigned int n_steps = 0;
+        while (solution.status[before] == PointStatus::slip && n_steps++ < n_points)
+        {
+          memory[point].slipped += slip_of(solution.motion[before]);
+          before = contact.earlier(before);
+        }
+      }
+      return memory;
+    }
+  } // namespace
+
+  std::vector<FrictionMemory> next_memory(const ContactSolution &solution,
+                                          const std::vector<FrictionMemory> &earlier)
+  {
+    std::vector<FrictionMemory> memory(earlier.size());
+    for (unsigned int point = 0; point < memory.size(); ++point)
+    {
+      memory[point].stuck = solution.status[point] == PointStatus::stick;
+      if (solution.status[point] == PointStatus::slip)
+        memory[point].slipped = earlier[point].slipped + slip_of(solution.motion[point]);
+    }
+    return memory;
+  }
+
+  SteadyDriver::SteadyDriver(const CondensedMotor &motor, const Friction &friction,
+                             const double preload, const unsigned int n_moments)
+      : motor(motor), friction(friction), preload(preload), n_moments(n_moments)
+  {
+  }
+
+  OperatingState SteadyDriver::find(const RotorLoad &load, const ContactState &begin) const
+  {
+    const auto contact = std::make_shared<const RingContact>(motor, load, n_moments);
+    const bool jumps   = friction.law == FrictionLaw::static_dynamic;
+    // The law with a jump starts with the static limit everywhere; points only lose it.
+    std::vector<FrictionMemory> memory(contact->n_points(), {jumps, 0.});
+    const PointFriction law = [&](const unsigned int point, const double slip)
+    { return friction_coefficient(friction, memory[point], slip, contact->time_step()); };
+    unsigned int n_iterations = 0;
+    ContactState from         = begin;
+    for (unsigned int round = 0; round < most_rounds; ++round)
+    {
+      ContactSolution solution                = solve_contact(*contact, law, motor.constants, from);
+      n_iterations                            = solution.n_iterations += n_iterations;
+      from                                    = solution.state;
+      const std::vector<FrictionMemory> found = travelled(*contact, solution);
+      bool settled                            = true;
+      for (unsigned int point = 0; point < memory.size(); ++point)
+        if (jumps)
+        {
+          const bool falls = memory[point].stuck && solution.status[point] != PointStatus::open &&
+                             (!found[point].stuck || solution.status[point] == PointStatus::slip);
+          settled             = settled && !falls;
+          memory[point].stuck = memory[point].stuck && !falls;
+        }
+        else if (friction.law == FrictionLaw::slip_weakening)
+        {
+          settled = settled && std::abs(found[point].slipped - memory[point].slipped) <=
+                                   1e-9 * *friction.weakening_length;
+          memory[point] = found[point];
+        }
+      if (settled)
+        return {contact, std::move(solution), std::move(memory)};
+    }
+    throw ComputationError("the memory of the friction law did not settle in " +
+                           std::to_string(most_rounds) + " rounds");
+  }
+
+  void SteadyDriver::start()
+  {
+    // Somewhat below the speed of the wave's crests, where the rotor turns without load.
+    double crest = 0.;
+    for (const CondensedMotor::Node &node : motor.nodes)
+      crest =
+          std::max(crest, motor.angular_frequency * std::abs(node.free_motion[1]) / node.radius);
+    const RotorLoad load{preload, {}, 0.97 * crest};
+    const RingContact contact(motor, load, n_moments);
+    const PointFriction none = [](const unsigned int, const double)
+    { return FrictionCoefficient{}; };
+    last = find(load, solve_contact(contact, none, motor.constants, contact.pressed_down()).state);
+  }
+
+  OperatingState SteadyDriver::approach(const RotorLoad &load)
+  {
+    constexpr unsigned int most_halvings = 6;
+    if (!last)
+      start();
+    const double from_speed  = last->contact->speed(last->solution.state);
+    const double from_torque = last->contact->torque(last->solution.state);
+    double reached = 0., share = 1.;
+    for (unsigned int halvings = 0; reached < 1.;)
+    {
+      RotorLoad next  = load;
+      const double to = std::min(1., reached + share);
+      if (load.torque)
+        next.torque = from_torque + to * (*load.torque - from_torque);
+      else
+        next.speed = from_speed + to * (load.speed - from_speed);
+      ContactState begin = last->solution.state;
+      begin.rigid.resize(RingContact(motor, load, n_moments).n_rigid());
+      if (load.torque)
+        begin.rigid.back() =
+            last->contact->speed(last->solution.state) * last->contact->time_step();
+      try
+      {
+        last    = find(next, begin);
+        reached = to;
+      }
+      catch (const ComputationError &error)
+      {
+        if (++halvings > most_halvings)
+          throw ComputationError(std::string(error.what()) + "; also approached from " +
+                                 std::to_string(from_torque * 1e3) + " mN m and " +
+                                 std::to_string(from_speed) + " rad/s in steps down to 1/" +
+                                 std::to_string(1u << most_halvings));
+        share *= 0.5;
+      }
+    }
+    return *last;
+  }
+
+  OperatingState SteadyDriver::at_speed(const double speed)
+  {
+    return approach({preload, {}, speed});
+  }
+
+  OperatingState SteadyDriver::at_torque(const double torque)
+  {
+    return approach({preload, torque});
+  }
+} // namespace ringmotor

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/quantities/operating_point.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <set>
+
+namespace ringmotor
+{
+  namespace
+  {
+    /** How things were at a point when the step began. */
+    struct Before
+    {
+      PointVector force, free_motion;
+      double gap;
+    };
+
+    OperatingPoint evaluate(const OperatingState &state,
+                            const std::function<Before(unsigned int)> &before)
+    {
+      const RingContact &contact      = *state.contact;
+      const ContactSolution &solution = state.solution;
+      OperatingPoint point;
+      point.speed  = contact.speed(solution.state);
+      point.torque = contact.torque(solution.state);
+      // Sums over the points of all moments become powers of the whole ring.
+      const double per_second = contact.n_repeats() / (contact.n_times() * contact.time_step());
+      double pressed = 0., stuck = 0.;
+      std::set<std::pair<unsigned int, unsigned int>> touching;
+      for (unsigned int i = 0; i < contact.n_points(); ++i)
+      {
+        const PointVector &force = solution.state.force[i];
+        const Before begin       = before(i);
+        const PointVector mean   = 0.5 * (force + begin.force);
+        if (mean == PointVector())
+          continue;
+        point.tangential_loss -= per_second * mean[1] * solution.motion[i][1];
+        point.radial_loss -= per_second * mean[2] * solution.motion[i][2];
+        point.closing_work -= per_second * mean[0] * (solution.motion[i][0] - begin.gap);
+        point.input_power += per_second * (mean * (contact.free_motion(i) - begin.free_motion));
+        if (force[0] > 0.)
+        {
+          pressed += force[0];
+          stuck += solution.status[i] == PointStatus::stick ? force[0] : 0.;
+          touching.emplace(contact.moment(i), contact.tooth(i));
+          point.largest_force = std::max(point.largest_force, force[0]);
+        }
+      }
+      const CondensedMotor &motor = contact.condensed_motor();
+      point.teeth_in_contact      = static_cast<double>(touching.size()) * contact.n_repeats() /
+                               (contact.n_times() * motor.n_waves);
+      point.stick_fraction = pressed > 0. ? stuck / pressed : 0.;
+      return point;
+    }
+  } // namespace
+
+  double OperatingPoint::power_imbalance() const
+  {
+    return std::abs(input_power - output_power() - friction_loss()) /
+           std::max({std::abs(input_power), friction_loss(), 1e-300});
+  }
+
+  OperatingPoint evaluate(const OperatingState &state)
+  {
+    const RingContact &contact = *state.contact;
+    return evaluate(state,
+                    [&](const unsigned int i)
+                    {
+                      const unsigned int earlier = contact.earlier(i);
+                      return Before{state.solution.state.force[earlier],
+                                    contact.free_motion(earlier),
+                                    state.solution.motion[earlier][0]};
+                    });
+  }
+} // namespace ringmotor
