@@ -8,18 +8,16 @@
 #include <ringmotor/output/vtu.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/programs/run_program.h>
+#include <ringmotor/programs/run_results.h>
 #include <ringmotor/quantities/body_modes.h>
 #include <ringmotor/quantities/effects.h>
-#include <ringmotor/version.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <iomanip>
 #include <optional>
-#include <regex>
 #include <sstream>
 
 namespace ringmotor
@@ -66,7 +64,6 @@ namespace ringmotor
        * of the rotor: how much its inertia would matter. None if that mode or omega is not known.
        */
       std::optional<double> inertia_ratio() const;
-      void write_used_prm(const std::string &name) const;
       /** The mode, its largest displacement being Wave/Amplitude. */
       Mode scaled(Mode mode) const;
       void write_results();
@@ -104,18 +101,6 @@ namespace ringmotor
              text(1e-3 * found.frequency.error, 5) + " kHz";
     }
 
-    /** Removes what earlier runs left: results of two runs side by side would tell a wrong story.
-     */
-    void remove_results(const std::string &folder)
-    {
-      const std::regex ours("used\\.prm|frequencies\\.csv|ellipses\\.csv|modes\\.h5|"
-                            "summary\\.json|sector\\.vtu|"
-                            "ring\\.pvd|ring_[0-9]+\\.vtu");
-      for (const auto &entry : std::filesystem::directory_iterator(folder))
-        if (std::regex_match(entry.path().filename().string(), ours))
-          std::filesystem::remove(entry.path());
-    }
-
     StatorProgram::StatorProgram(const Parameters &parameters)
         : parameters(parameters), of_stator(parameters.modes.body == Body::stator),
           folder(parameters.output.directory + "/" + to_string(parameters.modes.body) + "/"),
@@ -128,8 +113,8 @@ namespace ringmotor
     {
       if (speaks)
       {
-        prepare_directory(folder);
-        remove_results(folder);
+        prepare_results(folder, "used\\.prm|frequencies\\.csv|ellipses\\.csv|modes\\.h5|"
+                                "summary\\.json|sector\\.vtu|ring\\.pvd|ring_[0-9]+\\.vtu");
       }
       body.find([&](const Pass &pass) { after_pass(pass); });
       report();
@@ -157,7 +142,7 @@ namespace ringmotor
           log.line("no setting of the study reaches " + scientific(tolerance));
       if (speaks)
       {
-        write_used_prm("study.prm");
+        write_used_prm(folder + "study.prm", "stator", parameters);
         write_study(folder + "study.csv", rows);
       }
       log.line("study in " + folder + "study.csv");
@@ -284,17 +269,6 @@ namespace ringmotor
       return ratio;
     }
 
-    void StatorProgram::write_used_prm(const std::string &name) const
-    {
-      write_file(folder + name,
-                 [&](std::ostream &out)
-                 {
-                   out << "# used by stator of ringmotor " << version << " (" << git_revision
-                       << ")\n";
-                   print_parameters(out, parameters);
-                 });
-    }
-
     Mode StatorProgram::scaled(Mode mode) const
     {
       double largest = 0.;
@@ -315,7 +289,7 @@ namespace ringmotor
       if (speaks)
       {
         const auto scope = phases.measure("output");
-        write_used_prm("used.prm");
+        write_used_prm(folder + "used.prm", "stator", parameters);
         write_frequencies(folder + "frequencies.csv", body.search().modes());
         if (of_stator)
           write_modes_h5(folder + "modes.h5", parameters, body.search().sector(),
@@ -347,19 +321,10 @@ namespace ringmotor
 
     void StatorProgram::write_summary_file(const double plate_shift)
     {
-      Summary summary;
-      summary.program = "stator";
-      summary.version = version;
-      summary.git     = git_revision;
-      std::ostringstream prm;
-      print_parameters(prm, parameters);
-      summary.prm     = prm.str();
-      summary.seconds = pass_seconds;
-      summary.seconds.insert(summary.seconds.end(), phases.seconds().begin(),
-                             phases.seconds().end());
-      summary.peak_memory_MB = peak_memory_MB();
-      summary.dofs           = body.search().sector().n_dofs();
-      double seconds         = 0.;
+      Summary summary = begin_summary("stator", parameters, phases);
+      summary.seconds.insert(summary.seconds.begin(), pass_seconds.begin(), pass_seconds.end());
+      summary.dofs   = body.search().sector().n_dofs();
+      double seconds = 0.;
       for (const auto &pass : pass_seconds)
         seconds += pass.second;
       for (const FoundMode &found : body.search().modes())

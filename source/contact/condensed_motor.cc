@@ -42,6 +42,7 @@ namespace ringmotor
       ComplexMatrix compliance;
       std::vector<std::array<Complex, 3>> free_motion; ///< by node of the surface
       unsigned int n_dofs;
+      double inertia_indicator; ///< relative change of the tangential motion by inertia
     };
 
     /** All degrees of freedom of the nodes on the tooth's foot. */
@@ -93,7 +94,17 @@ namespace ringmotor
       tooth.n_dofs = sector.n_dofs();
       const std::vector<double> moved =
           condensation.follow(0, foot_motion(sector, foot, wave.foot));
-      tooth.free_motion = sector_motion(moved, tooth.surface.origin);
+      tooth.free_motion       = sector_motion(moved, tooth.surface.origin);
+      tooth.inertia_indicator = 0.;
+      for (unsigned int i = 0; i < tooth.free_motion.size(); ++i)
+      {
+        const Point<2> &place = tooth.surface.surface.nodes[i].place;
+        const auto vibrating =
+            wave.top(Point<3>(place[0] * std::cos(place[1]), place[0] * std::sin(place[1]), 0.));
+        tooth.inertia_indicator =
+            std::max(tooth.inertia_indicator,
+                     std::abs(std::abs(vibrating[1]) / std::abs(tooth.free_motion[i][1]) - 1.));
+      }
       return tooth;
     }
 
@@ -130,6 +141,16 @@ namespace ringmotor
       return k == 1 && has_bars ? std::vector<unsigned int>{0} : std::vector<unsigned int>{0, 1};
     }
 
+    /** Makes a body stiff against tangential forces, and normal forces without tangential effect.
+     */
+    void leave_normal_compliance(ComplexMatrix &compliance)
+    {
+      for (unsigned int i = 0; i < compliance.size; ++i)
+        for (unsigned int j = 0; j < compliance.size; ++j)
+          if (i % 3 != 0 || j % 3 != 0)
+            compliance(i, j) = 0.;
+    }
+
     CondensedMotor::LooseMotion loose_motion(const SupportMotion &support,
                                              const std::vector<MirroredNode> &origin,
                                              const MortarCoupling &mortar, const double pitch,
@@ -148,6 +169,60 @@ namespace ringmotor
         loose.motion.push_back(motion);
       }
       return loose;
+    }
+
+    /** m/N of the springs at a node between tooth and rotor: those of the penalty method, which are
+     * the same at all nodes, and those of a lining, by area. */
+    double spring_compliance(const Parameters &parameters, const unsigned int component,
+                             const double area)
+    {
+      const bool normal = component == 0;
+      double compliance = 0.;
+      if (parameters.contact.formulation == ContactFormulation::penalty)
+        compliance += 1. / (normal ? *parameters.contact.normal_penalty
+                                   : *parameters.contact.tangential_penalty);
+      if (parameters.effects.friction_lining == EffectChoice::on)
+        compliance += 1. / (area * (normal ? *parameters.friction.lining_normal_stiffness
+                                           : *parameters.friction.lining_tangential_stiffness));
+      return compliance;
+    }
+
+    /** Gives the motor its contact points, the compliance of its teeth and that of springs between
+     * teeth and rotor. */
+    void add_teeth(CondensedMotor &motor, const CondensedTooth &tooth, const MortarCoupling &mortar,
+                   const Parameters &parameters)
+    {
+      const unsigned int n = mortar.nodes.size();
+      std::vector<unsigned int> point_of(tooth.surface.surface.nodes.size(),
+                                         numbers::invalid_unsigned_int);
+      motor.tooth_compliance.reinit(3 * n, 3 * n);
+      FullMatrix<double> between(3 * n, 3 * n);
+      for (unsigned int a = 0; a < n; ++a)
+      {
+        const unsigned int i = mortar.nodes[a].tooth_node;
+        point_of[i]          = a;
+        motor.nodes.push_back({tooth.surface.surface.nodes[i].place[0],
+                               tooth.surface.surface.nodes[i].place[1], mortar.nodes[a].area,
+                               tooth.free_motion[i]});
+        if (parameters.effects.tooth_shear != EffectChoice::off)
+          for (unsigned int b = 0; b < n; ++b)
+            for (unsigned int c = 0; c < 3; ++c)
+              for (unsigned int d = 0; d < 3; ++d)
+                motor.tooth_compliance(3 * a + c, 3 * b + d) =
+                    tooth.compliance(3 * i + c, 3 * mortar.nodes[b].tooth_node + d).real();
+        for (unsigned int c = 0; c < 3; ++c)
+          between(3 * a + c, 3 * a + c) = spring_compliance(parameters, c, mortar.nodes[a].area);
+      }
+      motor.compliance.add_within_sectors(motor.tooth_compliance);
+      motor.compliance.add_within_sectors(between);
+      for (const std::vector<unsigned int> &face : tooth.surface.surface.faces)
+      {
+        std::vector<unsigned int> points;
+        for (const unsigned int node : face)
+          points.push_back(point_of[node]);
+        if (std::find(points.begin(), points.end(), numbers::invalid_unsigned_int) == points.end())
+          motor.faces.push_back(points);
+      }
     }
 
     /** Median of the normal compliances of the points, and the largest eigenvalue of the tangential
@@ -185,8 +260,8 @@ namespace ringmotor
   ContactDiscretisation ContactDiscretisation::level(const unsigned int level)
   {
     ContactDiscretisation discretisation;
-    discretisation.tooth = {2 + level, 1 + level};
-    discretisation.lip   = {2 + level, 2 + level};
+    discretisation.tooth = {1 + level, std::max(1u, level)};
+    discretisation.lip   = {1 + level, 1 + level};
     return discretisation;
   }
 
@@ -200,68 +275,79 @@ namespace ringmotor
     return 2. * numbers::PI / n_teeth;
   }
 
+  namespace
+  {
+    /** The rotor as its contact with one tooth sees it. */
+    struct CondensedRotor
+    {
+      MortarCoupling mortar;
+      RingCompliance compliance;
+      std::vector<CondensedMotor::LooseMotion> loose_motions;
+      unsigned int n_dofs;
+    };
+
+    CondensedRotor condense_rotor(const Parameters &parameters, const ContactSurface &tooth_top,
+                                  const ContactDiscretisation &discretisation)
+    {
+      const unsigned int n_teeth = parameters.motor.n_teeth;
+      const double pitch         = 2. * numbers::PI / n_teeth;
+      const SectorMesh mesh =
+          make_rotor_sector(parameters.rotor, n_teeth, SectorForm::half, discretisation.rotor_level,
+                            MPI_COMM_SELF, discretisation.lip);
+      const Material &metal = parameters.materials.rotor_metal;
+      const CyclicSector sector(mesh, {{ids::rotor, metal}, {ids::lip_shell, metal}},
+                                discretisation.degree);
+      const ContactSurface lip  = parameters.rotor.flange_element == ElementKind::solid
+                                      ? solid_surface(sector, ids::lip)
+                                      : shell_surface(sector, ids::lip_shell);
+      const SectorSurface whole = whole_surface(lip, mesh.form);
+
+      CondensedRotor rotor;
+      rotor.n_dofs = sector.n_dofs();
+      rotor.mortar = couple(tooth_top, whole.surface, pitch);
+      if (rotor.mortar.nodes.empty())
+        throw UserError(
+            "the lip (Rotor/Lip inner radius to Lip outer radius) covers no part of the tooth tops "
+            "(Stator/Tip inner radius to Tip outer radius); let them overlap");
+      const Condensation condensation(sector, displacement_forms(lip), {}, rotor_loads(sector), 0.);
+      const bool has_bars = parameters.rotor.radial_bar_stiffness > 0.;
+      const bool gives_way_along =
+          parameters.effects.rotor_tangential_compliance != EffectChoice::off;
+      rotor.compliance =
+          RingCompliance(n_teeth, rotor.mortar.nodes.size(),
+                         [&](const unsigned int k)
+                         {
+                           ComplexMatrix of_lip = sector_compliance(
+                               condensation.compliance(k, supports_that_hold(k, has_bars)),
+                               whole.origin, mesh.form);
+                           if (!gives_way_along)
+                             leave_normal_compliance(of_lip);
+                           return coupled_compliance(of_lip, rotor.mortar, k, pitch);
+                         });
+      const std::vector<unsigned int> held = supports_that_hold(1, has_bars);
+      for (const unsigned int support : held)
+        rotor.loose_motions.push_back(loose_motion(condensation.support_motion(1, held, support),
+                                                   whole.origin, rotor.mortar, pitch, n_teeth));
+      return rotor;
+    }
+  } // namespace
+
   CondensedMotor condense_motor(const Parameters &parameters, const StatorWave &wave,
                                 const ContactDiscretisation &discretisation)
   {
-    const unsigned int n_teeth = parameters.motor.n_teeth;
-    const double pitch         = 2. * numbers::PI / n_teeth;
     const CondensedTooth tooth = condense_tooth(parameters, wave, discretisation);
-
-    const SectorMesh mesh =
-        make_rotor_sector(parameters.rotor, n_teeth, SectorForm::half, discretisation.rotor_level,
-                          MPI_COMM_SELF, discretisation.lip);
-    const Material &metal = parameters.materials.rotor_metal;
-    const CyclicSector sector(mesh, {{ids::rotor, metal}, {ids::lip_shell, metal}},
-                              discretisation.degree);
-    const ContactSurface lip    = parameters.rotor.flange_element == ElementKind::solid
-                                      ? solid_surface(sector, ids::lip)
-                                      : shell_surface(sector, ids::lip_shell);
-    const SectorSurface whole   = whole_surface(lip, mesh.form);
-    const MortarCoupling mortar = couple(tooth.surface.surface, whole.surface, pitch);
-    if (mortar.nodes.empty())
-      throw UserError("the lip (Rotor/Lip inner radius to Lip outer radius) covers no part of the "
-                      "tooth tops (Stator/Tip inner radius to Tip outer radius); let them overlap");
-
-    const Condensation condensation(sector, displacement_forms(lip), {}, rotor_loads(sector), 0.);
-    const auto held = [&](const unsigned int k)
-    { return supports_that_hold(k, parameters.rotor.radial_bar_stiffness > 0.); };
-    RingCompliance ring(
-        n_teeth, mortar.nodes.size(),
-        [&](const unsigned int k)
-        {
-          return coupled_compliance(
-              sector_compliance(condensation.compliance(k, held(k)), whole.origin, mesh.form),
-              mortar, k, pitch);
-        });
-    std::vector<CondensedMotor::LooseMotion> loose_motions;
-    for (const unsigned int support : held(1))
-      loose_motions.push_back(loose_motion(condensation.support_motion(1, held(1), support),
-                                           whole.origin, mortar, pitch, n_teeth));
-
-    const unsigned int n = mortar.nodes.size();
-    FullMatrix<double> of_tooth(3 * n, 3 * n);
-    std::vector<CondensedMotor::Node> nodes;
-    for (unsigned int a = 0; a < n; ++a)
-    {
-      const unsigned int i = mortar.nodes[a].tooth_node;
-      nodes.push_back({tooth.surface.surface.nodes[i].place[0],
-                       tooth.surface.surface.nodes[i].place[1], mortar.nodes[a].area,
-                       tooth.free_motion[i]});
-      for (unsigned int b = 0; b < n; ++b)
-        for (unsigned int c = 0; c < 3; ++c)
-          for (unsigned int d = 0; d < 3; ++d)
-            of_tooth(3 * a + c, 3 * b + d) =
-                tooth.compliance(3 * i + c, 3 * mortar.nodes[b].tooth_node + d).real();
-    }
-    ring.add_within_sectors(of_tooth);
-    const ComplementarityConstants constants = constants_for(ring);
-    return {n_teeth,
-            wave.n_waves,
-            wave.angular_frequency,
-            std::move(nodes),
-            std::move(loose_motions),
-            std::move(ring),
-            constants,
-            tooth.n_dofs + sector.n_dofs()};
+    CondensedRotor rotor       = condense_rotor(parameters, tooth.surface.surface, discretisation);
+    CondensedMotor motor;
+    motor.n_teeth                 = parameters.motor.n_teeth;
+    motor.n_waves                 = wave.n_waves;
+    motor.angular_frequency       = wave.angular_frequency;
+    motor.loose_motions           = std::move(rotor.loose_motions);
+    motor.compliance              = std::move(rotor.compliance);
+    motor.degree                  = discretisation.degree;
+    motor.n_dofs                  = tooth.n_dofs + rotor.n_dofs;
+    motor.tooth_inertia_indicator = tooth.inertia_indicator;
+    add_teeth(motor, tooth, rotor.mortar, parameters);
+    motor.constants = constants_for(motor.compliance);
+    return motor;
   }
 } // namespace ringmotor

@@ -118,6 +118,28 @@ namespace ringmotor
     return position;
   }
 
+  std::vector<PointVector> RingContact::tooth_motion(const ContactState &state) const
+  {
+    std::vector<PointVector> motion = stator;
+    for (unsigned int j = 0; j < state.force.size(); ++j)
+      if (state.force[j] != PointVector())
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          for (unsigned int c = 0; c < 3; ++c)
+            for (unsigned int d = 0; d < 3; ++d)
+              motion[j - j % n_nodes + a][c] -=
+                  motor.tooth_compliance(3 * a + c, 3 * (j % n_nodes) + d) * state.force[j][d];
+    return motion;
+  }
+
+  std::vector<PointVector> RingContact::rotor_motion(const ContactState &state) const
+  {
+    std::vector<PointVector> motion             = positions(state);
+    const std::vector<PointVector> tooth_motion = this->tooth_motion(state);
+    for (unsigned int point = 0; point < motion.size(); ++point)
+      motion[point] += tooth_motion[point];
+    return motion;
+  }
+
   std::vector<PointVector> RingContact::relative_motion(const ContactState &state) const
   {
     const std::vector<PointVector> position = positions(state);

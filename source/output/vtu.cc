@@ -229,7 +229,13 @@ namespace ringmotor
       ring.write(folder + "/" + name);
       times_and_names.emplace_back(fraction * period, name);
     }
-    write_file(record, [&times_and_names](std::ostream &out)
-               { DataOutBase::write_pvd_record(out, times_and_names); });
+    write_pvd(record, times_and_names);
+  }
+
+  void write_pvd(const std::string &path,
+                 const std::vector<std::pair<double, std::string>> &times_and_names)
+  {
+    write_file(path,
+               [&](std::ostream &out) { DataOutBase::write_pvd_record(out, times_and_names); });
   }
 } // namespace ringmotor

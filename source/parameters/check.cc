@@ -224,4 +224,127 @@ namespace ringmotor
     check_slot(stator, parameters.motor.n_teeth);
     check_amplitude(parameters.wave, stator);
   }
+
+  namespace
+  {
+    void check_stator_geometry(const Parameters &parameters)
+    {
+      const StatorGeometry &stator = parameters.stator;
+      if (!stator.mesh_file.empty())
+        throw UserError("Stator/Mesh file = " + quoted(stator.mesh_file) +
+                        " is not available in the program contact, which builds its own tooth "
+                        "from the dimensions; allowed: none");
+      check_radii("Base", stator.base_inner_radius, stator.base_outer_radius);
+      check_radii("Tip", stator.tip_inner_radius, stator.tip_outer_radius);
+      check_slot(stator, parameters.motor.n_teeth);
+      check_amplitude(parameters.wave, stator);
+    }
+
+    /** Lip and tooth tops have to share a strip that is more than a sliver. */
+    void check_overlap(const StatorGeometry &stator, const RotorGeometry &rotor)
+    {
+      constexpr double narrowest = 1e-5; // m
+      if (std::min(rotor.lip_outer_radius, stator.tip_outer_radius) -
+              std::max(rotor.lip_inner_radius, stator.tip_inner_radius) <
+          narrowest)
+        throw UserError(
+            "the lip misses the teeth: " + entry("Rotor/Lip inner radius", rotor.lip_inner_radius) +
+            " and " + entry("Rotor/Lip outer radius", rotor.lip_outer_radius) +
+            " share no strip with " + entry("Stator/Tip inner radius", stator.tip_inner_radius) +
+            " to " + entry("Stator/Tip outer radius", stator.tip_outer_radius) +
+            "; allowed: at least 10 um in common");
+    }
+
+    void check_friction(const Friction &friction)
+    {
+      for (const auto &[name, value] :
+           {std::make_pair("Dynamic coefficient", friction.dynamic_coefficient),
+            std::make_pair("Static coefficient", friction.static_coefficient)})
+        if (value <= 0.)
+          throw UserError(std::string("Friction/") + name + " = " + std::to_string(value) +
+                          " drives no motor; allowed: above 0");
+      if (friction.law == FrictionLaw::velocity && !friction.decay_velocity)
+        throw UserError(
+            "Friction/Law = velocity needs Friction/Decay velocity, which is none; give "
+            "it in m/s");
+      if (friction.law == FrictionLaw::slip_weakening && !friction.weakening_length)
+        throw UserError("Friction/Law = slip-weakening needs Friction/Weakening length, which is "
+                        "none; give it in m");
+    }
+
+    void check_springs(const Parameters &parameters)
+    {
+      const Contact &contact   = parameters.contact;
+      const Friction &friction = parameters.friction;
+      if (contact.formulation == ContactFormulation::penalty &&
+          (!contact.normal_penalty || !contact.tangential_penalty))
+        throw UserError("Contact/Formulation = penalty needs Contact/Normal penalty and "
+                        "Contact/Tangential penalty; give both in N/m");
+      if (parameters.effects.friction_lining == EffectChoice::on &&
+          (!friction.lining_normal_stiffness || !friction.lining_tangential_stiffness))
+        throw UserError("Effects/Friction lining = on needs Friction/Lining normal stiffness and "
+                        "Friction/Lining tangential stiffness; give both in N/m^3");
+      if (parameters.effects.tooth_shear == EffectChoice::off &&
+          parameters.effects.rotor_tangential_compliance == EffectChoice::off &&
+          contact.formulation == ContactFormulation::mortar &&
+          parameters.effects.friction_lining != EffectChoice::on)
+        throw UserError("Effects/Tooth shear = off and Effects/Rotor tangential compliance = off "
+                        "leave nothing that gives way to friction; allowed: one of them off");
+    }
+
+    /** Effects that the contact cannot take in yet are refused rather than left out silently. */
+    void check_contact_effects(const Effects &effects)
+    {
+      const std::vector<std::pair<std::string, EffectChoice>> missing{
+          {"Rotor inertia", effects.rotor_inertia},
+          {"Tooth inertia", effects.tooth_inertia},
+          {"Damping", effects.damping},
+          {"Stator back-reaction", effects.stator_back_reaction},
+          {"Spin convection", effects.spin_convection},
+          {"Felt support", effects.felt_support}};
+      for (const auto &[name, choice] : missing)
+        if (choice != EffectChoice::off)
+          throw UserError("Effects/" + name + " = " + (choice == EffectChoice::on ? "on" : "auto") +
+                          " is not available in this version; allowed: off");
+      if (effects.friction_lining == EffectChoice::automatic)
+        throw UserError("Effects/Friction lining = auto is not available in this version; "
+                        "allowed: off | on");
+    }
+
+    void check_time(const Parameters &parameters)
+    {
+      const Time &time = parameters.time;
+      if (time.average_from_step < 2 || time.average_from_step > time.average_to_step ||
+          time.average_to_step > time.n_steps)
+        throw UserError(entry("Time/Average from step", time.average_from_step) + " and " +
+                        entry("Time/Average to step", time.average_to_step) + " do not go with " +
+                        entry("Time/Number of steps", time.n_steps) +
+                        "; allowed: 2 <= Average from step <= Average to step <= Number of steps");
+      if (time.scheme == TimeScheme::steady && parameters.initial_deformation.amplitude > 0. &&
+          parameters.effects.initial_deformation != EffectChoice::off)
+        throw UserError(
+            "Time/Scheme = steady does not go with " +
+            entry("Initial deformation/Amplitude", parameters.initial_deformation.amplitude) +
+            ": a warped ring has no steady pattern; allowed: auto | marching, or "
+            "Effects/Initial deformation = off");
+    }
+  } // namespace
+
+  std::vector<std::string> check_for_contact(const Parameters &parameters)
+  {
+    check_wave(parameters.motor);
+    check_stator_geometry(parameters);
+    check_rotor(parameters.rotor);
+    check_overlap(parameters.stator, parameters.rotor);
+    check_friction(parameters.friction);
+    check_springs(parameters);
+    check_contact_effects(parameters.effects);
+    check_time(parameters);
+    std::vector<std::string> warnings;
+    if (parameters.friction.dynamic_coefficient > parameters.friction.static_coefficient &&
+        parameters.friction.law != FrictionLaw::coulomb)
+      warnings.push_back("Friction/Dynamic coefficient is above Friction/Static coefficient: "
+                         "unusual, but computed as it is");
+    return warnings;
+  }
 } // namespace ringmotor

@@ -11,6 +11,10 @@ namespace ringmotor
     add_entry(prm, "Target", target, number_within(1.e-8, 0.1, "a number from 1e-8 to 0.1"),
               "Relative error below which the estimated error of the results has to be. Units: "
               "none.");
+    add_entry(prm, "Contact target", contact_target,
+              number_within(1.e-3, 0.5, "a number from 1e-3 to 0.5"),
+              "The same for speed and torque, relative to those without load and at stall. Units: "
+              "none.");
     add_entry(prm, "Mode", mode,
               selection<AccuracyMode>(
                   {{"adaptive", AccuracyMode::adaptive}, {"fixed", AccuracyMode::fixed}}),

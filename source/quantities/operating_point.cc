@@ -74,4 +74,27 @@ namespace ringmotor
                                     state.solution.motion[earlier][0]};
                     });
   }
+
+  OperatingPoint evaluate_step(const OperatingState &before, const OperatingState &state)
+  {
+    return evaluate(state,
+                    [&](const unsigned int i)
+                    {
+                      return Before{before.solution.state.force[i], before.contact->free_motion(i),
+                                    before.solution.motion[i][0]};
+                    });
+  }
+
+  OperatingPoint mean(const std::vector<OperatingPoint> &points)
+  {
+    OperatingPoint mean;
+    for (double OperatingPoint::*quantity :
+         {&OperatingPoint::speed, &OperatingPoint::torque, &OperatingPoint::tangential_loss,
+          &OperatingPoint::radial_loss, &OperatingPoint::input_power, &OperatingPoint::closing_work,
+          &OperatingPoint::teeth_in_contact, &OperatingPoint::stick_fraction,
+          &OperatingPoint::largest_force})
+      for (const OperatingPoint &point : points)
+        mean.*quantity += point.*quantity / points.size();
+    return mean;
+  }
 } // namespace ringmotor

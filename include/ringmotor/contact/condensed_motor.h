@@ -30,8 +30,8 @@ namespace ringmotor
   struct ContactDiscretisation
   {
     unsigned int degree = 2;
-    InterfaceGrading tooth{2, 2};
-    InterfaceGrading lip{2, 3};
+    InterfaceGrading tooth{2, 1};
+    InterfaceGrading lip{2, 2};
     unsigned int rotor_level = 0;
 
     /** Discretisations 0, 1, 2, ... of a sequence in which all get finer. */
@@ -51,8 +51,8 @@ namespace ringmotor
           free_motion; ///< m, of the tooth without contact forces, see PointVector
     };
 
-    unsigned int n_teeth, n_waves;
-    double angular_frequency; ///< rad/s
+    unsigned int n_teeth = 0, n_waves = 0;
+    double angular_frequency = 0.; ///< rad/s
     /** A motion of the rotor with one wave around the ring that hardly anything holds: a tilt or,
      * without bars, a shift. */
     struct LooseMotion
@@ -66,8 +66,14 @@ namespace ringmotor
     std::vector<Node> nodes;
     std::vector<LooseMotion> loose_motions;
     RingCompliance compliance; ///< of rotor and teeth, relative motion of rotor against stator
-    ComplementarityConstants constants;
-    unsigned int n_dofs; ///< of both bodies
+    ComplementarityConstants constants{};
+    dealii::FullMatrix<double> tooth_compliance;  ///< of a tooth alone, m/N
+    std::vector<std::vector<unsigned int>> faces; ///< nodes of each face, as ContactSurface::faces
+    unsigned int degree;                          ///< of displacements on a face
+    unsigned int n_dofs;                          ///< of both bodies
+
+    /** Relative change of the tangential motion if the inertia of the teeth were left in. */
+    double tooth_inertia_indicator = 0.;
 
     double period() const;
     double pitch() const;

@@ -48,6 +48,9 @@ namespace ringmotor
   class RingCompliance
   {
   public:
+    /** No sectors: to be assigned to. */
+    RingCompliance() = default;
+
     /**
      * @param of_wave the compliance for a nodal diameter 0 .. @p n_sectors / 2
      */
@@ -74,8 +77,6 @@ namespace ringmotor
     RingCompliance folded(const unsigned int fold) const;
 
   private:
-    RingCompliance() = default;
-
     unsigned int sector_count = 0, node_count = 0;
     std::vector<double> entries; ///< by distance, then by columns
   };

@@ -83,6 +83,9 @@ namespace ringmotor
      * forces. */
     const PointVector &free_motion(const unsigned int point) const { return stator[point]; }
 
+    /** Displacement of the teeth at each point (m), and that of the rotor but for its turn. */
+    std::vector<PointVector> tooth_motion(const ContactState &state) const;
+    std::vector<PointVector> rotor_motion(const ContactState &state) const;
     /** Positions of rotor over stator (m), but for the turn of the rotor. */
     std::vector<PointVector> positions(const ContactState &state) const;
     /** Torque (N m) of friction on the rotor, the mean over all moments. */

@@ -4,6 +4,8 @@
 #include <ringmotor/quantities/sector_field.h>
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace ringmotor
 {
@@ -28,4 +30,9 @@ namespace ringmotor
    */
   void write_ring_animation(const std::string &folder, const std::string &base_name,
                             const SectorField &field, unsigned int n_frames);
+
+  /** Writes a list of VTU files, each with its time (or whatever ParaView's time shall stand for).
+   */
+  void write_pvd(const std::string &path,
+                 const std::vector<std::pair<double, std::string>> &times_and_names);
 } // namespace ringmotor

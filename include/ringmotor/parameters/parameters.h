@@ -69,4 +69,11 @@ namespace ringmotor
    * @throws UserError naming the entries that clash and the way out.
    */
   void check_for_stator(const Parameters &parameters);
+
+  /**
+   * The same for the program `contact`.
+   * @returns warnings, one line each: choices that are allowed but easily misread
+   * @throws UserError naming the entries that clash and the way out.
+   */
+  std::vector<std::string> check_for_contact(const Parameters &parameters);
 } // namespace ringmotor

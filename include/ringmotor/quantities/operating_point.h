@@ -27,4 +27,10 @@ namespace ringmotor
 
   /** Evaluates a steady state. */
   OperatingPoint evaluate(const OperatingState &state);
+
+  /** Evaluates one step from the state @p before. */
+  OperatingPoint evaluate_step(const OperatingState &before, const OperatingState &state);
+
+  /** The mean of several steps of equal length. */
+  OperatingPoint mean(const std::vector<OperatingPoint> &points);
 } // namespace ringmotor

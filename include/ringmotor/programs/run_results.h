@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/output/log.h>
+#include <ringmotor/output/summary.h>
+#include <ringmotor/parameters/parameters.h>
+
+#include <string>
+
+namespace ringmotor
+{
+  /** Makes the folder of a program's results, and removes from it what @p ours, a regular
+   * expression for names of files, says an earlier run has left: results of two runs side by side
+   * would tell a wrong story. */
+  void prepare_results(const std::string &folder, const std::string &ours);
+
+  /** Stores the parameters of a run with the version that ran. */
+  void write_used_prm(const std::string &path, const std::string &program,
+                      const Parameters &parameters);
+
+  /** A summary with all that any program can say of its run. */
+  Summary begin_summary(const std::string &program, const Parameters &parameters,
+                        const Phases &phases);
+} // namespace ringmotor

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/contact/marching.h>
+#include <ringmotor/quantities/operating_point.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace ringmotor
+{
+  /** Everything at the contact points at some moments; by moment, tooth, node. */
+  struct ContactFields
+  {
+    std::vector<double> times;             ///< s
+    unsigned int n_teeth = 0;              ///< those of one repetition in the steady state
+    double time_step     = 0.;             ///< s
+    std::vector<PointVector> force;        ///< N, on the rotor
+    std::vector<PointVector> motion;       ///< m, gap and slip in the step
+    std::vector<PointVector> tooth, rotor; ///< m, displacements; the rotor's without its turn
+    std::vector<unsigned char> status;     ///< see PointStatus
+
+    template <class Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      archive &times &n_teeth &time_step &force &motion &tooth &rotor &status;
+    }
+  };
+
+  /** An operating point that is asked for. */
+  struct PointRequest
+  {
+    Control control;
+    double value; ///< N m or rad/s
+  };
+
+  /** An operating point and what it took to find it. */
+  struct CurvePoint
+  {
+    PointRequest request{};
+    OperatingPoint result;
+    double speed_error = 0., torque_error = 0., loss_error = 0.; ///< rad/s, N m, W
+    double largest_violation  = 0.; ///< of the laws of contact and friction, see ContactCertificate
+    unsigned int n_iterations = 0;
+    double seconds            = 0.;
+    std::string remark; ///< what was tried if Newton's method alone did not do
+    ContactFields fields;
+
+    template <class Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      archive &request.control &request.value &result.speed &result.torque &result
+          .tangential_loss &result.radial_loss &result.input_power &result.closing_work &result
+          .teeth_in_contact &result.stick_fraction &result.largest_force &speed_error &torque_error
+              &loss_error &largest_violation &n_iterations &seconds &remark &fields;
+    }
+  };
+
+  /** Finds operating points of a motor, in the way (steady or marching) that its parameters ask
+   * for. */
+  class OperatingPointFinder
+  {
+  public:
+    /** @param n_moments of the steady state. Both references must outlive this object. */
+    OperatingPointFinder(const Parameters &parameters, const CondensedMotor &motor,
+                         const unsigned int n_moments);
+
+    /** @throws ComputationError if none is found */
+    CurvePoint find(const PointRequest &request);
+
+  private:
+    CurvePoint find_steady(const PointRequest &request);
+    CurvePoint march(const PointRequest &request) const;
+
+    const Parameters &parameters;
+    const CondensedMotor &motor;
+    const Friction friction;
+    SteadyDriver steady;
+  };
+
+  /** Whether a motor has to be marched through time: it says so, or its ring is not uniform. */
+  bool is_marched(const Parameters &parameters);
+
+  /** The friction law with the effects that are switched off left out. */
+  Friction effective_friction(const Parameters &parameters);
+
+  /** The points that Loading/Values asks for; of a curve those from no load up to @p stall_torque
+   * (N m). */
+  std::vector<PointRequest> requested_points(const Loading &loading, const double stall_torque);
+
+  /**
+   * Finds several points, spread over the ranks of @p communicator; all of them end up on each
+   * rank.
+   * @p after_point is called on the rank that has found a point.
+   */
+  std::vector<CurvePoint> find_points(const Parameters &parameters, const CondensedMotor &motor,
+                                      const unsigned int n_moments,
+                                      const std::vector<PointRequest> &requests,
+                                      MPI_Comm communicator,
+                                      const std::function<void(const CurvePoint &)> &after_point);
+} // namespace ringmotor

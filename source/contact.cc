@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/output/contact_files.h>
+#include <ringmotor/output/log.h>
+#include <ringmotor/output/modes_file.h>
+#include <ringmotor/output/summary.h>
+#include <ringmotor/output/text.h>
+#include <ringmotor/output/vtu.h>
+#include <ringmotor/parameters/errors.h>
+#include <ringmotor/programs/run_program.h>
+#include <ringmotor/programs/run_results.h>
+#include <ringmotor/quantities/torque_speed.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ringmotor
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr double rpm = numbers::PI / 30.;
+
+    /** The same points on one discretisation of bodies and time. */
+    struct Curve
+    {
+      CondensedMotor motor;
+      std::vector<CurvePoint> points;
+    };
+
+    /** The largest changes from one curve to another of the quantities of a point. */
+    struct Change
+    {
+      double speed = 0., torque = 0., loss = 0.; ///< rad/s, N m, relative
+    };
+
+    /**
+     * The program `contact`: presses the rotor on the teeth of the stator, which carry the wave
+     * that the program `stator` has found, and finds speed, torque and losses with stick and slip.
+     */
+    class ContactProgram
+    {
+    public:
+      explicit ContactProgram(const Parameters &parameters);
+      void run();
+      void study();
+
+    private:
+      Curve compute(const unsigned int level);
+      void find_requests(const CondensedMotor &motor);
+      void estimate_errors(Curve &fine, const Curve &coarse);
+      std::vector<CurvePoint> points_with_half_the_step(const CondensedMotor &motor) const;
+      Change change(const std::vector<CurvePoint> &from, const std::vector<CurvePoint> &to) const;
+      double worst_error(const Curve &curve) const;
+      void report(const Curve &curve);
+      void write_results(const Curve &curve);
+      void write_summary_file(const Curve &curve);
+      void add_quantities(Summary &summary, const Curve &curve) const;
+
+      const Parameters &parameters;
+      const std::string folder; ///< of the results, ends in a slash
+      const bool speaks;
+      Log log;
+      Phases phases;
+      StatorWave wave;
+      double stall_torque = 0.; ///< N m; of the first motor that was computed
+      std::vector<PointRequest> requests;
+      Change mesh_error, time_error;
+      double smallest_error_seen = std::numeric_limits<double>::infinity();
+    };
+
+    /** `50.0 mN m: 82.45 +- 0.52 rpm` */
+    std::string describe(const CurvePoint &point)
+    {
+      const bool of_torque     = point.request.control == Control::torque;
+      const std::string torque = text(1e3 * point.result.torque, 2),
+                        speed  = text(point.result.speed / rpm, 2);
+      return (of_torque
+                  ? torque + " mN m: " + speed + " +- " + text(point.speed_error / rpm, 2) + " rpm"
+                  : speed + " rpm: " + torque + " +- " + text(1e3 * point.torque_error, 2) +
+                        " mN m") +
+             ", friction loss " + text(1e3 * point.result.friction_loss(), 1) + " +- " +
+             text(1e3 * point.loss_error, 1) + " mW (" +
+             text(1e3 * point.result.tangential_loss, 1) + " along, " +
+             text(1e3 * point.result.radial_loss, 1) + " across the ring), " +
+             text(point.result.teeth_in_contact, 2) + " teeth per wave";
+    }
+
+    ContactProgram::ContactProgram(const Parameters &parameters)
+        : parameters(parameters), folder(parameters.output.directory + "/contact/"),
+          speaks(Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0), log(speaks)
+    {
+    }
+
+    void ContactProgram::run()
+    {
+      for (const std::string &warning : check_for_contact(parameters))
+        log.line("warning: " + warning);
+      wave = read_stator_wave(parameters.output.directory + "/stator/modes.h5", parameters);
+      if (speaks)
+        prepare_results(folder, "used\\.prm|torque_speed\\.csv|history\\.csv|contact\\.h5|"
+                                "summary\\.json|contact\\.pvd|contact_[0-9]+\\.vtu");
+      constexpr unsigned int finest = 3;
+      const bool is_fixed           = parameters.accuracy.mode == AccuracyMode::fixed;
+      unsigned int level            = is_fixed ? parameters.accuracy.interface_refinement : 1;
+      Curve coarse                  = compute(level == 0 ? 1 : level - 1);
+      Curve curve                   = compute(level);
+      estimate_errors(curve, coarse);
+      while (!is_fixed && worst_error(curve) > parameters.accuracy.contact_target)
+      {
+        if (++level > finest)
+          throw ComputationError(
+              "speeds and torques are known to " + scientific(worst_error(curve)) +
+              " (relative) on the finest interface mesh, but Accuracy/Contact target = " +
+              scientific(parameters.accuracy.contact_target) + "; choose a larger one");
+        coarse = std::move(curve);
+        curve  = compute(level);
+        estimate_errors(curve, coarse);
+      }
+      report(curve);
+      write_results(curve);
+    }
+
+    void ContactProgram::study()
+    {
+      throw UserError("--study is not available for the program contact in this version; leave it "
+                      "out");
+    }
+
+    Curve ContactProgram::compute(const unsigned int level)
+    {
+      Curve curve;
+      {
+        const auto scope                           = phases.measure("condensation");
+        const ContactDiscretisation discretisation = ContactDiscretisation::level(level);
+        curve.motor = condense_motor(parameters, wave, discretisation);
+      }
+      log.line("interface mesh " + std::to_string(level) + ": " +
+               std::to_string(curve.motor.nodes.size()) + " contact points on a tooth, " +
+               std::to_string(curve.motor.n_dofs) + " dofs condensed");
+      const auto scope = phases.measure("operating points");
+      if (requests.empty())
+        find_requests(curve.motor);
+      unsigned int n_found = 0;
+      curve.points         = find_points(
+                  parameters, curve.motor, parameters.time.n_snapshots, requests, MPI_COMM_WORLD,
+                  [&](const CurvePoint &)
+                  { log.progress("operating points", std::min(1., ++n_found / (1. * requests.size()))); });
+      return curve;
+    }
+
+    void ContactProgram::find_requests(const CondensedMotor &motor)
+    {
+      OperatingPointFinder finder(parameters, motor, parameters.time.n_snapshots);
+      stall_torque = finder.find({Control::speed, 0.}).result.torque;
+      log.line("stall torque " + text(1e3 * stall_torque, 2) + " mN m");
+      if (parameters.loading.control == Control::torque)
+        for (const double torque : parameters.loading.values)
+          if (torque >= stall_torque)
+            throw UserError("Loading/Values = " + text(torque, 4) +
+                            " N m is beyond the stall of the motor, which is at " +
+                            text(stall_torque, 4) +
+                            " N m; allowed: less than that, or Loading/Control = speed");
+      requests = requested_points(parameters.loading, stall_torque);
+    }
+
+    Change ContactProgram::change(const std::vector<CurvePoint> &from,
+                                  const std::vector<CurvePoint> &to) const
+    {
+      // Near stall the speed hangs on the last bit of torque: such points tell of nothing else.
+      constexpr double flat_part = 0.95;
+      Change change;
+      for (unsigned int i = 0; i < from.size(); ++i)
+      {
+        if (std::abs(to[i].result.torque) < flat_part * stall_torque)
+          change.speed =
+              std::max(change.speed, std::abs(from[i].result.speed - to[i].result.speed));
+        change.torque =
+            std::max(change.torque, std::abs(from[i].result.torque - to[i].result.torque));
+        change.loss =
+            std::max(change.loss,
+                     std::abs(from[i].result.friction_loss() / to[i].result.friction_loss() - 1.));
+      }
+      return change;
+    }
+
+    std::vector<CurvePoint>
+    ContactProgram::points_with_half_the_step(const CondensedMotor &motor) const
+    {
+      Parameters half = parameters;
+      half.time.time_step *= 0.5;
+      half.time.n_steps *= 2;
+      half.time.average_from_step = 2 * half.time.average_from_step - 1;
+      half.time.average_to_step *= 2;
+      return find_points(half, motor, 2 * parameters.time.n_snapshots, requests, MPI_COMM_WORLD,
+                         [](const CurvePoint &) {});
+    }
+
+    void ContactProgram::estimate_errors(Curve &fine, const Curve &coarse)
+    {
+      const auto scope = phases.measure("error estimate");
+      // Meshes: the change from the next coarser one, with a margin, as convergence is not regular
+      // at the edge of contact. Time: first order, the change by halving the step is half the
+      // error.
+      constexpr double mesh_factor = 1.25, time_factor = 2.;
+      mesh_error = change(coarse.points, fine.points);
+      time_error = change(coarse.points, points_with_half_the_step(coarse.motor));
+      for (Change *error : {&mesh_error, &time_error})
+      {
+        const double factor = error == &mesh_error ? mesh_factor : time_factor;
+        error->speed *= factor;
+        error->torque *= factor;
+        error->loss *= factor;
+      }
+      for (CurvePoint &point : fine.points)
+      {
+        const bool of_torque = point.request.control == Control::torque;
+        point.speed_error    = of_torque ? mesh_error.speed + time_error.speed : 0.;
+        point.torque_error   = of_torque ? 0. : mesh_error.torque + time_error.torque;
+        point.loss_error     = (mesh_error.loss + time_error.loss) * point.result.friction_loss();
+      }
+    }
+
+    double ContactProgram::worst_error(const Curve &curve) const
+    {
+      double fastest = 0.;
+      for (const CurvePoint &point : curve.points)
+        fastest = std::max(fastest, std::abs(point.result.speed));
+      double worst = 0.;
+      for (const CurvePoint &point : curve.points)
+        worst = std::max({worst, point.speed_error / fastest, point.torque_error / stall_torque});
+      return worst;
+    }
+
+    void ContactProgram::report(const Curve &curve)
+    {
+      for (const CurvePoint &point : curve.points)
+        log.line(describe(point));
+      for (const CurvePoint &point : curve.points)
+        if (!point.remark.empty())
+          log.line("note: at " + text(1e3 * point.result.torque, 2) +
+                   " mN m Newton's method needed help: " + point.remark);
+      log.line("effects left out: inertia of the teeth would change their tangential motion by " +
+               text(100. * curve.motor.tooth_inertia_indicator, 1) + " %");
+    }
+
+    void ContactProgram::write_results(const Curve &curve)
+    {
+      if (!speaks)
+        return;
+      {
+        const auto scope = phases.measure("output");
+        write_used_prm(folder + "used.prm", "contact", parameters);
+        write_torque_speed(folder + "torque_speed.csv", curve.points);
+        write_history(folder + "history.csv", curve.motor, curve.points);
+        write_contact_h5(folder + "contact.h5", parameters, curve.motor, curve.points);
+        if (parameters.output.vtu)
+        {
+          std::vector<std::pair<double, std::string>> frames;
+          for (unsigned int i = 0; i < curve.points.size(); ++i)
+          {
+            const std::string name = "contact_" + Utilities::int_to_string(i, 3) + ".vtu";
+            write_contact_vtu(folder + name, curve.motor, curve.points[i],
+                              curve.points[i].fields.times.size() - 1,
+                              parameters.stator.base_thickness + parameters.stator.tooth_height);
+            frames.emplace_back(1e3 * curve.points[i].result.torque, name);
+          }
+          write_pvd(folder + "contact.pvd", frames);
+        }
+      }
+      write_summary_file(curve);
+      log.line("results in " + folder);
+    }
+
+    void ContactProgram::write_summary_file(const Curve &curve)
+    {
+      Summary summary = begin_summary("contact", parameters, phases);
+      summary.dofs    = curve.motor.n_dofs;
+      add_quantities(summary, curve);
+      summary.effects.push_back(
+          {"Tooth inertia", curve.motor.tooth_inertia_indicator, "off", 0., 0});
+      summary.effects.push_back(
+          {"Spin convection",
+           curve.motor.n_waves * curve.points.front().result.speed / curve.motor.angular_frequency,
+           "off", 0., 0});
+      double violation = 0., imbalance = 0.;
+      for (const CurvePoint &point : curve.points)
+      {
+        violation = std::max(violation, point.largest_violation);
+        imbalance = std::max(imbalance, std::abs(point.result.closing_work) /
+                                            std::max(1e-300, std::abs(point.result.input_power)));
+      }
+      summary.certificate.push_back(
+          {"largest violation of the laws of contact and friction and of the balances of forces",
+           violation, ContactCertificate::limit});
+      summary.certificate.push_back({"power put in against power out and friction loss, relative",
+                                     imbalance, parameters.accuracy.contact_target});
+      if (parameters.accuracy.mode == AccuracyMode::adaptive)
+        summary.certificate.push_back({"largest relative error of speeds and torques",
+                                       worst_error(curve), parameters.accuracy.contact_target});
+      write_summary(folder + "summary.json", summary);
+    }
+
+    void ContactProgram::add_quantities(Summary &summary, const Curve &curve) const
+    {
+      for (const CurvePoint &point : curve.points)
+      {
+        const bool of_torque = point.request.control == Control::torque;
+        const auto add = [&](const std::string &name, const double value, const std::string &unit,
+                             const double mesh, const double time)
+        {
+          summary.quantities.push_back(
+              {name,
+               value,
+               unit,
+               mesh + time,
+               {{"meshes of bodies and interface", mesh}, {"time step", time}},
+               point.seconds,
+               {{of_torque ? "torque_Nm" : "speed_rad_per_s", point.request.value}}});
+        };
+        if (of_torque)
+          add(point.request.value == 0. ? "no_load_speed" : "speed", point.result.speed, "rad/s",
+              mesh_error.speed, time_error.speed);
+        else
+          add(point.request.value == 0. ? "stall_torque" : "torque", point.result.torque, "N m",
+              mesh_error.torque, time_error.torque);
+        const double loss = point.result.friction_loss();
+        add("friction_loss", loss, "W", mesh_error.loss * loss, time_error.loss * loss);
+        add("friction_loss_tangential", point.result.tangential_loss, "W", mesh_error.loss * loss,
+            time_error.loss * loss);
+        add("friction_loss_radial", point.result.radial_loss, "W", mesh_error.loss * loss,
+            time_error.loss * loss);
+      }
+    }
+  } // namespace
+} // namespace ringmotor
+
+int main(int argc, char **argv)
+{
+  using namespace ringmotor;
+  return run_program(
+      argc, argv, "contact",
+      "Computes speed, torque and friction loss of the motor with stick and slip.",
+      [](const Parameters &parameters) { check_for_contact(parameters); },
+      [](const Parameters &parameters) { ContactProgram(parameters).run(); },
+      [](const Parameters &parameters) { ContactProgram(parameters).study(); });
+}

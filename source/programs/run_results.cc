@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/output/files.h>
+#include <ringmotor/programs/run_results.h>
+#include <ringmotor/version.h>
+
+#include <filesystem>
+#include <regex>
+#include <sstream>
+
+namespace ringmotor
+{
+  void prepare_results(const std::string &folder, const std::string &ours)
+  {
+    prepare_directory(folder);
+    const std::regex name(ours);
+    for (const auto &entry : std::filesystem::directory_iterator(folder))
+      if (std::regex_match(entry.path().filename().string(), name))
+        std::filesystem::remove(entry.path());
+  }
+
+  void write_used_prm(const std::string &path, const std::string &program,
+                      const Parameters &parameters)
+  {
+    write_file(path,
+               [&](std::ostream &out)
+               {
+                 out << "# used by " << program << " of ringmotor " << version << " ("
+                     << git_revision << ")\n";
+                 print_parameters(out, parameters);
+               });
+  }
+
+  Summary begin_summary(const std::string &program, const Parameters &parameters,
+                        const Phases &phases)
+  {
+    Summary summary;
+    summary.program = program;
+    summary.version = version;
+    summary.git     = git_revision;
+    std::ostringstream prm;
+    print_parameters(prm, parameters);
+    summary.prm            = prm.str();
+    summary.seconds        = phases.seconds();
+    summary.peak_memory_MB = peak_memory_MB();
+    return summary;
+  }
+} // namespace ringmotor

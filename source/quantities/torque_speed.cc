@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/quantities/torque_speed.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace ringmotor
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** Adds what happens at all points at the moments of a state. */
+    void append_fields(ContactFields &fields, const OperatingState &state, const double first_time)
+    {
+      const RingContact &contact       = *state.contact;
+      const ContactSolution &solution  = state.solution;
+      const std::vector<PointVector> t = contact.tooth_motion(solution.state),
+                                     r = contact.rotor_motion(solution.state);
+      for (unsigned int moment = 0; moment < contact.n_times(); ++moment)
+        fields.times.push_back(first_time + moment * contact.time_step());
+      fields.n_teeth    = contact.n_teeth();
+      fields.time_step  = contact.time_step();
+      const auto append = [](auto &to, const auto &from)
+      { to.insert(to.end(), from.begin(), from.end()); };
+      append(fields.force, solution.state.force);
+      append(fields.motion, solution.motion);
+      append(fields.tooth, t);
+      append(fields.rotor, r);
+      for (const PointStatus status : solution.status)
+        fields.status.push_back(static_cast<unsigned char>(status));
+    }
+
+    void add_certificate(CurvePoint &point, const ContactSolution &solution)
+    {
+      point.largest_violation = std::max(point.largest_violation, solution.certificate.worst());
+      point.n_iterations += solution.n_iterations;
+      if (!solution.how.empty())
+        point.remark = solution.how;
+    }
+
+    std::vector<double> warp(const Parameters &parameters)
+    {
+      std::vector<double> heights;
+      const InitialDeformation &deformation = parameters.initial_deformation;
+      const bool is_on = parameters.effects.initial_deformation != EffectChoice::off;
+      for (unsigned int tooth = 0; tooth < parameters.motor.n_teeth; ++tooth)
+        heights.push_back(is_on ? deformation.amplitude *
+                                      std::cos(2. * numbers::PI * tooth * deformation.n_waves /
+                                               parameters.motor.n_teeth)
+                                : 0.);
+      return heights;
+    }
+  } // namespace
+
+  bool is_marched(const Parameters &parameters)
+  {
+    if (parameters.time.scheme != TimeScheme::automatic)
+      return parameters.time.scheme == TimeScheme::marching;
+    return parameters.initial_deformation.amplitude > 0. &&
+           parameters.effects.initial_deformation != EffectChoice::off;
+  }
+
+  Friction effective_friction(const Parameters &parameters)
+  {
+    Friction friction = parameters.friction;
+    if (parameters.effects.static_friction_excess == EffectChoice::off)
+      friction.law = FrictionLaw::coulomb;
+    return friction;
+  }
+
+  OperatingPointFinder::OperatingPointFinder(const Parameters &parameters,
+                                             const CondensedMotor &motor,
+                                             const unsigned int n_moments)
+      : parameters(parameters), motor(motor), friction(effective_friction(parameters)),
+        steady(motor, friction, parameters.loading.preload, n_moments)
+  {
+  }
+
+  CurvePoint OperatingPointFinder::find(const PointRequest &request)
+  {
+    const auto begin = std::chrono::steady_clock::now();
+    CurvePoint point = is_marched(parameters) ? march(request) : find_steady(request);
+    point.request    = request;
+    point.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return point;
+  }
+
+  CurvePoint OperatingPointFinder::find_steady(const PointRequest &request)
+  {
+    const OperatingState state = request.control == Control::torque
+                                     ? steady.at_torque(request.value)
+                                     : steady.at_speed(request.value);
+    CurvePoint point;
+    point.result = evaluate(state);
+    add_certificate(point, state.solution);
+    append_fields(point.fields, state, 0.);
+    return point;
+  }
+
+  CurvePoint OperatingPointFinder::march(const PointRequest &request) const
+  {
+    const Time &time = parameters.time;
+    MarchingDriver driver(motor, friction, warp(parameters), parameters.loading.preload);
+    CurvePoint point;
+    OperatingState before;
+    std::vector<OperatingPoint> averaged;
+    for (unsigned int number = 1; number <= time.n_steps; ++number)
+    {
+      RotorLoad load{parameters.loading.preload, {}, request.value};
+      if (request.control == Control::torque) // the load comes with the second step
+        load.torque = number == 1 ? 0. : request.value;
+      OperatingState state = driver.step(load, time.time_step);
+      add_certificate(point, state.solution);
+      append_fields(point.fields, state, driver.time());
+      if (before.contact && number >= time.average_from_step && number <= time.average_to_step)
+        averaged.push_back(evaluate_step(before, state));
+      before = std::move(state);
+    }
+    point.result = mean(averaged);
+    return point;
+  }
+
+  std::vector<PointRequest> requested_points(const Loading &loading, const double stall_torque)
+  {
+    std::vector<PointRequest> requests;
+    for (const double value : loading.values)
+      requests.push_back({loading.control, value});
+    if (!loading.values.empty())
+      return requests;
+    for (unsigned int i = 0; i + 1 < loading.n_curve_points; ++i)
+      requests.push_back({Control::torque, stall_torque * i / (loading.n_curve_points - 1)});
+    requests.push_back({Control::speed, 0.});
+    return requests;
+  }
+
+  std::vector<CurvePoint> find_points(const Parameters &parameters, const CondensedMotor &motor,
+                                      const unsigned int n_moments,
+                                      const std::vector<PointRequest> &requests,
+                                      MPI_Comm communicator,
+                                      const std::function<void(const CurvePoint &)> &after_point)
+  {
+    const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator),
+                       n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+    OperatingPointFinder finder(parameters, motor, n_moments);
+    std::vector<CurvePoint> mine;
+    for (unsigned int i = rank; i < requests.size(); i += n_ranks)
+    {
+      mine.push_back(finder.find(requests[i]));
+      after_point(mine.back());
+    }
+    const std::vector<std::vector<CurvePoint>> all = Utilities::MPI::all_gather(communicator, mine);
+    std::vector<CurvePoint> points;
+    for (unsigned int i = 0; i < requests.size(); ++i)
+      points.push_back(all[i % n_ranks][i / n_ranks]);
+    return points;
+  }
+} // namespace ringmotor
