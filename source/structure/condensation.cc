@@ -124,7 +124,11 @@ namespace ringmotor
       }
     SparseLDLT factors(size, sector.communicator(), field.kept);
     factors.factorise(triplets);
-    field.matrix = factors.schur_complement();
+    field.matrix             = factors.schur_complement();
+    const std::size_t n_rows = field.kept.size();
+    for (std::size_t column = 0; column < n_rows; ++column)
+      for (std::size_t row = 0; row < column; ++row)
+        field.matrix[column * n_rows + row] = field.matrix[row * n_rows + column];
   }
 
   Condensation::Reduced Condensation::layout(const unsigned int k,
@@ -167,33 +171,53 @@ namespace ringmotor
     return reduced;
   }
 
+  std::vector<double> Condensation::tied(const Reduced &reduced) const
+  {
+    const std::size_t n_all = reduced.n_cut + reduced.size;
+    std::vector<double> matrix(n_all * n_all, 0.);
+    struct Entry
+    {
+      std::size_t row, place;
+      double factor;
+    };
+    for (const unsigned int part : {0u, 1u})
+    {
+      const std::size_t n_rows = reduced.rows[part].size();
+      std::vector<Entry> entries;
+      for (std::size_t row = 0; row < n_rows; ++row)
+        for (const Reduced::Part &entry : reduced.rows[part][row])
+        {
+          const unsigned int stays = reduced.place[entry.unknown];
+          entries.push_back(
+              {row, stays != none ? reduced.n_cut + stays : reduced.cut_place[entry.unknown],
+               entry.factor});
+        }
+      for (const Entry &column : entries)
+      {
+        const double *from = fields[part].matrix.data() + column.row * n_rows;
+        double *to         = matrix.data() + column.place * n_all;
+        for (const Entry &row : entries)
+          to[row.place] += row.factor * column.factor * from[row.row];
+      }
+    }
+    return matrix;
+  }
+
   Condensation::Reduced Condensation::reduce(const unsigned int k,
                                              const std::vector<unsigned int> &held) const
   {
     Reduced reduced        = layout(k, held);
-    const std::size_t size = reduced.size, n_cut = reduced.n_cut;
-    std::vector<double> cut(n_cut * n_cut, 0.), across(n_cut * size, 0.);
-    reduced.matrix.assign(size * size, 0.);
-    for (const unsigned int part : {0u, 1u})
+    const std::size_t size = reduced.size, n_cut = reduced.n_cut, n_all = n_cut + size;
+    const std::vector<double> whole = tied(reduced);
+    std::vector<double> cut(n_cut * n_cut), across(n_cut * size);
+    for (std::size_t column = 0; column < n_cut; ++column)
+      std::copy_n(whole.begin() + column * n_all, n_cut, cut.begin() + column * n_cut);
+    reduced.matrix.resize(size * size);
+    for (std::size_t column = 0; column < size; ++column)
     {
-      const std::vector<double> &matrix = fields[part].matrix;
-      const auto &rows                  = reduced.rows[part];
-      for (std::size_t b = 0; b < rows.size(); ++b)
-        for (std::size_t a = 0; a < rows.size(); ++a)
-          for (const Reduced::Part &column : rows[b])
-            for (const Reduced::Part &row : rows[a])
-            {
-              const double entry = row.factor * column.factor *
-                                   matrix[std::min(a, b) * rows.size() + std::max(a, b)];
-              const std::size_t i = reduced.place[row.unknown], j = reduced.place[column.unknown];
-              if (i != none && j != none)
-                reduced.matrix[j * size + i] += entry;
-              else if (i == none && j != none)
-                across[j * n_cut + reduced.cut_place[row.unknown]] += entry;
-              else if (i == none && j == none)
-                cut[reduced.cut_place[column.unknown] * n_cut + reduced.cut_place[row.unknown]] +=
-                    entry;
-            }
+      const auto from = whole.begin() + (n_cut + column) * n_all;
+      std::copy_n(from, n_cut, across.begin() + column * n_cut);
+      std::copy_n(from + n_cut, size, reduced.matrix.begin() + column * size);
     }
     if (n_cut > 0)
     {

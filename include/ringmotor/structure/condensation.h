@@ -80,13 +80,15 @@ namespace ringmotor
       std::vector<unsigned int> kept;       ///< numbers in the field, those of the cut first
       std::vector<unsigned int> row_of_dof; ///< in the matrix, of kept degrees of freedom
       std::vector<unsigned int> unknown;    ///< by row, of those not on the cut
-      std::vector<double> matrix;           ///< lower triangle by columns
+      std::vector<double> matrix;           ///< by columns
     };
     struct Reduced;
 
     void condense(const unsigned int part, const double shift);
     /** Which unknowns stay when the cut is eliminated, and how kept rows depend on unknowns. */
     Reduced layout(const unsigned int k, const std::vector<unsigned int> &held) const;
+    /** The fields tied to each other at the cut: by columns, cut first. */
+    std::vector<double> tied(const Reduced &reduced) const;
     /** The condensed body with the condition on its cut, the rest of the cut eliminated. */
     Reduced reduce(const unsigned int k, const std::vector<unsigned int> &held) const;
     /** The interface displacements that belong to the unknowns which stay. */
