@@ -25,15 +25,6 @@ namespace ringmotor
       return part;
     }
 
-    /** The largest friction force of a point, and how it changes. */
-    struct Bound
-    {
-      double value;
-      double by_pressure;
-      double by_slip; ///< N/m
-    };
-    using BoundOf = std::function<Bound(unsigned int point, double pressure_force, double slip)>;
-
     /** What Newton's method left. */
     struct Iterate
     {
@@ -47,46 +38,11 @@ namespace ringmotor
     constexpr unsigned int most_newton = 40;
     constexpr unsigned int most_tresca = 60;
 
-    ContactCertificate certify(const ContactProblem &problem, const ContactState &state,
-                               const std::vector<PointVector> &motion, const BoundOf &bound_of,
-                               const ComplementarityConstants &constants)
-    {
-      double force = 0., sum = 0., slip = 0.;
-      for (unsigned int i = 0; i < state.force.size(); ++i)
-      {
-        force = std::max(force, state.force[i][0]);
-        sum += std::max(0., state.force[i][0]);
-        if (state.force[i][0] > 0.)
-          slip = std::max(slip, tangential(motion[i]).norm());
-      }
-      ContactCertificate found;
-      if (force == 0.)
-        force = sum = 1.;
-      const double length = force / constants.normal;
-      slip                = std::max(slip, force / constants.tangential);
-      for (unsigned int i = 0; i < state.force.size(); ++i)
-      {
-        const double p = state.force[i][0], gap = motion[i][0];
-        found.tension         = std::max(found.tension, -p / force);
-        found.penetration     = std::max(found.penetration, -gap / length);
-        found.complementarity = std::max(found.complementarity, std::abs(p * gap) / force / length);
-        const Tangential friction = tangential(state.force[i]), way = tangential(motion[i]);
-        const double bound    = p > 0. ? bound_of(i, p, way.norm()).value : 0.;
-        found.friction_excess = std::max(found.friction_excess, (friction.norm() - bound) / force);
-        if (p > 0.)
-          found.friction_defect = std::max(
-              found.friction_defect, (way.norm() * friction + bound * way).norm() / force / slip);
-      }
-      for (const double balance : problem.balances(state))
-        found.balance = std::max(found.balance, std::abs(balance) / sum);
-      return found;
-    }
-
     /** One linear problem of Newton's method. */
     class LinearStep
     {
     public:
-      LinearStep(const ContactProblem &problem, const BoundOf &bound_of,
+      LinearStep(const ContactProblem &problem, const FrictionBoundOf &bound_of,
                  const ComplementarityConstants &constants)
           : problem(problem), bound_of(bound_of), constants(constants)
       {
@@ -123,7 +79,7 @@ namespace ringmotor
       struct Friction
       {
         bool sticks;
-        Bound bound;
+        FrictionBound bound;
         Tangential direction; ///< tau / |tau|
         double ratio;         ///< bound / |tau|
       };
@@ -143,10 +99,10 @@ namespace ringmotor
             force = 0.;
             continue;
           }
-          const Tangential slip = tangential(moved);
-          const Tangential tau  = tangential(force) - constants.tangential * slip;
-          const Bound bound     = bound_of(i, reach, slip.norm());
-          const double size     = tau.norm();
+          const Tangential slip     = tangential(moved);
+          const Tangential tau      = tangential(force) - constants.tangential * slip;
+          const FrictionBound bound = bound_of(i, reach, slip.norm());
+          const double size         = tau.norm();
           touching.push_back(i);
           if (size <= bound.value && bound.value > 0.)
             friction.push_back({true, bound, {}, 1.});
@@ -198,10 +154,10 @@ namespace ringmotor
       /** Newton's linearisation of F_t = bound(p, |slip|) tau/|tau|. */
       void add_slip(const unsigned int a, const PointVector &force, const PointVector &motion)
       {
-        const Friction &law    = friction[a];
-        const Tangential slip  = tangential(motion);
-        const double slip_size = slip.norm();
-        const Bound bound      = bound_of(touching[a], force[0], slip_size);
+        const Friction &law       = friction[a];
+        const Tangential slip     = tangential(motion);
+        const double slip_size    = slip.norm();
+        const FrictionBound bound = bound_of(touching[a], force[0], slip_size);
         for (unsigned int c = 0; c < 2; ++c)
         {
           const unsigned int row = 3 * a + 1 + c;
@@ -226,7 +182,7 @@ namespace ringmotor
       }
 
       const ContactProblem &problem;
-      const BoundOf &bound_of;
+      const FrictionBoundOf &bound_of;
       const ComplementarityConstants constants;
       std::vector<unsigned int> touching; ///< the points that touch in this step
       std::vector<Friction> friction;     ///< for each of them
@@ -237,7 +193,7 @@ namespace ringmotor
     };
 
     /** Newton's method; its last iterate, whether it has converged or not. */
-    Iterate newton(const ContactProblem &problem, const BoundOf &bound_of,
+    Iterate newton(const ContactProblem &problem, const FrictionBoundOf &bound_of,
                    const ComplementarityConstants &constants, const ContactState &start)
     {
       LinearStep step(problem, bound_of, constants);
@@ -249,19 +205,19 @@ namespace ringmotor
           iterate.certificate.balance = std::numeric_limits<double>::infinity();
           return iterate;
         }
-        iterate.certificate = certify(problem, iterate.state, iterate.motion, bound_of, constants);
+        iterate.certificate = certify(problem, bound_of, iterate.state, iterate.motion);
       } while (!(iterate.certificate.worst() <= converged) && iterate.n_iterations < most_newton);
       return iterate;
     }
 
     /** A fixed point on the friction bounds: with given bounds the problem is convex. */
-    Iterate tresca(const ContactProblem &problem, const BoundOf &bound_of,
+    Iterate tresca(const ContactProblem &problem, const FrictionBoundOf &bound_of,
                    const ComplementarityConstants &constants, const ContactState &start)
     {
       Iterate iterate{start, problem.relative_motion(start), {}, 0};
       std::vector<double> given(problem.n_points());
-      const BoundOf given_bound = [&](const unsigned int i, const double, const double) {
-        return Bound{given[i], 0., 0.};
+      const FrictionBoundOf given_bound = [&](const unsigned int i, const double, const double) {
+        return FrictionBound{given[i], 0., 0.};
       };
       for (unsigned int round = 0; round < most_tresca; ++round)
       {
@@ -274,14 +230,14 @@ namespace ringmotor
         iterate.n_iterations += n_before;
         if (!(iterate.certificate.worst() <= ContactCertificate::limit))
           return iterate;
-        iterate.certificate = certify(problem, iterate.state, iterate.motion, bound_of, constants);
+        iterate.certificate = certify(problem, bound_of, iterate.state, iterate.motion);
         if (iterate.certificate.worst() <= converged)
           return iterate;
       }
       return iterate;
     }
 
-    std::vector<PointStatus> status_of(const Iterate &iterate, const BoundOf &bound_of)
+    std::vector<PointStatus> status_of(const Iterate &iterate, const FrictionBoundOf &bound_of)
     {
       std::vector<PointStatus> status;
       for (unsigned int i = 0; i < iterate.state.force.size(); ++i)
@@ -297,24 +253,15 @@ namespace ringmotor
     }
   } // namespace
 
-  double ContactCertificate::worst() const
-  {
-    double worst = 0.;
-    for (const double entry :
-         {tension, penetration, complementarity, friction_excess, friction_defect, balance})
-      worst = entry <= worst ? worst : entry; // keeps a NaN
-    return worst;
-  }
-
   ContactSolution solve_contact(const ContactProblem &problem, const PointFriction &friction,
                                 const ComplementarityConstants &constants,
                                 const ContactState &start)
   {
-    const BoundOf coulomb =
+    const FrictionBoundOf coulomb =
         [&](const unsigned int point, const double pressure_force, const double slip)
     {
       const FrictionCoefficient mu = friction(point, slip);
-      return Bound{mu.value * pressure_force, mu.value, mu.derivative * pressure_force};
+      return FrictionBound{mu.value * pressure_force, mu.value, mu.derivative * pressure_force};
     };
     std::ostringstream tried;
     unsigned int n_iterations = 0;

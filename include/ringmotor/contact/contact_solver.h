@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/contact/contact_problem.h>
+#include <ringmotor/contact/contact_certificate.h>
 #include <ringmotor/contact/friction.h>
 
 #include <functional>
@@ -15,25 +15,6 @@ namespace ringmotor
     open,
     stick,
     slip
-  };
-
-  /**
-   * How far a state is from the laws of contact and friction, each a pure number that rounding
-   * alone should make different from zero. Forces are compared with the largest pressure force,
-   * gaps with the elastic displacement under it, and slips with the largest slip.
-   */
-  struct ContactCertificate
-  {
-    double tension         = 0.; ///< largest p < 0
-    double penetration     = 0.; ///< largest gap < 0
-    double complementarity = 0.; ///< largest |p gap|
-    double friction_excess = 0.; ///< largest |F_t| - mu p > 0
-    double friction_defect = 0.; ///< largest |F_t slip + mu p |slip||: friction opposes slip
-    double balance         = 0.; ///< largest balance, against the sum of the pressure forces
-
-    double worst() const;
-    static constexpr double limit = 1e-7;
-    bool holds() const { return worst() <= limit; }
   };
 
   /** The solution of a contact problem. */
