@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Where a method of active sets may fail: no friction and much of it, points that all touch or open
+// at once, normal and tangential motions strongly coupled, bad constants, starts that hold no rigid
+// motion, problems without a solution. Answers are known, or are checked against the laws
+// themselves; what has no answer must be refused.
+
+#include "support/contact_laws.h"
+#include "support/half_planes.h"
+
+#include <ringmotor/parameters/errors.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+using namespace ringmotor;
+using namespace ringmotor::tests;
+
+namespace
+{
+  // mm, N, MPa
+  constexpr HalfPlanes steel{82000., 0.28, 82000., 0.28},
+      aluminium_on_steel{23000., 0.31, 82000., 0.28};
+
+  LineContact cylinders(const HalfPlanes &bodies)
+  {
+    return {bodies, 500., -1.1, 0.04, 56};
+  }
+
+  constexpr double load = 180.;
+
+  /** Without the rigid motions after the first, and their loads. */
+  DenseContact held(const DenseContact &free)
+  {
+    DenseContact problem(free.n_points(), 1);
+    problem.compliance  = free.compliance;
+    problem.free_motion = free.free_motion;
+    problem.load[0]     = free.load[0];
+    for (unsigned int row = 0; row < 3 * free.n_points(); ++row)
+    {
+      problem.rigid_motion(row, 0) = free.rigid_motion(row, 0);
+      problem.balance(0, row)      = free.balance(0, row);
+    }
+    return problem;
+  }
+
+  ContactSolution expect_solved(const DenseContact &problem, const double mu,
+                                const ComplementarityConstants &constants,
+                                const ContactState &start)
+  {
+    const ContactSolution found = solve_contact(problem, coulomb(mu), constants, start);
+    EXPECT_TRUE(found.certificate.holds());
+    EXPECT_LT(violation(problem, mu, found.state, constants.normal), 1e-7);
+    return found;
+  }
+
+  void expect_refused(const DenseContact &problem, const double mu,
+                      const ComplementarityConstants &constants)
+  {
+    EXPECT_THROW(solve_contact(problem, coulomb(mu), constants, problem.nothing()),
+                 ComputationError);
+  }
+
+  std::mt19937 random_numbers;
+
+  double random(const double from, const double to)
+  {
+    return from + (to - from) * std::generate_canonical<double, 53>(random_numbers);
+  }
+
+  /**
+   * Any positive definite compliance, any gaps and slips; normal and tangential motions are as
+   * strongly coupled as forces of one direction are. Its constants are about right.
+   */
+  DenseContact random_problem(const unsigned int n_points, const double coupling,
+                              const bool rigid_motions)
+  {
+    DenseContact problem(n_points, rigid_motions ? 2 : 0);
+    const unsigned int size = 3 * n_points;
+    dealii::FullMatrix<double> factor(size, size);
+    for (unsigned int i = 0; i < size; ++i)
+      for (unsigned int j = 0; j < size; ++j)
+        factor(i, j) =
+            (i == j) + random(-0.5, 0.5) * ((i % 3 == 0) == (j % 3 == 0) ? 1. : coupling);
+    factor.mTmult(problem.compliance, factor);
+    for (PointVector &motion : problem.free_motion)
+      for (unsigned int c = 0; c < 3; ++c)
+        motion[c] = random(-2., 2.);
+    for (unsigned int i = 0; rigid_motions && i < n_points; ++i)
+      for (const unsigned int r : {0u, 1u})
+      {
+        problem.rigid_motion(3 * i + r, r) = 1.;
+        problem.balance(r, 3 * i + r)      = 1.;
+      }
+    return problem;
+  }
+
+  ComplementarityConstants constants_of(const DenseContact &problem)
+  {
+    const double stiffness = 1. / problem.compliance.frobenius_norm();
+    return {stiffness, stiffness};
+  }
+} // namespace
+
+TEST(ContactHard, WithoutFriction)
+{
+  for (const HalfPlanes &bodies : {steel, aluminium_on_steel})
+  {
+    const LineContact line      = cylinders(bodies);
+    const DenseContact problem  = held(line.shift(load, 0.));
+    const ContactSolution found = expect_solved(problem, 0., line.constants(), problem.nothing());
+    for (const PointVector &force : found.state.force)
+      EXPECT_EQ(std::hypot(force[1], force[2]), 0.);
+    EXPECT_EQ(count(found, PointStatus::stick), 0u);
+  }
+}
+
+TEST(ContactHard, WithoutFrictionAndFreeToMove)
+{
+  // Nothing balances a tangential force; without one the motion is any.
+  const LineContact line = cylinders(steel);
+  expect_refused(line.shift(load, 1.), 0., line.constants());
+  expect_refused(line.shift(load, 0.), 0., line.constants());
+}
+
+TEST(ContactHard, WithMuchFriction)
+{
+  for (const HalfPlanes &bodies : {steel, aluminium_on_steel})
+    for (const double part : {0., 0.1, 0.5, 0.9})
+    {
+      const LineContact line     = cylinders(bodies);
+      const DenseContact problem = line.shift(load, -5. * part * load);
+      expect_solved(problem, 5., line.constants(), problem.nothing());
+    }
+}
+
+TEST(ContactHard, WithMoreThanFrictionBears)
+{
+  for (const HalfPlanes &bodies : {steel, aluminium_on_steel})
+    for (const double mu : {0.01, 0.3, 1.})
+      for (const double part : {1.001, 2.})
+      {
+        const LineContact line = cylinders(bodies);
+        expect_refused(line.shift(load, part * mu * load), mu, line.constants());
+      }
+}
+
+TEST(ContactHard, FromEverywhere)
+{
+  const LineContact line         = cylinders(aluminium_on_steel);
+  const DenseContact problem     = line.rolling(load, -0.2 * load);
+  const ContactSolution expected = expect_solved(problem, 0.3, line.constants(), problem.nothing());
+  for (const double approach : {-1., 0., 1e-3, 0.1, 1e3})
+    for (const double creep : {-1., -1e-3, 0., 1e-4, 1.})
+      for (const double pressure : {0., 1., 1e4})
+      {
+        ContactState start = problem.nothing();
+        start.rigid        = {approach, creep};
+        for (PointVector &force : start.force)
+          force[0] = force[1] = pressure;
+        const ContactSolution found = expect_solved(problem, 0.3, line.constants(), start);
+        EXPECT_NEAR(found.state.rigid[1] / expected.state.rigid[1], 1., 1e-9)
+            << approach << " " << creep << " " << pressure;
+      }
+}
+
+TEST(ContactHard, OfNothing)
+{
+  // Nothing touches, with and without rigid motions that are held otherwise.
+  DenseContact apart(3, 0);
+  for (unsigned int i = 0; i < 9; ++i)
+    apart.compliance(i, i) = 1e-8;
+  for (PointVector &motion : apart.free_motion)
+    motion[0] = 1e-6;
+  ContactState pressed = apart.nothing();
+  for (PointVector &force : pressed.force)
+    force[0] = force[1] = 1.;
+  for (const ContactState &start : {apart.nothing(), pressed})
+    EXPECT_EQ(count(expect_solved(apart, 0.3, {1e8, 1e8}, start), PointStatus::open), 3u);
+  const DenseContact nowhere(0, 0);
+  EXPECT_TRUE(solve_contact(nowhere, coulomb(0.3), {1., 1.}, nowhere.nothing()).status.empty());
+  // A rigid motion that nothing holds
+  DenseContact adrift(3, 1);
+  expect_refused(adrift, 0.3, {1e8, 1e8});
+}
+
+TEST(ContactHard, ThatAllGrazes)
+{
+  // All gaps are zero, exactly and up to rounding, first without a load
+  const ComplementarityConstants constants = cylinders(steel).constants();
+  const DenseContact pressed               = held(cylinders(steel).shift(load, 0.));
+  for (const double noise : {0., 1e-17})
+    for (const double slip : {0., 1e-6})
+    {
+      DenseContact problem(pressed.n_points(), 0);
+      problem.compliance = pressed.compliance;
+      for (PointVector &motion : problem.free_motion)
+      {
+        motion[0] = random(-noise, noise);
+        motion[1] = slip;
+      }
+      const ContactSolution found =
+          solve_contact(problem, coulomb(0.3), constants, problem.nothing());
+      for (const PointVector &force : found.state.force)
+        EXPECT_LT(force.norm(), 1e-9);
+
+      DenseContact punch = pressed;
+      punch.free_motion  = problem.free_motion;
+      expect_solved(punch, 0.3, constants, punch.nothing());
+    }
+}
+
+TEST(ContactHard, OfRigidFaces)
+{
+  // Three points of a rigid block on springs for friction; its weight is shared evenly. The rigid
+  // motions are up and two tilts; it is dragged.
+  DenseContact problem(3, 3);
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    const double x[3] = {1., std::cos(2. * M_PI * i / 3.), std::sin(2. * M_PI * i / 3.)};
+    for (unsigned int r = 0; r < 3; ++r)
+      problem.rigid_motion(3 * i, r) = problem.balance(r, 3 * i) = x[r];
+    for (const unsigned int c : {1u, 2u})
+      problem.compliance(3 * i + c, 3 * i + c) = 1e-8;
+    problem.free_motion[i][0] = 1e-4 * i;
+    problem.free_motion[i][1] = 1e-6;
+  }
+  problem.load                = {-3., 0., 0.};
+  const ContactSolution found = solve_contact(problem, coulomb(0.4), {1e8, 1e8}, problem.nothing());
+  for (const PointVector &force : found.state.force)
+  {
+    EXPECT_NEAR(force[0], 1., 1e-9);
+    EXPECT_NEAR(force[1], -0.4, 1e-9);
+  }
+}
+
+TEST(ContactHard, OfTwinPoints)
+{
+  // Two points in one place: pressures that only their sum decides
+  DenseContact problem(2, 0);
+  for (unsigned int i = 0; i < 6; ++i)
+    for (const unsigned int j : {i % 3, i % 3 + 3})
+      problem.compliance(i, j) = 1e-8;
+  for (PointVector &motion : problem.free_motion)
+    motion[0] = -1e-6;
+  expect_refused(problem, 0.3, {1e8, 1e8});
+}
+
+TEST(ContactHard, OfNoNumbers)
+{
+  const LineContact line     = cylinders(steel);
+  const DenseContact problem = line.shift(load, 0.1 * load);
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+  {
+    for (const unsigned int c : {0u, 1u, 2u})
+    {
+      DenseContact wrong       = problem;
+      wrong.free_motion[20][c] = bad;
+      expect_refused(wrong, 0.3, line.constants());
+    }
+  }
+  ContactState start = problem.nothing();
+  start.force[10][0] = start.rigid[1] = std::numeric_limits<double>::quiet_NaN();
+  expect_solved(problem, 0.3, line.constants(), start);
+}
+
+TEST(ContactHard, RollingWithHardlyAnyFriction)
+{
+  // Nearly all slips, and one or two strips that stick decide the creep.
+  for (const double place : {0., 0.25, 0.5})
+    for (const double mu : {1e-5, 1e-4, 1e-3, 1e-2})
+      for (const double part : {-0.9, -0.5, -0.1, 0., 0.1, 0.5, 0.9})
+      {
+        LineContact line = cylinders(aluminium_on_steel);
+        line.first += place * line.width;
+        const DenseContact problem = line.rolling(0.5 * load, 0.5 * part * mu * load);
+        expect_solved(problem, mu, line.constants(), problem.nothing());
+      }
+}
+
+TEST(ContactHard, OfAnyCompliance)
+{
+  random_numbers.seed(1);
+  unsigned int n_solved = 0, n_helped = 0;
+  for (const unsigned int n_points : {1u, 3u, 10u, 30u})
+    for (const double coupling : {0., 0.5, 1.})
+      for (const bool rigid_motions : {false, true})
+        for (const double mu : {0.05, 0.2, 0.5, 1.})
+          for (unsigned int i = 0; i < 120 / n_points; ++i)
+          {
+            DenseContact problem = random_problem(n_points, coupling, rigid_motions);
+            if (rigid_motions)
+              problem.load = {-0.3 * n_points, 0.3 * mu * n_points * random(-0.9, 0.9)};
+            const ContactSolution found =
+                expect_solved(problem, mu, constants_of(problem), problem.nothing());
+            ++n_solved;
+            n_helped += !found.how.empty();
+          }
+  EXPECT_LT(n_helped, 0.02 * n_solved); // Newton's method alone is enough nearly always
+}
+
+TEST(ContactHard, IsRefusedRatherThanWrong)
+{
+  // Beyond what friction there is; most have a solution, but it need not be found.
+  random_numbers.seed(1);
+  unsigned int n_solved = 0;
+  for (unsigned int i = 0; i < 100; ++i)
+  {
+    const DenseContact problem = random_problem(10, 1., false);
+    try
+    {
+      expect_solved(problem, 5., constants_of(problem), problem.nothing());
+      ++n_solved;
+    }
+    catch (const ComputationError &)
+    {
+    }
+  }
+  EXPECT_GT(n_solved, 80u);
+}
+
+TEST(ContactHard, HasItsErrorsSeen)
+{
+  const LineContact line      = cylinders(aluminium_on_steel);
+  const DenseContact problem  = line.shift(load, -0.2 * load);
+  const ContactSolution found = expect_solved(problem, 0.3, line.constants(), problem.nothing());
+  const FrictionBoundOf bound = [](const unsigned int, const double pressure, const double) {
+    return FrictionBound{0.3 * pressure, 0.3, 0.};
+  };
+  const auto certificate_with = [&](const auto &change)
+  {
+    ContactState state = found.state;
+    change(state);
+    return certify(problem, bound, state, problem.relative_motion(state));
+  };
+  const unsigned int middle = line.n_strips / 2;
+  const double small        = 1e-5 * load;
+  EXPECT_TRUE(certificate_with([](ContactState &) {}).holds());
+  EXPECT_GT(certificate_with([&](ContactState &s) { s.force[0][0] = -small; }).tension, 1e-5);
+  EXPECT_GT(certificate_with([&](ContactState &s) { s.rigid[0] += 1e-8; }).penetration, 1e-7);
+  EXPECT_GT(certificate_with([&](ContactState &s) { s.rigid[0] -= 1e-8; }).complementarity, 1e-7);
+  EXPECT_GT(certificate_with([&](ContactState &s) { s.force[middle][1] = load; }).friction_excess,
+            1e-5);
+  EXPECT_GT(certificate_with([&](ContactState &s) { s.rigid[1] += 1e-8; }).friction_defect, 1e-7);
+  EXPECT_GT(certificate_with([&](ContactState &s) { s.force[middle][0] += small; }).balance, 1e-6);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (unsigned int c = 0; c < 3; ++c)
+    EXPECT_FALSE(certificate_with([&](ContactState &s) { s.force[middle][c] = nan; }).holds());
+  for (const unsigned int r : {0u, 1u})
+    EXPECT_FALSE(certificate_with([&](ContactState &s) { s.rigid[r] = nan; }).holds());
+}
