@@ -8,12 +8,15 @@ namespace ringmotor
       : motor(motor), friction(friction), heights(heights)
   {
     const unsigned int n_points = motor.n_teeth * motor.nodes.size();
-    const RingContact contact(
-        motor, {preload, {}},
-        TimeStep{now, motor.period(), std::vector<PointVector>(n_points, PointVector())}, heights);
+    const TimeStep at_rest{now, motor.period(), std::vector<PointVector>(n_points)};
+    const RotorLoad load{preload, {}};
     const PointFriction none = [](const unsigned int, const double)
     { return FrictionCoefficient{}; };
-    state     = solve_contact(contact, none, motor.constants, contact.pressed_down()).state;
+    // On teeth without warp it is plain how many of them will touch.
+    const RingContact even(motor, load, at_rest, std::vector<double>(motor.n_teeth, 0.)),
+        contact(motor, load, at_rest, heights);
+    state     = solve_contact(even, none, motor.constants, even.pressed_down()).state;
+    state     = solve_contact(contact, none, motor.constants, state).state;
     positions = contact.positions(state);
     memory.resize(n_points);
   }
