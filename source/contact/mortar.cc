@@ -7,10 +7,6 @@
 #include <deal.II/grid/tria.h>
 #include <deal.II/lac/full_matrix.h>
 
-#include <boost/geometry.hpp>
-#include <boost/geometry/geometries/point_xy.hpp>
-#include <boost/geometry/geometries/polygon.hpp>
-
 #include <algorithm>
 #include <map>
 
@@ -20,9 +16,6 @@ namespace ringmotor
 
   namespace
   {
-    using Corner  = boost::geometry::model::d2::point_xy<double>;
-    using Polygon = boost::geometry::model::polygon<Corner, /*clockwise =*/false>;
-
     /** Faces as cells of a triangulation: deal.II then finds points in them. */
     void triangulate(const ContactSurface &surface, const double angle, Triangulation<2> &plane)
     {
@@ -43,12 +36,45 @@ namespace ringmotor
 
     using Face = Triangulation<2>::active_cell_iterator;
 
+    using Polygon = std::vector<Point<2>>; ///< counterclockwise
+
     Polygon outline(const Face &face)
     {
-      Polygon polygon;
-      for (const unsigned int v : {0, 1, 3, 2, 0})
-        boost::geometry::append(polygon.outer(), Corner(face->vertex(v)[0], face->vertex(v)[1]));
-      return polygon;
+      return {face->vertex(0), face->vertex(1), face->vertex(3), face->vertex(2)};
+    }
+
+    /** Twice the area of a triangle, negative if its corners run clockwise. */
+    double double_area(const Point<2> &a, const Point<2> &b, const Point<2> &c)
+    {
+      const Tensor<1, 2> e = b - a, f = c - a;
+      return e[0] * f[1] - e[1] * f[0];
+    }
+
+    /** The part of a polygon on the left of the line from @p a to @p b. */
+    Polygon left_part(const Polygon &polygon, const Point<2> &a, const Point<2> &b)
+    {
+      Polygon left;
+      for (std::size_t i = 0; i < polygon.size(); ++i)
+      {
+        const Point<2> &from = polygon[i], &to = polygon[(i + 1) % polygon.size()];
+        const double side = double_area(a, b, from), next = double_area(a, b, to);
+        if (side >= 0.)
+          left.push_back(from);
+        if ((side > 0. && next < 0.) || (side < 0. && next > 0.))
+          left.push_back(from + side / (side - next) * (to - from));
+      }
+      return left;
+    }
+
+    /** What two convex faces have in common. (Boost's intersection() is as exact only as its grid
+     * of whole numbers, some 1e-7 of the polygons' size.) */
+    Polygon common_part(const Face &a, const Face &b)
+    {
+      Polygon common     = outline(a);
+      const Polygon edge = outline(b);
+      for (unsigned int i = 0; i < 4; ++i)
+        common = left_part(common, edge[i], edge[(i + 1) % 4]);
+      return common;
     }
 
     bool are_apart(const Face &a, const Face &b)
@@ -65,23 +91,20 @@ namespace ringmotor
     void segment_points(const Face &a, const Face &b, const Quadrature<2> &of_triangle,
                         std::vector<Point<2>> &points, std::vector<double> &weights)
     {
-      std::vector<Polygon> common;
-      boost::geometry::intersection(outline(a), outline(b), common);
-      for (const Polygon &polygon : common)
-        for (std::size_t i = 1; i + 2 < polygon.outer().size(); ++i)
+      const Polygon common = common_part(a, b);
+      for (std::size_t i = 1; i + 1 < common.size(); ++i)
+      {
+        const double area = double_area(common[0], common[i], common[i + 1]);
+        if (area <= 1e-15 * a->measure())
+          continue;
+        for (unsigned int q = 0; q < of_triangle.size(); ++q)
         {
-          const auto corner = [&](const std::size_t j)
-          { return Point<2>(polygon.outer()[j].x(), polygon.outer()[j].y()); };
-          const Point<2> origin = corner(0);
-          const Tensor<1, 2> e = corner(i) - origin, f = corner(i + 1) - origin;
-          const double area = std::abs(e[0] * f[1] - e[1] * f[0]); // twice the triangle's
-          for (unsigned int q = 0; q < of_triangle.size(); ++q)
-          {
-            const Point<2> &unit = of_triangle.point(q);
-            points.push_back(origin + unit[0] * e + unit[1] * f);
-            weights.push_back(of_triangle.weight(q) * area * points.back()[0]);
-          }
+          const Point<2> &unit = of_triangle.point(q);
+          points.push_back(common[0] + unit[0] * (common[i] - common[0]) +
+                           unit[1] * (common[i + 1] - common[0]));
+          weights.push_back(of_triangle.weight(q) * area * points.back()[0]);
         }
+      }
     }
 
     /** The integrals over one face of the tooth. */
@@ -149,6 +172,29 @@ namespace ringmotor
       const MappingQ<2> mapping{1};
       std::map<std::pair<unsigned int, int>, std::vector<double>> mixed;
     };
+    /** Integrals of dual functions times functions of the rotor's nodes, by node and its sector. */
+    using DualIntegrals = std::map<std::pair<unsigned int, int>, double>;
+
+    /** From the integrals of all of the tooth's nodes, alone and with the rotor's functions. */
+    MortarCoupling coupling_of(const std::vector<double> &area,
+                               const std::vector<DualIntegrals> &mixed)
+    {
+      MortarCoupling coupling;
+      const double largest = *std::max_element(area.begin(), area.end());
+      for (unsigned int i = 0; i < area.size(); ++i)
+      {
+        AssertThrow(area[i] > -1e-9 * largest,
+                    ExcMessage("too little of a face is covered for its quadratic functions"));
+        if (area[i] <= 1e-9 * largest)
+          continue;
+        MortarCoupling::Node node{i, area[i], {}};
+        for (const auto &[other, integral] : mixed[i])
+          if (std::abs(integral) > 1e-14 * area[i])
+            node.weights.push_back({other.first, other.second, integral / area[i]});
+        coupling.nodes.push_back(node);
+      }
+      return coupling;
+    }
   } // namespace
 
   MortarCoupling couple(const ContactSurface &tooth, const ContactSurface &rotor,
@@ -161,10 +207,10 @@ namespace ringmotor
       triangulate(rotor, shift + sector * pitch, rotor_planes[sector + 1]);
     const FE_Q<2> rotor_element(rotor.degree);
     // Exact for products of two shape functions and r on faces that are parallelograms.
-    const QDuffy quadrature(tooth.degree + rotor.degree + 2, 1.);
+    const QDuffy quadrature(tooth.degree + std::max(tooth.degree, rotor.degree) + 2, 1.);
 
     std::vector<double> area(tooth.nodes.size(), 0.);
-    std::vector<std::map<std::pair<unsigned int, int>, double>> mixed(tooth.nodes.size());
+    std::vector<DualIntegrals> mixed(tooth.nodes.size());
     for (const Face &face : tooth_plane.active_cell_iterators())
     {
       FaceIntegrals integrals(tooth.degree);
@@ -195,17 +241,6 @@ namespace ringmotor
           { mixed[nodes[i]][node] += integral; });
     }
 
-    MortarCoupling coupling;
-    const double largest = *std::max_element(area.begin(), area.end());
-    for (unsigned int i = 0; i < area.size(); ++i)
-      if (area[i] > 1e-9 * largest)
-      {
-        MortarCoupling::Node node{i, area[i], {}};
-        for (const auto &[other, integral] : mixed[i])
-          if (std::abs(integral) > 1e-14 * area[i])
-            node.weights.push_back({other.first, other.second, integral / area[i]});
-        coupling.nodes.push_back(node);
-      }
-    return coupling;
+    return coupling_of(area, mixed);
   }
 } // namespace ringmotor

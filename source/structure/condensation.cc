@@ -255,6 +255,7 @@ namespace ringmotor
       for (std::size_t row = 0; row < forms.size(); ++row)
         for (const auto &[place, coefficient] : forms[row])
           compliance(row, column) += coefficient * solutions[column * size + place];
+    compliance.symmetrize(); // up to rounding it is
     return compliance;
   }
 

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/structure/condensation.h>
+#include <ringmotor/structure/sparse_ldlt.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace ringmotor::tests
+{
+  /** The loads on the unknowns from forces (coefficients, N) on degrees of freedom of the real
+   * field (part 0) or the imaginary one (1). */
+  inline std::vector<double> loads_of_form(const CyclicSector &sector, const unsigned int k,
+                                           const unsigned int part, const LinearForm &form)
+  {
+    dealii::Vector<double> along_axes(sector.n_dofs());
+    for (const auto &[dof, coefficient] : form)
+      along_axes[dof] += coefficient;
+    sector.nodes().rotate_to_cartesian(along_axes);
+    SectorMotion forces = sector.at_rest();
+    auto &solid         = part == 0 ? forces.solid.real : forces.solid.imaginary;
+    auto &shell         = part == 0 ? forces.shell.real : forces.shell.imaginary;
+    std::copy(along_axes.begin(), along_axes.begin() + solid.size(), solid.begin());
+    std::copy(along_axes.begin() + solid.size(), along_axes.end(), shell.begin());
+    return sector.loads_of(k, forces);
+  }
+
+  /** (K - shift M) u + P lambda = f, P^T u = g of one nodal diameter, by one sparse factorisation
+   * of all unknowns. */
+  class DirectSector
+  {
+  public:
+    /** @p conditions are the columns of P. */
+    DirectSector(const CyclicSector &sector, const unsigned int k, const double shift,
+                 const std::vector<std::vector<double>> &conditions)
+        : n_unknowns(sector.n_unknowns()), size(n_unknowns + conditions.size()),
+          factors(size, MPI_COMM_SELF)
+    {
+      SymmetricTriplets triplets;
+      for (const unsigned int part : {0u, 1u})
+        add_field(sector, k, part, shift, triplets);
+      for (unsigned int c = 0; c < conditions.size(); ++c)
+      {
+        triplets.add(n_unknowns + c, n_unknowns + c, 0.);
+        for (unsigned int i = 0; i < n_unknowns; ++i)
+          if (conditions[c][i] != 0.)
+            triplets.add(n_unknowns + c, i, conditions[c][i]);
+      }
+      factors.factorise(triplets);
+    }
+
+    /** u, then lambda, from f, then g; without g it is zero. */
+    std::vector<double> solve(std::vector<double> right_hand_side)
+    {
+      right_hand_side.resize(size, 0.);
+      factors.solve(right_hand_side);
+      return right_hand_side;
+    }
+
+  private:
+    static void add_field(const CyclicSector &sector, const unsigned int k, const unsigned int part,
+                          const double shift, SymmetricTriplets &triplets)
+    {
+      const CyclicSector::RealField &field = sector.field(part);
+      std::vector<std::vector<std::pair<unsigned int, double>>> terms(field.size);
+      for (const auto &[number, unknown] : field.inner)
+        terms[number].emplace_back(unknown, 1.);
+      for (const CyclicSector::Tie &tie : sector.ties(part, k))
+        terms[field.cut[tie.position]].emplace_back(tie.unknown, tie.factor);
+      const SymmetricTriplets entries = sector.shifted_stiffness(part, shift);
+      for (std::size_t e = 0; e < entries.values.size(); ++e)
+      {
+        const int row = entries.rows[e] - 1, column = entries.columns[e] - 1;
+        // An entry below the diagonal stands for the one above it as well.
+        for (const auto &[a, factor_a] : terms[row])
+          for (const auto &[b, factor_b] : terms[column])
+            if (row != column || a >= b)
+              triplets.add(a, b,
+                           (a == b && row != column ? 2. : 1.) * factor_a * factor_b *
+                               entries.values[e]);
+      }
+    }
+
+    const unsigned int n_unknowns, size;
+    SparseLDLT factors;
+  };
+
+  using Solver = std::function<std::vector<double>(const std::vector<double> &)>;
+
+  /** A compliance of these loads against their solutions, relative to its diagonal's entries; it is
+   * symmetric. */
+  inline void expect_solutions(const dealii::FullMatrix<double> &compliance,
+                               const std::vector<std::vector<double>> &loads, const Solver &solve,
+                               const double tolerance)
+  {
+    ASSERT_EQ(compliance.m(), loads.size());
+    ASSERT_EQ(compliance.n(), loads.size());
+    std::vector<double> scale;
+    double largest = 0., worst = 0., asymmetry = 0.;
+    for (unsigned int i = 0; i < loads.size(); ++i)
+    {
+      scale.push_back(std::sqrt(std::abs(compliance(i, i))));
+      largest = std::max(largest, scale.back());
+    }
+    for (double &entry : scale) // forms that the symmetry holds have nothing but rounding
+      entry = entry < 1e-6 * largest ? largest : entry;
+    for (unsigned int j = 0; j < loads.size(); ++j)
+    {
+      const std::vector<double> solution = solve(loads[j]);
+      for (unsigned int i = 0; i < loads.size(); ++i)
+      {
+        const double expected =
+            std::inner_product(loads[i].begin(), loads[i].end(), solution.begin(), 0.);
+        const double entry = compliance(i, j), size = scale[i] * scale[j];
+        worst     = std::max(worst, std::abs(entry - expected) / size);
+        asymmetry = std::max(asymmetry, std::abs(entry - compliance(j, i)) / size);
+      }
+    }
+    EXPECT_LT(worst, tolerance);
+    EXPECT_LT(asymmetry, 1e-12);
+  }
+} // namespace ringmotor::tests
