@@ -304,7 +304,7 @@ namespace ringmotor
 
       CondensedRotor rotor;
       rotor.n_dofs = sector.n_dofs();
-      rotor.mortar = couple(tooth_top, whole.surface, pitch);
+      rotor.mortar = couple(tooth_top, whole.surface, pitch, discretisation.lip_turn);
       if (rotor.mortar.nodes.empty())
         throw UserError(
             "the lip (Rotor/Lip inner radius to Lip outer radius) covers no part of the tooth tops "

@@ -33,6 +33,7 @@ namespace ringmotor
     InterfaceGrading tooth{2, 1};
     InterfaceGrading lip{2, 2};
     unsigned int rotor_level = 0;
+    double lip_turn          = 0.; ///< rad, of the lip's mesh against that of the teeth
 
     /** Discretisations 0, 1, 2, ... of a sequence in which all get finer. */
     static ContactDiscretisation level(const unsigned int level);

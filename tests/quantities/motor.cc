@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// What the reference motor does. Speeds under four loads: an independent model of the same motor
+// (its own meshes of solids throughout, its own contact) found 85.3, 82.7, 79.0 and 73.4 rpm with
+// one coefficient of friction 0.40; stall is all friction in one direction, mu F r. What Maeno et
+// al. (1992) saw in theirs: crests touch along the outer line with three to four teeth of a wave;
+// forces are steady after the fifth step of 5e-7 s; without load friction has both signs and
+// cancels; a point slips backwards, sticks, slips forwards; warp costs speed. And balances that
+// hold exactly: what the teeth put in is what the rotor gives out and friction takes.
+
+#include "support/motor_model.h"
+
+#include <ringmotor/quantities/torque_speed.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace ringmotor;
+using namespace ringmotor::tests;
+
+namespace
+{
+  constexpr double rpm = M_PI / 30.;
+
+  class ReferenceMotor : public testing::Test
+  {
+  protected:
+    static void SetUpTestSuite()
+    {
+      parameters = reference_motor();
+      motor = condense_motor(parameters, stator_wave(parameters), ContactDiscretisation::level(1));
+    }
+    CurvePoint at_torque(const double torque, const unsigned int n_moments = 1) const
+    {
+      return OperatingPointFinder(parameters, motor, n_moments).find({Control::torque, torque});
+    }
+
+    static Parameters parameters;
+    static CondensedMotor motor;
+  };
+  Parameters ReferenceMotor::parameters;
+  CondensedMotor ReferenceMotor::motor;
+
+  double force_sum(const ContactFields &fields, const unsigned int component, const double sign)
+  {
+    double sum = 0.;
+    for (const PointVector &force : fields.force)
+      sum += std::max(0., sign * force[component]);
+    return sum;
+  }
+} // namespace
+
+TEST_F(ReferenceMotor, TurnsAsFastAsAnIndependentModel)
+{
+  OperatingPointFinder finder(parameters, motor, 1);
+  for (const auto &[torque, speed] : {std::make_pair(0., 85.3), std::make_pair(0.05, 82.7),
+                                      std::make_pair(0.1, 79.0), std::make_pair(0.15, 73.4)})
+  {
+    const CurvePoint point = finder.find({Control::torque, torque});
+    RecordProperty("speed_at_" + std::to_string(static_cast<int>(1e3 * torque)) + "_mNm",
+                   std::to_string(point.result.speed / rpm));
+    EXPECT_NEAR(point.result.speed / rpm, speed, 0.02 * speed) << torque;
+    EXPECT_NEAR(point.result.torque, torque, 1e-9);
+    EXPECT_LE(point.largest_violation, ContactCertificate::limit);
+  }
+}
+
+TEST_F(ReferenceMotor, StallsWhereAllFrictionPointsOneWay)
+{
+  const CurvePoint point = OperatingPointFinder(parameters, motor, 1).find({Control::speed, 0.});
+  // The contact lies along the outer line; radial sliding takes a small share of the friction.
+  EXPECT_NEAR(point.result.torque, 0.40 * 14. * 34.2e-3, 0.002 * 0.40 * 14. * 34.2e-3);
+  EXPECT_LT(point.result.stick_fraction, 1e-6);
+}
+
+TEST_F(ReferenceMotor, SpeedAndTorqueControlAreTwoWaysToOnePoint)
+{
+  for (const unsigned int n_moments : {1u, 3u})
+  {
+    const CurvePoint loaded = at_torque(0.08, n_moments);
+    const CurvePoint driven = OperatingPointFinder(parameters, motor, n_moments)
+                                  .find({Control::speed, loaded.result.speed});
+    EXPECT_NEAR(driven.result.torque, 0.08, 1e-8);
+  }
+}
+
+TEST_F(ReferenceMotor, TouchesAtTheCrestsAlongTheOuterLine)
+{
+  const CurvePoint point = at_torque(0.);
+  EXPECT_GT(point.result.teeth_in_contact, 3.);
+  EXPECT_LT(point.result.teeth_in_contact, 4.);
+  double inside = 0.;
+  for (unsigned int i = 0; i < point.fields.force.size(); ++i)
+    if (motor.nodes[i % motor.nodes.size()].radius < 34.0e-3)
+      inside += point.fields.force[i][0];
+  EXPECT_LT(inside, 0.02 * 14.);
+  for (unsigned int i = 0; i < point.fields.force.size(); ++i)
+    if (point.fields.force[i][0] > 0.)
+    {
+      EXPECT_GT(point.fields.tooth[i][0], 1e-6) << "only crests touch, 2 um high";
+    }
+}
+
+TEST_F(ReferenceMotor, HasFrictionOfBothSignsWithoutLoad)
+{
+  const CurvePoint point = at_torque(0.);
+  const double forwards  = force_sum(point.fields, 1, 1.),
+               backwards = force_sum(point.fields, 1, -1.);
+  EXPECT_NEAR(forwards, backwards, 1e-3 * forwards); // torques cancel, at nearly one radius
+  EXPECT_GT(forwards, 0.1 * 0.40 * 14.);
+}
+
+TEST_F(ReferenceMotor, LetsAPointSlipBackwardsStickAndSlipForwards)
+{
+  // One node on the outer line while the wave passes: tooth j is where tooth 0 was earlier.
+  const CurvePoint point    = at_torque(0.);
+  const std::size_t n_nodes = motor.nodes.size();
+  unsigned int node         = 0;
+  for (unsigned int a = 0; a < n_nodes; ++a)
+    if (motor.nodes[a].radius > 34.19e-3 && std::abs(motor.nodes[a].angle) < 1e-9)
+      node = a;
+  std::string story;
+  for (unsigned int step = 0; step < 90; ++step)
+  {
+    // 13 teeth further on, the wave is one step behind.
+    const unsigned int tooth = (45 * 90 - 13 * (step + 45)) % 90;
+    const std::size_t i      = tooth * n_nodes + node;
+    const auto status        = static_cast<PointStatus>(point.fields.status[i]);
+    const char letter        = status == PointStatus::open     ? 'o'
+                               : status == PointStatus::stick  ? 's'
+                               : point.fields.force[i][1] > 0. ? 'f'
+                                                               : 'b';
+    if (story.empty() || story.back() != letter)
+      story += letter;
+  }
+  EXPECT_NE((story + story).find("obsf"), std::string::npos)
+      << story << " should be: open, slip backwards, stick, slip forwards";
+}
+
+TEST_F(ReferenceMotor, BalancesItsPower)
+{
+  // The wave's feet put in what the rotor gives out and friction takes, but for the work that gaps
+  // take as they close within a step: it falls with the square of the step.
+  for (const double torque : {0.05, 0.1, 0.15})
+    EXPECT_LT(at_torque(torque).result.power_imbalance(), 1e-3) << torque;
+  // Without load little power is left to compare with.
+  const CondensedMotor coarse =
+      condense_motor(parameters, stator_wave(parameters), ContactDiscretisation::level(0));
+  std::vector<double> imbalance;
+  for (const unsigned int n_moments : {3u, 6u})
+    imbalance.push_back(OperatingPointFinder(parameters, coarse, n_moments)
+                            .find({Control::torque, 0.})
+                            .result.power_imbalance());
+  EXPECT_LT(imbalance[1], 1e-3);
+  EXPECT_LT(imbalance[1], 0.5 * imbalance[0]);
+  const OperatingPoint result = at_torque(0.1).result;
+  EXPECT_NEAR(result.input_power,
+              result.output_power() + result.friction_loss() + result.closing_work,
+              1e-9 * result.input_power);
+}
+
+TEST_F(ReferenceMotor, IsSteadyAfterFiveOfThePapersSteps)
+{
+  const MarchingDriver fresh(motor, parameters.friction, std::vector<double>(90, 0.), 14.);
+  MarchingDriver driver = fresh;
+  const RotorLoad load{14., {}, 60. * rpm};
+  std::vector<double> torque;
+  for (unsigned int step = 0; step < 15; ++step)
+  {
+    const OperatingState state = driver.step(load, 5e-7);
+    torque.push_back(state.contact->torque(state.solution.state));
+  }
+  const double steady =
+      OperatingPointFinder(parameters, motor, 1).find({Control::speed, 60. * rpm}).result.torque;
+  EXPECT_LT(torque[0], 0.95 * steady);
+  for (unsigned int step = 5; step < 15; ++step)
+    EXPECT_NEAR(torque[step], steady, 0.01 * steady) << step;
+}
+
+TEST_F(ReferenceMotor, MarchesToItsSteadyState)
+{
+  // With the step of the steady scheme both see the same equations.
+  MarchingDriver driver(motor, parameters.friction, std::vector<double>(90, 0.), 14.);
+  const RotorLoad load{14., 0.08};
+  double speed = 0.;
+  for (unsigned int step = 0; step < 90; ++step)
+  {
+    const OperatingState state = driver.step(load, motor.period() / 90.);
+    speed                      = state.contact->speed(state.solution.state);
+  }
+  EXPECT_NEAR(speed, at_torque(0.08).result.speed, 1e-5 * speed);
+}
+
+TEST_F(ReferenceMotor, IsSlowerWhenWarped)
+{
+  Parameters warped                    = parameters;
+  warped.initial_deformation.amplitude = 4e-6;
+  const CurvePoint slow = OperatingPointFinder(warped, motor, 1).find({Control::torque, 0.05});
+  const double even     = at_torque(0.05).result.speed;
+  RecordProperty("warped_speed_rpm", std::to_string(slow.result.speed / rpm));
+  EXPECT_LT(slow.result.speed, even - 3. * rpm);
+  EXPECT_GT(slow.result.speed, 0.8 * even);
+}
+
+TEST_F(ReferenceMotor, FeelsItsFrictionAndItsStiffness)
+{
+  // A test that could not fail would hold for another motor too.
+  Parameters smoother                   = parameters;
+  smoother.friction.dynamic_coefficient = 0.30;
+  EXPECT_LT(OperatingPointFinder(smoother, motor, 1).find({Control::torque, 0.1}).result.speed,
+            at_torque(0.1).result.speed - 1. * rpm);
+  Parameters softer = parameters;
+  softer.materials.rotor_metal.young_modulus *= 0.5;
+  const CondensedMotor soft =
+      condense_motor(softer, stator_wave(softer), ContactDiscretisation::level(1));
+  const CurvePoint point = OperatingPointFinder(softer, soft, 1).find({Control::torque, 0.1});
+  EXPECT_LT(point.result.speed, at_torque(0.1).result.speed - 0.5 * rpm);
+}

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// What must not matter to a motor: the constants of the method, the units, which tooth is called
+// the first, how the lip's mesh lies over the teeth, how many ranks compute. And a motor whose
+// numbers of waves and teeth have a common factor, solved by the part of it that repeats itself and
+// in full.
+
+#include "support/motor_model.h"
+
+#include <ringmotor/parameters/errors.h>
+#include <ringmotor/quantities/torque_speed.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace ringmotor;
+using namespace ringmotor::tests;
+
+namespace
+{
+  constexpr double rpm = M_PI / 30.;
+
+  ContactDiscretisation coarse()
+  {
+    return ContactDiscretisation::level(0);
+  }
+
+  double speed_of(const Parameters &parameters, const CondensedMotor &motor, const double torque,
+                  const unsigned int n_moments = 1)
+  {
+    return OperatingPointFinder(parameters, motor, n_moments)
+        .find({Control::torque, torque})
+        .result.speed;
+  }
+} // namespace
+
+TEST(MotorIndependence, OfTheMethodsConstants)
+{
+  const Parameters parameters = reference_motor();
+  CondensedMotor motor        = condense_motor(parameters, stator_wave(parameters), coarse());
+  const double speed          = speed_of(parameters, motor, 0.08);
+  const ComplementarityConstants right = motor.constants;
+  unsigned int n_solved                = 0;
+  for (const double normal : {1e-2, 1., 1e2})
+    for (const double tangential : {1e-2, 1., 1e2})
+    {
+      motor.constants = {normal * right.normal, tangential * right.tangential};
+      try
+      {
+        EXPECT_NEAR(speed_of(parameters, motor, 0.08), speed, 1e-7 * speed);
+        ++n_solved;
+      }
+      catch (const ComputationError &)
+      {
+        // A refusal is an answer; a wrong speed would not be.
+      }
+    }
+  EXPECT_GE(n_solved, 7u);
+}
+
+TEST(MotorIndependence, OfUnits)
+{
+  const Parameters metres = reference_motor();
+  const StatorWave wave   = stator_wave(metres);
+  // Millimetre, newton, megapascal: the same motor in other numbers.
+  constexpr double length = 1e3;
+  Parameters millimetres  = metres;
+  for (double StatorGeometry::*size :
+       {&StatorGeometry::base_inner_radius, &StatorGeometry::base_outer_radius,
+        &StatorGeometry::tip_inner_radius, &StatorGeometry::tip_outer_radius,
+        &StatorGeometry::base_thickness, &StatorGeometry::tooth_height, &StatorGeometry::slot_width,
+        &StatorGeometry::piezoceramic_thickness})
+    millimetres.stator.*size *= length;
+  for (double RotorGeometry::*size :
+       {&RotorGeometry::ring_inner_radius, &RotorGeometry::ring_outer_radius,
+        &RotorGeometry::ring_lower_face, &RotorGeometry::ring_upper_face,
+        &RotorGeometry::flange_lower_face, &RotorGeometry::flange_thickness,
+        &RotorGeometry::lip_inner_radius, &RotorGeometry::lip_outer_radius,
+        &RotorGeometry::radial_bar_height})
+    millimetres.rotor.*size *= length;
+  millimetres.rotor.radial_bar_stiffness /= length * length;
+  for (Material *material :
+       {&millimetres.materials.stator_metal, &millimetres.materials.rotor_metal})
+    material->young_modulus /= length * length;
+  const auto scaled = [](const WaveMotion &motion)
+  {
+    return [motion](const dealii::Point<3> &x)
+    {
+      auto u = motion(dealii::Point<3>(x / length));
+      for (auto &component : u)
+        component *= length;
+      return u;
+    };
+  };
+  StatorWave wave_in_millimetres = wave;
+  wave_in_millimetres.foot       = scaled(wave.foot);
+  wave_in_millimetres.top        = scaled(wave.top);
+  const double speed             = speed_of(metres, condense_motor(metres, wave, coarse()), 0.08);
+  EXPECT_NEAR(speed_of(millimetres, condense_motor(millimetres, wave_in_millimetres, coarse()),
+                       0.08 * length),
+              speed, 1e-6 * speed);
+}
+
+TEST(MotorIndependence, OfTheFirstTooth)
+{
+  const Parameters parameters = reference_motor();
+  CondensedMotor motor        = condense_motor(parameters, stator_wave(parameters), coarse());
+  const double speed          = speed_of(parameters, motor, 0.08);
+  for (CondensedMotor::Node &node : motor.nodes)
+    for (std::complex<double> &component : node.free_motion)
+      component *= std::polar(1., -motor.n_waves * motor.pitch());
+  EXPECT_NEAR(speed_of(parameters, motor, 0.08), speed, 1e-8 * speed);
+}
+
+TEST(MotorIndependence, OfHowTheMeshesLie)
+{
+  const Parameters parameters = reference_motor();
+  const StatorWave wave       = stator_wave(parameters);
+  const double speed = speed_of(parameters, condense_motor(parameters, wave, coarse()), 0.08);
+  for (const double share : {0.1, 0.25, 0.5})
+  {
+    ContactDiscretisation turned = coarse();
+    turned.lip_turn              = share * 2. * M_PI / 90.;
+    // The coarsest meshes differ from the limit by 0.8 %.
+    EXPECT_NEAR(speed_of(parameters, condense_motor(parameters, wave, turned), 0.08), speed,
+                0.005 * speed)
+        << share;
+  }
+}
+
+TEST(MotorIndependence, OfHowACommonFactorIsUsed)
+{
+  // 9 waves, 90 teeth: after ten teeth all repeats itself. Marching knows nothing of that.
+  Parameters parameters            = reference_motor();
+  parameters.motor.n_waves         = 9;
+  parameters.modes.nodal_diameters = {9};
+  const CondensedMotor motor       = condense_motor(parameters, stator_wave(parameters), coarse());
+  constexpr unsigned int n_moments = 4;
+  const double speed               = speed_of(parameters, motor, 0.05, n_moments);
+  MarchingDriver driver(motor, parameters.friction, std::vector<double>(90, 0.), 14.);
+  const double step = motor.period() / (10 * n_moments);
+  double mean       = 0.;
+  for (unsigned int number = 0; number < 80; ++number)
+  {
+    const OperatingState state = driver.step({14., {}, speed}, step);
+    if (number >= 40)
+      mean += state.contact->torque(state.solution.state) / 40.;
+  }
+  EXPECT_NEAR(mean, 0.05, 1e-5);
+}
+
+TEST(MotorIndependenceRanks, SameResultsOnTwo)
+{
+  Parameters parameters             = reference_motor();
+  parameters.loading.n_curve_points = 5;
+  const CondensedMotor motor        = condense_motor(parameters, stator_wave(parameters), coarse());
+  const std::vector<PointRequest> requests = requested_points(parameters.loading, 0.19);
+  const auto curve_on                      = [&](MPI_Comm communicator)
+  { return find_points(parameters, motor, 1, requests, communicator, [](const CurvePoint &) {}); };
+  const std::vector<CurvePoint> one = curve_on(MPI_COMM_SELF), two = curve_on(MPI_COMM_WORLD);
+  ASSERT_EQ(one.size(), 5u);
+  ASSERT_EQ(two.size(), 5u);
+  for (unsigned int i = 0; i < one.size(); ++i)
+  {
+    EXPECT_NEAR(two[i].result.speed, one[i].result.speed, 1e-7 * one[0].result.speed) << i;
+    EXPECT_NEAR(two[i].result.torque, one[i].result.torque, 1e-9) << i;
+    EXPECT_EQ(two[i].fields.force.size(), one[i].fields.force.size()) << i;
+  }
+}
