@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/output/contact_files.h>
+#include <ringmotor/output/files.h>
 #include <ringmotor/output/log.h>
 #include <ringmotor/output/modes_file.h>
 #include <ringmotor/output/summary.h>
@@ -100,8 +101,7 @@ namespace ringmotor
         log.line("warning: " + warning);
       wave = read_stator_wave(parameters.output.directory + "/stator/modes.h5", parameters);
       if (speaks)
-        prepare_results(folder, "used\\.prm|torque_speed\\.csv|history\\.csv|contact\\.h5|"
-                                "summary\\.json|contact\\.pvd|contact_[0-9]+\\.vtu");
+        prepare_directory(folder);
       constexpr unsigned int finest = 3;
       const bool is_fixed           = parameters.accuracy.mode == AccuracyMode::fixed;
       unsigned int level            = is_fixed ? parameters.accuracy.interface_refinement : 1;
@@ -140,7 +140,8 @@ namespace ringmotor
       log.line("interface mesh " + std::to_string(level) + ": " +
                std::to_string(curve.motor.nodes.size()) + " contact points on a tooth, " +
                std::to_string(curve.motor.n_dofs) + " dofs condensed");
-      const auto scope = phases.measure("operating points");
+      const auto scope =
+          phases.measure("operating points, interface mesh " + std::to_string(level));
       if (requests.empty())
         find_requests(curve.motor);
       unsigned int n_found = 0;
@@ -252,6 +253,8 @@ namespace ringmotor
         return;
       {
         const auto scope = phases.measure("output");
+        prepare_results(folder, "used\\.prm|torque_speed\\.csv|history\\.csv|contact\\.h5|"
+                                "summary\\.json|contact\\.pvd|contact_[0-9]+\\.vtu");
         write_used_prm(folder + "used.prm", "contact", parameters);
         write_torque_speed(folder + "torque_speed.csv", curve.points);
         write_history(folder + "history.csv", curve.motor, curve.points);

@@ -1,0 +1,141 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the program contact costs on the reference motor: whole runs, timed from outside, and phases.
+
+usage: benchmarks/contact_cost.py [--repeat 3] [--growth] [--markdown FILE]
+
+Each case is run `--repeat` times in a folder of its own; the table quotes medians. "condensation" is that
+of the interface mesh named (the next coarser one, from which errors are estimated, comes on top in
+"whole"), "point" the median of the operating points, "curve" all of them on that mesh, "memory" the
+largest resident set. --growth lets the interface and the number of teeth grow and fits exponents.
+"""
+import argparse
+import csv
+import json
+import math
+import os
+import pathlib
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+MOTOR = ROOT / "prm" / "canon_ring.prm"
+PLAIN = {"Friction/Law": "coulomb", "Rotor/Flange element": "solid", "Accuracy/Mode": "fixed",
+         "Accuracy/Target": "1e-3", "Accuracy/Refinement": "1", "Output/VTU": "false"}
+
+CASES = [(f"interface mesh {level}", {"Accuracy/Interface refinement": str(level)}, 1) for level in (0, 1, 2)]
+CASES += [("interface mesh 1, flange as shell",
+           {"Accuracy/Interface refinement": "1", "Rotor/Flange element": "shell"}, 1),
+          ("interface mesh 1, static-dynamic law",
+           {"Accuracy/Interface refinement": "1", "Friction/Law": "static-dynamic"}, 1),
+          ("interface mesh 1, two ranks", {"Accuracy/Interface refinement": "1"}, 2),
+          ("interface mesh 1, warp 4 um, marching, two points",
+           {"Accuracy/Interface refinement": "1", "Initial deformation/Amplitude": "4e-6",
+            "Loading/Values": "0, 0.05"}, 1)]
+
+
+def teeth(number):
+    """The reference motor with another number of teeth; slots keep their share of the pitch."""
+    return {"Motor/Number of teeth": str(number), "Stator/Slot width": repr(0.6e-3 * 90 / number),
+            "Accuracy/Interface refinement": "1", "Loading/Values": "0, 0.05"}
+
+
+GROWTH_OF_TEETH = [(number, teeth(number)) for number in (30, 60, 90, 180, 360)]
+GROWTH_OF_INTERFACE = [(level, {"Accuracy/Interface refinement": str(level), "Loading/Values": "0, 0.05"})
+                       for level in (0, 1, 2, 3)]
+
+
+def run(program, folder, entries, n_ranks=1):
+    """One run; returns wall seconds and largest resident set in MB."""
+    command = [str(ROOT / "build" / "bin" / program), str(MOTOR), "--output", folder]
+    for entry, value in {**PLAIN, **entries}.items():
+        command += ["--set", f"{entry} = {value}"]
+    environment = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
+    if n_ranks > 1:
+        environment.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+        command = ["mpirun", "--oversubscribe", "-n", str(n_ranks)] + command
+    begin = time.perf_counter()
+    process = subprocess.Popen(command, env=environment, stdout=subprocess.DEVNULL)
+    _, status, usage = os.wait4(process.pid, 0)
+    if status != 0:
+        sys.exit(f"contact_cost: failed: {' '.join(command)}")
+    return time.perf_counter() - begin, usage.ru_maxrss / 1000.0
+
+
+def measure(entries, n_ranks, repeat):
+    """Medians of some runs: dict of numbers."""
+    level = entries["Accuracy/Interface refinement"]
+    runs = []
+    with tempfile.TemporaryDirectory() as folder:
+        run("stator", folder, entries)
+        for _ in range(repeat):
+            seconds, memory = run("contact", folder, entries, n_ranks)
+            summary = json.loads((pathlib.Path(folder) / "contact" / "summary.json").read_text())
+            with open(pathlib.Path(folder) / "contact" / "torque_speed.csv") as file:
+                points = [float(row["seconds"]) for row in csv.DictReader(file)]
+            runs.append({"whole": seconds, "memory": memory if n_ranks == 1 else summary["peak_memory_MB"],
+                         "condensation": summary["seconds"][f"condensation, interface mesh {level}"],
+                         "curve": sum(points), "point": statistics.median(points)})
+    result = {key: statistics.median(r[key] for r in runs) for key in runs[0]}
+    speed = next(q for q in summary["quantities"] if q["name"] == "no_load_speed")
+    result["speed"] = speed["value"] * 30 / math.pi
+    result["error"] = speed["error"] * 30 / math.pi
+    result["dofs"] = summary["dofs"]
+    return result
+
+
+def table(rows, repeat):
+    header = ["case", "dofs", "whole s", "condensation s", "point s", "curve s", "memory MB", "no-load rpm"]
+    lines = ["| " + " | ".join(header) + " |", "|" + "---|" * len(header)]
+    print("\n".join(lines), flush=True)
+    for name, entries, n_ranks in rows:
+        r = measure(entries, n_ranks, repeat)
+        lines.append(f"| {name} | {r['dofs']} | {r['whole']:.2f} | {r['condensation']:.2f} | {r['point']:.3f} | "
+                     f"{r['curve']:.2f} | {r['memory']:.0f} | {r['speed']:.2f} +- {r['error']:.2f} |")
+        print(lines[-1], flush=True)
+    return lines
+
+
+def exponent(sizes, values):
+    """Slope of the straight line through the logarithms."""
+    x, y = [math.log(s) for s in sizes], [math.log(v) for v in values]
+    mean_x, mean_y = statistics.mean(x), statistics.mean(y)
+    return sum((a - mean_x) * (b - mean_y) for a, b in zip(x, y)) / sum((a - mean_x) ** 2 for a in x)
+
+
+def growth(name, cases, size_of, repeat):
+    header = [name, "condensation s", "point s", "memory MB"]
+    lines = ["| " + " | ".join(header) + " |", "|" + "---|" * len(header)]
+    found = [(size_of(key), measure(entries, 1, repeat)) for key, entries in cases]
+    for size, r in found:
+        lines.append(f"| {size} | {r['condensation']:.2f} | {r['point']:.3f} | {r['memory']:.0f} |")
+    sizes = [size for size, _ in found]
+    lines.append("| exponent | " + " | ".join(
+        f"{exponent(sizes, [r[key] for _, r in found]):.1f}" for key in ("condensation", "point", "memory")) + " |")
+    print("\n".join(lines) + "\n", flush=True)
+    return lines + [""]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--repeat", type=int, default=3)
+    parser.add_argument("--growth", action="store_true", help="with the interface's and the ring's size")
+    parser.add_argument("--markdown", help="also write the table to this file")
+    options = parser.parse_args()
+    if not (ROOT / "build" / "bin" / "contact").exists():
+        sys.exit("contact_cost: build/bin/contact is missing: run scripts/setup.sh")
+    if options.growth:
+        nodes = {0: 15, 1: 25, 2: 63, 3: 117}  # contact points of a tooth
+        lines = growth("points on a tooth", GROWTH_OF_INTERFACE, nodes.get, options.repeat)
+        lines += growth("teeth", GROWTH_OF_TEETH, int, options.repeat)
+    else:
+        lines = table(CASES, options.repeat)
+    if options.markdown:
+        pathlib.Path(options.markdown).write_text("\n".join(lines) + "\n")
+
+
+if __name__ == "__main__":
+    main()
