@@ -24,11 +24,13 @@ MICRO, MILLI, KILO = 1e-6, 1e-3, 1e3
 
 
 def start_figure(case, title, size):
+    """A figure of a size in inches, with the motor's name in its title and, small, the program that computed it."""
     figure = plt.figure(figsize=size, layout="constrained")
     summary = case.summary
     revision = f" ({summary['git']})" if summary["git"] else ""
     motor = case.motor.replace("$", r"\$")  # else text between two of them is set as a formula
-    figure.suptitle(f"{motor}: {title}", fontsize=10)
+    is_long = len(motor) + len(title) > size[0] / 0.077  # inches that a letter takes
+    figure.suptitle(f"{motor}:{chr(10) if is_long else ' '}{title}", fontsize=10)
     figure.supxlabel(f"ringmotor {summary['version']}{revision}, program {summary['program']}",
                      fontsize=6.5, color=GREY, x=0.995, ha="right")
     return figure

@@ -2,13 +2,20 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Draws the figures of a case from the result files of the programs stator and contact.
 
-Usage: scripts/figures.py CASE_DIR      e.g. scripts/figures.py output/canon_ring
+Usage: scripts/figures.py CASE_DIR [OTHER_CASE_DIR]...      e.g. scripts/figures.py output/canon_ring
 
 Reads CASE_DIR/stator and writes, as PNG and SVG, into CASE_DIR/figures:
   elliptic_paths   paths of 18 points of a tooth in the travelling wave (Fig. 4 of Maeno et al. 1992)
   tooth_edge       amplitudes and phase along the outer edge of the teeth (Fig. 5 of the same paper)
   dispersion       natural frequency against the number of waves, with error bars
 The first two need the motor's wave among the modes; without it only the third is drawn.
+From CASE_DIR/contact, where it exists:
+  contact_shape        teeth and rotor over one and a half waves, without load (Fig. 8)
+  normal_displacement  of teeth and rotor over two waves, without load (Fig. 9)
+  contact_forces       of each tooth, without load and at 50 mN m or the point nearest to it (Fig. 10)
+  friction_history     forces at a point while a crest passes, with stick and slip (Fig. 11)
+  torque_speed         speed and friction loss against torque (Fig. 12), with the curves of the other cases
+  warped_displacement  normal displacement on the whole ring (Fig. 13), if it is warped at rest
 """
 import glob
 import os
@@ -16,28 +23,61 @@ import sys
 
 sys.dont_write_bytecode = True  # a drawing leaves nothing outside the folder of its case
 from case import Case, CaseError
+from contact_case import ContactCase, has_contact
+from contact_figures import (draw_contact_forces, draw_contact_shape, draw_friction_history, draw_normal_displacement,
+                             draw_warped_displacement)
+from curve_figures import draw_torque_speed
 from drawing import figures_folder, save
 from stator_figures import draw_dispersion, draw_elliptic_paths, draw_tooth_edge
 
-FIGURES = {"elliptic_paths": draw_elliptic_paths, "tooth_edge": draw_tooth_edge, "dispersion": draw_dispersion}
+STATOR_FIGURES = {"elliptic_paths": draw_elliptic_paths, "tooth_edge": draw_tooth_edge, "dispersion": draw_dispersion}
 NEED_WAVE = (draw_elliptic_paths, draw_tooth_edge)
+CONTACT_FIGURES = {"contact_shape": draw_contact_shape, "normal_displacement": draw_normal_displacement,
+                   "contact_forces": draw_contact_forces, "friction_history": draw_friction_history,
+                   "warped_displacement": draw_warped_displacement, "torque_speed": draw_torque_speed}
+
+
+def remove_figure(folder, name):
+    """Of an earlier run that had what this one has not."""
+    for path in glob.glob(os.path.join(glob.escape(folder), f"{name}.*")):
+        os.remove(path)
+
+
+def draw_stator(case, folder):
+    for name, draw in STATOR_FIGURES.items():
+        if draw in NEED_WAVE and not case.wave:
+            remove_figure(folder, name)
+            print(f"figures: no {name}, as the motor's wave is not among the modes of this run")
+        else:
+            save(draw(case), folder, name)
+
+
+def draw_contact(case, others, folder):
+    for name, draw in CONTACT_FIGURES.items():
+        if draw is draw_warped_displacement and case.warp == 0:
+            remove_figure(folder, name)
+        else:
+            save(draw(case, others) if draw is draw_torque_speed else draw(case), folder, name)
 
 
 def main(arguments):
     if arguments in (["-h"], ["--help"]):
         print(__doc__)
         return
-    if len(arguments) != 1:
-        raise CaseError("expected one folder; usage: scripts/figures.py CASE_DIR")
+    if not arguments:
+        raise CaseError("expected a folder; usage: scripts/figures.py CASE_DIR [OTHER_CASE_DIR]...")
     case = Case(arguments[0])
+    others = [ContactCase(folder) for folder in arguments[1:]]
     with figures_folder(arguments[0]) as folder:
-        for name, draw in FIGURES.items():
-            if draw in NEED_WAVE and not case.wave:
-                for path in glob.glob(os.path.join(glob.escape(folder), f"{name}.*")):  # of an earlier run
-                    os.remove(path)
-                print(f"figures: no {name}, as the motor's wave is not among the modes of this run")
-            else:
-                save(draw(case), folder, name)
+        draw_stator(case, folder)
+        contact = ContactCase(arguments[0]) if has_contact(arguments[0]) else None
+        if contact and contact.belongs_to(case):
+            draw_contact(contact, others, folder)
+        else:
+            for name in CONTACT_FIGURES:
+                remove_figure(folder, name)
+            if contact:
+                print("figures: none of the contact, as it was computed with another wave; run contact again")
     print(f"figures in {folder}/")
 
 
