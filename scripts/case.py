@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the program stator left in the folder of a case, for the scripts that draw or print it."""
+"""What the programs stator and contact left in the folder of a case, for the scripts that draw or print it."""
 import csv
 import json
 import math
@@ -17,7 +17,26 @@ class CaseError(Exception):
     """A case that cannot be shown; the text is one line for the user."""
 
 
-class Case:
+class Results:
+    """Files of one program in the folder of a case; `program` is its name and that of its folder."""
+
+    program = None
+
+    def __init__(self, case_folder):
+        self.folder = os.path.join(case_folder, self.program)
+
+    def load(self, name, read):
+        path = os.path.join(self.folder, name)
+        try:
+            read(path)
+        except FileNotFoundError:
+            raise CaseError(f"{path} is missing; run the program {self.program} first") from None
+        except (OSError, ValueError, TypeError, LookupError) as error:
+            reason = " ".join(f"{type(error).__name__} {error}".split())
+            raise CaseError(f"{path} cannot be read ({reason}); run the program {self.program} again") from None
+
+
+class Case(Results):
     """What the program stator left in a folder.
 
     summary  content of summary.json
@@ -27,24 +46,16 @@ class Case:
     errors   with a wave: name of a quantity of the wave -> error bar, in the unit of the summary
     """
 
+    program = "stator"
+
     def __init__(self, folder):
-        self.folder = os.path.join(folder, "stator")
+        super().__init__(folder)
         self.wave = None
         self.load("summary.json", self.read_summary)
         self.load("frequencies.csv", self.read_frequencies)
         self.load("modes.h5", self.read_modes)
         if self.wave:
             self.load("ellipses.csv", self.read_ellipses)
-
-    def load(self, name, read):
-        path = os.path.join(self.folder, name)
-        try:
-            read(path)
-        except FileNotFoundError:
-            raise CaseError(f"{path} is missing; run the program stator first") from None
-        except (OSError, ValueError, TypeError, LookupError) as error:
-            reason = " ".join(f"{type(error).__name__} {error}".split())
-            raise CaseError(f"{path} cannot be read ({reason}); run the program stator again") from None
 
     def read_summary(self, path):
         with open(path) as file:

@@ -13,7 +13,7 @@ import sys
 
 sys.dont_write_bytecode = True  # a drawing leaves nothing outside the folder of its case
 from case import CaseError
-from figures import BLUE, GREEN, ORANGE, PURPLE, figures_folder, plt, save
+from drawing import BLUE, GREEN, ORANGE, PURPLE, figures_folder, plt, save
 
 STYLE = {2: (GREEN, "^"), 3: (ORANGE, "s"), 4: (BLUE, "o")}
 

@@ -9,8 +9,10 @@ import sys
 
 sys.dont_write_bytecode = True
 from case import Case, CaseError, with_error
+from contact_case import ContactCase, has_contact
 
 MOST_MODES = 12  # on one page
+MOST_POINTS = 6
 
 # name in summary.json -> how to say it, unit to print, what to multiply with
 WAVE_QUANTITIES = {
@@ -23,7 +25,7 @@ WAVE_QUANTITIES = {
 
 
 def print_row(name, value, unit, remark=""):
-    print(f"  {name:<32}{value:>24} {unit:<4}{remark}".rstrip())
+    print(f"  {name:<32}{value:>24} {unit:<5}{remark}".rstrip())
 
 
 def print_modes(case):
@@ -52,24 +54,68 @@ def print_wave(case):
         print_row("gap to the next mode of this n", f"{100 * abs(gap):.1f}", "%", "above" if gap > 0 else "below")
 
 
-def print_summary(case, folder):
-    summary = case.summary
-    revision = f" ({summary['git']})" if summary["git"] else ""
-    print(f"{case.motor}: {case.n_waves} waves, {case.n_teeth} teeth"
-          f"    [{summary['program']} of ringmotor {summary['version']}{revision}]")
-    print("\nNatural frequencies")
-    print_modes(case)
-    if case.wave:
-        print_wave(case)
-    print(f"\nCost: {sum(summary['seconds'].values()):.2f} s, {summary['peak_memory_MB']:.0f} MB,"
-          f" {summary['dofs']} degrees of freedom")
+def print_cost(summary, detail=""):
+    print(f"\nCost of {summary['program']}: {sum(summary['seconds'].values()):.2f} s{detail},"
+          f" {summary['peak_memory_MB']:.0f} MB, {summary['dofs']} degrees of freedom")
     certificate = summary["certificate"]
     print(f"Certificate: {'holds' if certificate['holds'] else 'DOES NOT HOLD'}")
     for check in certificate["checks"]:
         print(f"  {'ok  ' if check['holds'] else 'FAIL'} {check['name']}: {check['value']:.2g}"
               f" (limit {check['limit']:.2g})")
-    print("Files (described in doc/files.md)")
-    for room in ("stator", "figures"):
+
+
+def some_points(curve):
+    """Numbers of the operating points to print: all of them or, of many, some from the first to the last."""
+    n_shown = min(MOST_POINTS, len(curve))
+    return sorted({round(i * (len(curve) - 1) / max(1, n_shown - 1)) for i in range(n_shown)})
+
+
+def name_of(point):
+    if point["control"] == "torque":
+        return "no-load speed" if abs(point["torque_mNm"]) < 1e-6 else f"speed at {point['torque_mNm']:.4g} mN m"
+    return "stall torque" if point["speed_rpm"] == 0 else f"torque at {point['speed_rpm']:.4g} rpm"
+
+
+def print_contact(contact):
+    summary = contact.summary
+    print("\nThe contact of rotor and teeth")
+    points = [contact.curve[i] for i in some_points(contact.curve)]
+    for point in points:
+        if point["control"] == "torque":
+            print_row(name_of(point), with_error(point["speed_rpm"], point["speed_error_rpm"]), "rpm")
+        else:
+            print_row(name_of(point), with_error(point["torque_mNm"], point["torque_error_mNm"]), "mN m")
+    print("  friction loss")
+    for point in points:
+        value, error = point["friction_loss_mW"], point["friction_loss_error_mW"]
+        torque = round(point["torque_mNm"], 6) + 0.0  # + 0.0 makes 0 of -0
+        print_row(f"  at {torque:.4g} mN m", with_error(value, error), "mW",
+                  f"({point['tangential_loss_mW']:.1f} along, {point['radial_loss_mW']:.1f} across the ring)")
+    if len(points) < len(contact.curve):
+        print(f"  and {len(contact.curve) - len(points)} more points in contact/torque_speed.csv")
+    teeth = [point["teeth_in_contact_per_wave"] for point in contact.curve]
+    print_row("teeth in contact per wave", " to ".join(f"{value:.2f}" for value in sorted({min(teeth), max(teeth)})), "")
+    seconds = sum(point["seconds"] for point in contact.curve) / len(contact.curve)
+    print_cost(summary, f" ({seconds:.2g} s for an operating point)")
+
+
+def print_summary(case, folder):
+    summary = case.summary
+    revision = f" ({summary['git']})" if summary["git"] else ""
+    print(f"{case.motor}: {case.n_waves} waves, {case.n_teeth} teeth    [ringmotor {summary['version']}{revision}]")
+    print("\nNatural frequencies")
+    print_modes(case)
+    if case.wave:
+        print_wave(case)
+    print_cost(summary)
+    if has_contact(folder):
+        contact = ContactCase(folder)
+        if contact.belongs_to(case):
+            print_contact(contact)
+        else:
+            print("\nThe contact was computed with another wave; run contact again")
+    print("\nFiles (described in doc/files.md)")
+    for room in ("stator", "contact", "figures"):
         path = os.path.join(folder, room)
         if os.path.isdir(path):
             print(f"  {path}/")

@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the program contact left in the folder of a case, for the scripts that draw or print it."""
+import csv
+import json
+import os
+import re
+
+import h5py
+import numpy as np
+from case import Results
+
+NORMAL, TANGENTIAL, RADIAL = 0, 1, 2  # components of forces and displacements: up, along -theta, outwards
+OPEN, STICK, SLIP = 0, 1, 2
+
+
+def has_contact(case_folder):
+    """summary.json is written last: without it the run did not come to its end."""
+    return os.path.exists(os.path.join(case_folder, "contact", "summary.json"))
+
+
+class ContactCase(Results):
+    """What the program contact left in a folder.
+
+    summary     content of summary.json
+    parameters  "Section/Entry" -> text, from used.prm
+    curve       list of dict, the rows of torque_speed.csv
+    radius, angle  of the contact points of a tooth, in m and rad from the tooth's centre
+    """
+
+    program = "contact"
+
+    def __init__(self, folder):
+        super().__init__(folder)
+        self.load("summary.json", self.read_summary)
+        self.load("used.prm", self.read_parameters)
+        self.load("torque_speed.csv", self.read_curve)
+        self.load("contact.h5", self.read_contact_points)
+
+    def read_summary(self, path):
+        with open(path) as file:
+            self.summary = json.load(file)
+
+    def read_parameters(self, path):
+        self.parameters = {}
+        sections = []
+        with open(path) as file:
+            for line in file:
+                if found := re.match(r"\s*subsection (.*\S)", line):
+                    sections.append(found[1])
+                elif line.strip() == "end":
+                    sections.pop()
+                elif found := re.match(r"\s*set (.*?)\s*=\s*(.*?)\s*$", line):
+                    self.parameters["/".join([*sections, found[1]])] = found[2]
+        self.motor = self.parameters["Motor/Name"]
+        self.friction_coefficient = float(self.parameters["Friction/Dynamic coefficient"])
+        is_left_out = self.parameters["Effects/Initial deformation"] == "off"
+        self.warp = 0.0 if is_left_out else float(self.parameters["Initial deformation/Amplitude"])
+        self.warp_waves = int(self.parameters["Initial deformation/Number of waves"])
+
+    def read_curve(self, path):
+        with open(path, newline="") as file:
+            self.curve = [{key: text if key == "control" else float(text) for key, text in row.items()}
+                          for row in csv.DictReader(file)]
+        if not self.curve:
+            raise ValueError("no operating point in it")
+
+    def read_contact_points(self, path):
+        with h5py.File(path, "r") as file:
+            self.n_waves, self.n_teeth = int(file.attrs["n_waves"]), int(file.attrs["n_teeth"])
+            self.angular_frequency = float(file.attrs["angular_frequency_rad_per_s"])
+            self.radius, self.angle = file["nodes/radius"][()], file["nodes/angle"][()]
+
+    @property
+    def period(self):
+        return 2 * np.pi / self.angular_frequency
+
+    def belongs_to(self, stator):
+        """Whether the wave is that which the program stator has left in the folder."""
+        if not stator.wave or (self.n_waves, self.n_teeth) != (stator.n_waves, stator.n_teeth):
+            return False
+        return abs(self.angular_frequency / stator.wave["angular_frequency_rad_per_s"] - 1) < 1e-9
+
+    def point_near(self, torque_mNm):
+        """Number of the operating point whose torque is nearest to a value."""
+        return min(range(len(self.curve)), key=lambda i: abs(self.curve[i]["torque_mNm"] - torque_mNm))
+
+    def line(self, radius):
+        """The contact points of a tooth at a radius, in the order of their angles."""
+        nodes = np.flatnonzero(abs(self.radius - radius) < 1e-6 * radius)
+        return nodes[np.argsort(self.angle[nodes])]
+
+    def fields(self, point):
+        """Moments, and by moment, tooth of the whole ring, contact point: forces in N, rest in m."""
+        fields = {}
+
+        def read(path):
+            with h5py.File(path, "r") as file:
+                group = file[f"points/{point:03d}"]
+                fields["time"] = group["time"][()]
+                for name in ("force", "gap_and_slip", "tooth", "rotor", "status"):
+                    values = group[name][()]  # the steady pattern repeats where n and N have a common divisor
+                    fields[name] = np.tile(values, (1, self.n_teeth // values.shape[1], *[1] * (values.ndim - 2)))
+
+        self.load("contact.h5", read)
+        return fields
+
+    def history(self, point):
+        """Of tooth 0: list of dict, the rows of history.csv."""
+        rows = []
+
+        def read(path):
+            with open(path, newline="") as file:
+                for row in csv.DictReader(file):
+                    if int(row["point"]) == point:
+                        rows.append({key: text if key == "status" else float(text) for key, text in row.items()})
+
+        self.load("history.csv", read)
+        return rows

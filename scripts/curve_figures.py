@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Figure of the torque-speed curve, of one case or of several together."""
+import numpy as np
+from drawing import BLUE, GREEN, GREY, ORANGE, PURPLE, start_figure
+
+CASE_STYLE = ((BLUE, "o"), (ORANGE, "s"), (GREEN, "^"), (PURPLE, "D"))
+PARTS = {"friction_loss_mW": ("total", "-"), "tangential_loss_mW": ("along the ring", "--"),
+         "radial_loss_mW": ("across the ring", ":")}
+
+
+def sorted_columns(case):
+    rows = sorted(case.curve, key=lambda row: row["torque_mNm"])
+    return {key: np.array([row[key] for row in rows]) for key in rows[0]}
+
+
+def draw_steps(axes, curve, key, color, style, width):
+    """Lines from point to point; a thin one where the speed breaks down, as at stall: nothing is known between."""
+    values = np.where(curve[key] > 0, curve[key], np.nan) if "loss" in key else curve[key]
+    fall = abs(np.diff(curve["speed_rpm"])) > 0.4 * abs(curve["speed_rpm"]).max()
+    for i, is_gap in enumerate(fall):
+        axes.plot(curve["torque_mNm"][i:i + 2], values[i:i + 2], color=color, ls=style, lw=0.5 if is_gap else width)
+
+
+def draw_points(axes, curve, key, error, color, marker, name=None):
+    axes.errorbar(curve["torque_mNm"], curve[key], curve[error], curve["torque_error_mNm"], color=color, marker=marker,
+                  ms=4, ls="", capsize=2.5, elinewidth=0.9, label=name)
+
+
+def draw_torque_speed(case, others=()):
+    """Fig. 12 of the paper, and the friction loss below it."""
+    cases = [case, *others]
+    figure = start_figure(case, "speed and friction loss against torque", (6.2, 5.4))
+    upper, lower = figure.subplots(nrows=2, sharex=True, height_ratios=(1.3, 1))
+    for number, one in enumerate(cases):
+        color, marker = CASE_STYLE[number % len(CASE_STYLE)]
+        curve = sorted_columns(one)
+        draw_points(upper, curve, "speed_rpm", "speed_error_rpm", color, marker, one.motor.replace("$", r"\$"))
+        draw_points(lower, curve, "friction_loss_mW", "friction_loss_error_mW", color, marker)
+        draw_steps(upper, curve, "speed_rpm", color, "-", 1.4)
+        for key, (_, style) in PARTS.items():
+            draw_steps(lower, curve, key, color, style, 1.3)
+    if others:
+        upper.legend(frameon=False, fontsize=8, loc="lower left")
+    for name, style in PARTS.values():
+        lower.plot([], [], color=GREY if others else CASE_STYLE[0][0], ls=style, lw=1.2, label=name)
+    lower.legend(frameon=False, fontsize=8, loc="lower left", bbox_to_anchor=(0, 1), ncol=3, borderpad=0.1)
+    upper.set(ylabel="speed in rpm", ylim=(-0.04 * upper.dataLim.ymax, 1.08 * upper.dataLim.ymax))
+    lower.set(xlabel="torque in mN m", ylabel="friction loss in mW", yscale="log")
+    lower.yaxis.set_major_formatter("{x:g}")
+    for axes in (upper, lower):
+        axes.spines[["top", "right"]].set_visible(False)
+        axes.grid(color="#DDDDDD", lw=0.5)
+        axes.set_axisbelow(True)
+    return figure
