@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace ringmotor
 {
@@ -50,6 +51,11 @@ namespace ringmotor
 
     private:
       Curve compute(const unsigned int level);
+      void find_all(Curve &curve);
+      /** Goes to a smaller step or a finer mesh, whichever has more of the error. */
+      void refine(unsigned int &level, Curve &coarse, Curve &curve);
+      /** After so many teeth all repeats itself. */
+      unsigned int teeth_that_differ() const;
       void find_requests(const CondensedMotor &motor);
       void estimate_errors(Curve &fine, const Curve &coarse);
       std::vector<CurvePoint> points_with_half_the_step(const CondensedMotor &motor) const;
@@ -66,18 +72,19 @@ namespace ringmotor
       Log log;
       Phases phases;
       StatorWave wave;
+      unsigned int n_moments;   ///< of the steady state
       double stall_torque = 0.; ///< N m; of the first motor that was computed
       std::vector<PointRequest> requests;
       Change mesh_error, time_error;
-      double smallest_error_seen = std::numeric_limits<double>::infinity();
     };
 
     /** `50.0 mN m: 82.45 +- 0.52 rpm` */
     std::string describe(const CurvePoint &point)
     {
-      const bool of_torque     = point.request.control == Control::torque;
-      const std::string torque = text(1e3 * point.result.torque, 2),
-                        speed  = text(point.result.speed / rpm, 2);
+      const bool of_torque = point.request.control == Control::torque;
+      const std::string torque =
+                            text(1e3 * (of_torque ? point.request.value : point.result.torque), 2),
+                        speed = text(point.result.speed / rpm, 2);
       return (of_torque
                   ? torque + " mN m: " + speed + " +- " + text(point.speed_error / rpm, 2) + " rpm"
                   : speed + " rpm: " + torque + " +- " + text(1e3 * point.torque_error, 2) +
@@ -91,7 +98,8 @@ namespace ringmotor
 
     ContactProgram::ContactProgram(const Parameters &parameters)
         : parameters(parameters), folder(parameters.output.directory + "/contact/"),
-          speaks(Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0), log(speaks)
+          speaks(Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0), log(speaks),
+          n_moments(parameters.time.n_snapshots)
     {
     }
 
@@ -102,25 +110,43 @@ namespace ringmotor
       wave = read_stator_wave(parameters.output.directory + "/stator/modes.h5", parameters);
       if (speaks)
         prepare_directory(folder);
-      constexpr unsigned int finest = 3;
-      const bool is_fixed           = parameters.accuracy.mode == AccuracyMode::fixed;
-      unsigned int level            = is_fixed ? parameters.accuracy.interface_refinement : 1;
-      Curve coarse                  = compute(level == 0 ? 1 : level - 1);
-      Curve curve                   = compute(level);
+      const bool is_fixed = parameters.accuracy.mode == AccuracyMode::fixed;
+      unsigned int level  = is_fixed ? parameters.accuracy.interface_refinement : 1;
+      if (!is_fixed) // a period in ninety steps or more
+        n_moments = std::max(n_moments, (89 + teeth_that_differ()) / teeth_that_differ());
+      Curve coarse = compute(level == 0 ? 1 : level - 1);
+      Curve curve  = compute(level);
       estimate_errors(curve, coarse);
       while (!is_fixed && worst_error(curve) > parameters.accuracy.contact_target)
       {
-        if (++level > finest)
-          throw ComputationError(
-              "speeds and torques are known to " + scientific(worst_error(curve)) +
-              " (relative) on the finest interface mesh, but Accuracy/Contact target = " +
-              scientific(parameters.accuracy.contact_target) + "; choose a larger one");
-        coarse = std::move(curve);
-        curve  = compute(level);
+        refine(level, coarse, curve);
         estimate_errors(curve, coarse);
       }
       report(curve);
       write_results(curve);
+    }
+
+    void ContactProgram::refine(unsigned int &level, Curve &coarse, Curve &curve)
+    {
+      constexpr unsigned int finest = 3, most_moments = 16;
+      if (time_error.speed > mesh_error.speed && !is_marched(parameters) &&
+          n_moments < most_moments)
+      {
+        n_moments *= 2;
+        find_all(coarse);
+        find_all(curve);
+      }
+      else if (level < finest)
+      {
+        coarse = std::move(curve);
+        curve  = compute(++level);
+      }
+      else
+        throw ComputationError(
+            "speeds and torques are known to " + scientific(worst_error(curve)) +
+            " (relative) on the finest interface mesh, but Accuracy/Contact target = " +
+            scientific(parameters.accuracy.contact_target) + "; choose a larger one" +
+            (is_marched(parameters) ? ", or a smaller Time/Time step" : ""));
     }
 
     void ContactProgram::study()
@@ -133,28 +159,38 @@ namespace ringmotor
     {
       Curve curve;
       {
-        const auto scope                           = phases.measure("condensation");
+        const auto scope = phases.measure("condensation, interface mesh " + std::to_string(level));
         const ContactDiscretisation discretisation = ContactDiscretisation::level(level);
         curve.motor = condense_motor(parameters, wave, discretisation);
       }
       log.line("interface mesh " + std::to_string(level) + ": " +
                std::to_string(curve.motor.nodes.size()) + " contact points on a tooth, " +
                std::to_string(curve.motor.n_dofs) + " dofs condensed");
-      const auto scope =
-          phases.measure("operating points, interface mesh " + std::to_string(level));
+      find_all(curve);
+      return curve;
+    }
+
+    unsigned int ContactProgram::teeth_that_differ() const
+    {
+      return parameters.motor.n_teeth /
+             std::gcd(parameters.motor.n_waves, parameters.motor.n_teeth);
+    }
+
+    void ContactProgram::find_all(Curve &curve)
+    {
+      const auto scope = phases.measure("operating points");
       if (requests.empty())
         find_requests(curve.motor);
       unsigned int n_found = 0;
       curve.points         = find_points(
-                  parameters, curve.motor, parameters.time.n_snapshots, requests, MPI_COMM_WORLD,
+                  parameters, curve.motor, n_moments, requests, MPI_COMM_WORLD,
                   [&](const CurvePoint &)
                   { log.progress("operating points", std::min(1., ++n_found / (1. * requests.size()))); });
-      return curve;
     }
 
     void ContactProgram::find_requests(const CondensedMotor &motor)
     {
-      OperatingPointFinder finder(parameters, motor, parameters.time.n_snapshots);
+      OperatingPointFinder finder(parameters, motor, n_moments);
       stall_torque = finder.find({Control::speed, 0.}).result.torque;
       log.line("stall torque " + text(1e3 * stall_torque, 2) + " mN m");
       if (parameters.loading.control == Control::torque)
@@ -195,7 +231,7 @@ namespace ringmotor
       half.time.n_steps *= 2;
       half.time.average_from_step = 2 * half.time.average_from_step - 1;
       half.time.average_to_step *= 2;
-      return find_points(half, motor, 2 * parameters.time.n_snapshots, requests, MPI_COMM_WORLD,
+      return find_points(half, motor, 2 * n_moments, requests, MPI_COMM_WORLD,
                          [](const CurvePoint &) {});
     }
 
@@ -268,7 +304,7 @@ namespace ringmotor
             write_contact_vtu(folder + name, curve.motor, curve.points[i],
                               curve.points[i].fields.times.size() - 1,
                               parameters.stator.base_thickness + parameters.stator.tooth_height);
-            frames.emplace_back(1e3 * curve.points[i].result.torque, name);
+            frames.emplace_back(std::round(1e6 * curve.points[i].result.torque) * 1e-3 + 0., name);
           }
           write_pvd(folder + "contact.pvd", frames);
         }

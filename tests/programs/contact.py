@@ -1,0 +1,188 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The program contact as its user meets it: files, messages, exit status.
+
+Usage: tests/programs/contact.py STATOR CONTACT [unittest arguments]
+
+What is compared: files with each other and with the loads that were asked for; an independent model of
+the motor turns at 85.3 rpm without load (see tests/quantities/motor.cc).
+"""
+import csv
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import h5py
+import numpy as np
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+STATOR, CONTACT = sys.argv.pop(1), sys.argv.pop(1)
+QUICK = ROOT / "prm" / "quick.prm"
+PRELOAD = 14.0
+
+
+def run(*command):
+    environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+    return subprocess.run([str(part) for part in command], capture_output=True, text=True, timeout=250,
+                          env=environment)
+
+
+def settings(*entries):
+    return [part for entry in entries for part in ("--set", entry)]
+
+
+def rows_of(path):
+    with open(path, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+class WithWave(unittest.TestCase):
+    """Has a case in which the program stator has run."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.case = pathlib.Path(tempfile.mkdtemp())
+        done = run(STATOR, QUICK, "--output", cls.case)
+        assert done.returncode == 0, done.stderr
+
+    @classmethod
+    def tearDownClass(cls):
+        shutil.rmtree(cls.case)
+
+    def contact(self, *entries, ranks=1):
+        launcher = ["mpirun", "--oversubscribe", "-n", ranks] if ranks > 1 else []
+        return run(*launcher, CONTACT, QUICK, "--output", self.case, *settings(*entries))
+
+
+class Results(WithWave):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.done = run(CONTACT, QUICK, "--output", cls.case)
+        cls.folder = cls.case / "contact"
+
+    def test_all_files_are_there(self):
+        self.assertEqual(self.done.returncode, 0, self.done.stderr)
+        self.assertEqual(self.done.stderr, "")
+        written = {path.name for path in self.folder.iterdir()}
+        for name in ("used.prm", "torque_speed.csv", "history.csv", "contact.h5", "summary.json", "contact.pvd",
+                     "contact_000.vtu", "contact_002.vtu"):
+            self.assertIn(name, written)
+
+    def test_the_curve_goes_from_no_load_to_stall(self):
+        rows = rows_of(self.folder / "torque_speed.csv")
+        self.assertEqual([row["control"] for row in rows], ["torque", "torque", "speed"])
+        speed = [float(row["speed_rpm"]) for row in rows]
+        torque = [float(row["torque_mNm"]) for row in rows]
+        self.assertAlmostEqual(speed[0], 85.3, delta=0.02 * 85.3)
+        self.assertAlmostEqual(torque[0], 0.0, places=6)
+        self.assertAlmostEqual(torque[1], 0.5 * torque[2], delta=0.01)
+        self.assertEqual(speed[2], 0.0)
+        self.assertTrue(speed[0] > speed[1] > speed[2])
+        for row in rows:
+            self.assertLessEqual(float(row["certificate"]), 1e-7)
+
+    def test_forces_balance_the_loads(self):
+        rows = rows_of(self.folder / "torque_speed.csv")
+        with h5py.File(self.folder / "contact.h5") as file:
+            radius = file["nodes/radius"][()]
+            for number, row in enumerate(rows):
+                force = file[f"points/{number:03d}/force"][()]
+                for moment in force:
+                    self.assertAlmostEqual(moment[..., 0].sum(), PRELOAD, delta=1e-8 * PRELOAD)
+                torque = (force[..., 1] * radius).sum() / force.shape[0]
+                self.assertAlmostEqual(1e3 * torque, float(row["torque_mNm"]), delta=1e-6)
+                gap = file[f"points/{number:03d}/gap_and_slip"][..., 0]
+                status = file[f"points/{number:03d}/status"][()]
+                self.assertGreater(gap.min(), -1e-14)
+                self.assertTrue(np.all(np.abs(gap[status > 0]) < 1e-14))
+                self.assertTrue(np.all(force[status == 0] == 0.0))
+
+    def test_the_summary_is_certified(self):
+        summary = json.loads((self.folder / "summary.json").read_text())
+        self.assertTrue(summary["certificate"]["holds"])
+        names = [quantity["name"] for quantity in summary["quantities"]]
+        for name in ("no_load_speed", "stall_torque", "speed", "friction_loss"):
+            self.assertIn(name, names)
+        for quantity in summary["quantities"]:
+            self.assertGreater(quantity["error"], 0.0, quantity["name"])
+            self.assertAlmostEqual(sum(quantity["error_causes"].values()), quantity["error"])
+
+    def test_two_ranks_find_the_same(self):
+        one = rows_of(self.folder / "torque_speed.csv")
+        done = self.contact(ranks=2)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for a, b in zip(one, rows_of(self.folder / "torque_speed.csv")):
+            for column in ("speed_rpm", "torque_mNm", "friction_loss_mW"):
+                self.assertAlmostEqual(float(a[column]), float(b[column]), delta=1e-5)
+
+
+class Mistakes(WithWave):
+    def refused(self, status, *entries):
+        done = self.contact(*entries)
+        self.assertEqual(done.returncode, status, done.stderr)
+        self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
+        return done.stderr
+
+    def test_entries_that_do_not_go_together(self):
+        for entries, said in (
+                (["Rotor/Lip inner radius = 0.0290", "Rotor/Lip outer radius = 0.0298"], "the lip misses the teeth"),
+                (["Loading/Preload = 0"], "Loading/Preload"),
+                (["Friction/Dynamic coefficient = 0"], "Friction/Dynamic coefficient"),
+                (["Friction/Law = velocity"], "Friction/Decay velocity"),
+                (["Effects/Rotor inertia = on"], "Effects/Rotor inertia = on is not available"),
+                (["Contact/Formulation = penalty"], "Contact/Normal penalty"),
+                (["Time/Average to step = 20"], "Time/Average to step"),
+                (["Motor/Number of waves = 6"], "belongs to another motor"),
+                (["Stator/Tooth height = 0.0021"], "Stator/Tooth height = 0.002"),
+                (["Wave/Amplitude = 1e-6"], "Wave/Amplitude")):
+            self.assertIn(said, self.refused(1, *entries))
+
+    def test_loads_beyond_stall_lose_nothing(self):
+        self.assertEqual(self.contact("Loading/Values = 0.05").returncode, 0)
+        before = (self.case / "contact" / "torque_speed.csv").read_bytes()
+        self.assertIn("beyond the stall", self.refused(1, "Loading/Values = 0.05, 0.3"))
+        self.assertEqual((self.case / "contact" / "torque_speed.csv").read_bytes(), before)
+
+    def test_a_wave_that_is_missing_or_damaged(self):
+        modes = self.case / "stator" / "modes.h5"
+        kept = modes.read_bytes()
+        try:
+            modes.write_bytes(kept[:len(kept) // 2])
+            self.assertIn("modes.h5", self.refused(1))
+            modes.unlink()
+            self.assertIn("does not exist", self.refused(1))
+        finally:
+            modes.write_bytes(kept)
+
+    def test_unusual_friction_is_warned_of(self):
+        done = self.contact("Friction/Static coefficient = 0.7", "Friction/Dynamic coefficient = 0.84",
+                            "Loading/Values = 0.05", "Accuracy/Contact target = 0.2")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("warning: Friction/Dynamic coefficient", done.stdout)
+
+
+class Paper(WithWave):
+    def test_marching_and_warp(self):
+        """Fifteen steps of 5e-7 s with springs at the nodes; warp makes the motor slower."""
+        speeds = []
+        for amplitude in ("0", "4e-6"):
+            done = self.contact("Time/Scheme = marching", "Contact/Formulation = penalty",
+                                "Contact/Normal penalty = 1e8", "Contact/Tangential penalty = 1e8",
+                                "Loading/Values = 0.05", f"Initial deformation/Amplitude = {amplitude}",
+                                "Accuracy/Mode = fixed", "Accuracy/Interface refinement = 1")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            speeds.append(float(rows_of(self.case / "contact" / "torque_speed.csv")[0]["speed_rpm"]))
+            times = {row["time_us"] for row in rows_of(self.case / "contact" / "history.csv")}
+            self.assertEqual(len(times), 15)
+        self.assertAlmostEqual(speeds[0], 82.7, delta=0.02 * 82.7)
+        self.assertLess(speeds[1], speeds[0] - 3.0)
+
+
+if __name__ == "__main__":
+    unittest.main()
