@@ -37,10 +37,13 @@ namespace ringmotor
 
   /**
    * Integrates over the segments that two faces have in common, in the plane (r, theta). Faces of
-   * the tooth may be covered in part: the functions are then those of the covered part. (Of quadratic
-   * faces so much must be covered that the integrals of all shape functions are positive.) @p pitch
-   * (rad) is the angle from sector to sector; the rotor's surface is looked at turned by @p shift
-   * (rad).
+   * the tooth may be covered in part: the functions are then those of the covered part. (Of
+   * quadratic faces so much must be covered that the integrals of all shape functions are
+   * positive.) @p pitch (rad) is the angle from sector to sector; the rotor's surface is looked at
+   * turned by @p shift (rad).
+   *
+   * Faces are straight in that plane, while quadratic arcs of a body are not run through at quite
+   * even speed: with half an arc a (rad) a constant pressure comes out to some 0.1 a^2.
    */
   MortarCoupling couple(const ContactSurface &tooth, const ContactSurface &rotor,
                         const double pitch, const double shift = 0.);
