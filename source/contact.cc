@@ -32,12 +32,6 @@ namespace ringmotor
       std::vector<CurvePoint> points;
     };
 
-    /** The largest changes from one curve to another of the quantities of a point. */
-    struct Change
-    {
-      double speed = 0., torque = 0., loss = 0.; ///< rad/s, N m, relative
-    };
-
     /**
      * The program `contact`: presses the rotor on the teeth of the stator, which carry the wave
      * that the program `stator` has found, and finds speed, torque and losses with stick and slip.
@@ -59,8 +53,8 @@ namespace ringmotor
       void find_requests(const CondensedMotor &motor);
       void estimate_errors(Curve &fine, const Curve &coarse);
       std::vector<CurvePoint> points_with_half_the_step(const CondensedMotor &motor) const;
-      Change change(const std::vector<CurvePoint> &from, const std::vector<CurvePoint> &to) const;
-      double worst_error(const Curve &curve) const;
+      double worst_error(const Curve &curve, const bool of_mesh = true,
+                         const bool of_time = true) const;
       void report(const Curve &curve);
       void write_results(const Curve &curve);
       void write_summary_file(const Curve &curve);
@@ -75,7 +69,6 @@ namespace ringmotor
       unsigned int n_moments;   ///< of the steady state
       double stall_torque = 0.; ///< N m; of the first motor that was computed
       std::vector<PointRequest> requests;
-      Change mesh_error, time_error;
     };
 
     /** `50.0 mN m: 82.45 +- 0.52 rpm` */
@@ -86,11 +79,13 @@ namespace ringmotor
                             text(1e3 * (of_torque ? point.request.value : point.result.torque), 2),
                         speed = text(point.result.speed / rpm, 2);
       return (of_torque
-                  ? torque + " mN m: " + speed + " +- " + text(point.speed_error / rpm, 2) + " rpm"
-                  : speed + " rpm: " + torque + " +- " + text(1e3 * point.torque_error, 2) +
+                  ? torque + " mN m: " + speed + " +- " +
+                        text((point.mesh_error.speed + point.time_error.speed) / rpm, 2) + " rpm"
+                  : speed + " rpm: " + torque + " +- " +
+                        text(1e3 * (point.mesh_error.torque + point.time_error.torque), 2) +
                         " mN m") +
              ", friction loss " + text(1e3 * point.result.friction_loss(), 1) + " +- " +
-             text(1e3 * point.loss_error, 1) + " mW (" +
+             text(1e3 * (point.mesh_error.loss + point.time_error.loss), 1) + " mW (" +
              text(1e3 * point.result.tangential_loss, 1) + " along, " +
              text(1e3 * point.result.radial_loss, 1) + " across the ring), " +
              text(point.result.teeth_in_contact, 2) + " teeth per wave";
@@ -129,8 +124,8 @@ namespace ringmotor
     void ContactProgram::refine(unsigned int &level, Curve &coarse, Curve &curve)
     {
       constexpr unsigned int finest = 3, most_moments = 16;
-      if (time_error.speed > mesh_error.speed && !is_marched(parameters) &&
-          n_moments < most_moments)
+      if (worst_error(curve, false, true) > worst_error(curve, true, false) &&
+          !is_marched(parameters) && n_moments < most_moments)
       {
         n_moments *= 2;
         find_all(coarse);
@@ -203,26 +198,6 @@ namespace ringmotor
       requests = requested_points(parameters.loading, stall_torque);
     }
 
-    Change ContactProgram::change(const std::vector<CurvePoint> &from,
-                                  const std::vector<CurvePoint> &to) const
-    {
-      // Near stall the speed hangs on the last bit of torque: such points tell of nothing else.
-      constexpr double flat_part = 0.95;
-      Change change;
-      for (unsigned int i = 0; i < from.size(); ++i)
-      {
-        if (std::abs(to[i].result.torque) < flat_part * stall_torque)
-          change.speed =
-              std::max(change.speed, std::abs(from[i].result.speed - to[i].result.speed));
-        change.torque =
-            std::max(change.torque, std::abs(from[i].result.torque - to[i].result.torque));
-        change.loss =
-            std::max(change.loss,
-                     std::abs(from[i].result.friction_loss() / to[i].result.friction_loss() - 1.));
-      }
-      return change;
-    }
-
     std::vector<CurvePoint>
     ContactProgram::points_with_half_the_step(const CondensedMotor &motor) const
     {
@@ -242,32 +217,32 @@ namespace ringmotor
       // at the edge of contact. Time: first order, the change by halving the step is half the
       // error.
       constexpr double mesh_factor = 1.25, time_factor = 2.;
-      mesh_error = change(coarse.points, fine.points);
-      time_error = change(coarse.points, points_with_half_the_step(coarse.motor));
-      for (Change *error : {&mesh_error, &time_error})
+      const std::vector<PointError> by_mesh =
+          errors_by_change(coarse.points, fine.points, mesh_factor);
+      const std::vector<PointError> by_time =
+          errors_by_change(coarse.points, points_with_half_the_step(coarse.motor), time_factor);
+      for (unsigned int i = 0; i < fine.points.size(); ++i)
       {
-        const double factor = error == &mesh_error ? mesh_factor : time_factor;
-        error->speed *= factor;
-        error->torque *= factor;
-        error->loss *= factor;
-      }
-      for (CurvePoint &point : fine.points)
-      {
-        const bool of_torque = point.request.control == Control::torque;
-        point.speed_error    = of_torque ? mesh_error.speed + time_error.speed : 0.;
-        point.torque_error   = of_torque ? 0. : mesh_error.torque + time_error.torque;
-        point.loss_error     = (mesh_error.loss + time_error.loss) * point.result.friction_loss();
+        fine.points[i].mesh_error = by_mesh[i];
+        fine.points[i].time_error = by_time[i];
       }
     }
 
-    double ContactProgram::worst_error(const Curve &curve) const
+    /** The larger one of the relative errors of speeds and torques. */
+    double ContactProgram::worst_error(const Curve &curve, const bool of_mesh,
+                                       const bool of_time) const
     {
       double fastest = 0.;
       for (const CurvePoint &point : curve.points)
         fastest = std::max(fastest, std::abs(point.result.speed));
       double worst = 0.;
       for (const CurvePoint &point : curve.points)
-        worst = std::max({worst, point.speed_error / fastest, point.torque_error / stall_torque});
+      {
+        const PointError zero, &mesh = of_mesh ? point.mesh_error : zero,
+                               &time = of_time ? point.time_error : zero;
+        worst                        = std::max({worst, (mesh.speed + time.speed) / fastest,
+                                                 (mesh.torque + time.torque) / stall_torque});
+      }
       return worst;
     }
 
@@ -359,18 +334,16 @@ namespace ringmotor
                point.seconds,
                {{of_torque ? "torque_Nm" : "speed_rad_per_s", point.request.value}}});
         };
+        const PointError &mesh = point.mesh_error, &time = point.time_error;
         if (of_torque)
           add(point.request.value == 0. ? "no_load_speed" : "speed", point.result.speed, "rad/s",
-              mesh_error.speed, time_error.speed);
+              mesh.speed, time.speed);
         else
           add(point.request.value == 0. ? "stall_torque" : "torque", point.result.torque, "N m",
-              mesh_error.torque, time_error.torque);
-        const double loss = point.result.friction_loss();
-        add("friction_loss", loss, "W", mesh_error.loss * loss, time_error.loss * loss);
-        add("friction_loss_tangential", point.result.tangential_loss, "W", mesh_error.loss * loss,
-            time_error.loss * loss);
-        add("friction_loss_radial", point.result.radial_loss, "W", mesh_error.loss * loss,
-            time_error.loss * loss);
+              mesh.torque, time.torque);
+        add("friction_loss", point.result.friction_loss(), "W", mesh.loss, time.loss);
+        add("friction_loss_tangential", point.result.tangential_loss, "W", mesh.loss, time.loss);
+        add("friction_loss_radial", point.result.radial_loss, "W", mesh.loss, time.loss);
       }
     }
   } // namespace

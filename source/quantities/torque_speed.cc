@@ -156,4 +156,50 @@ namespace ringmotor
       points.push_back(all[i % n_ranks][i / n_ranks]);
     return points;
   }
+
+  std::vector<PointError> errors_by_change(const std::vector<CurvePoint> &from,
+                                           const std::vector<CurvePoint> &to, const double factor)
+  {
+    constexpr double flat_part = 0.95;
+    double largest_torque      = 0.;
+    for (const CurvePoint &point : to)
+      largest_torque = std::max(largest_torque, std::abs(point.result.torque));
+    const auto change = [&](const unsigned int i)
+    {
+      const bool of_torque    = to[i].request.control == Control::torque;
+      const OperatingPoint &a = from[i].result, &b = to[i].result;
+      return PointError{of_torque ? std::abs(a.speed - b.speed) : 0.,
+                        of_torque ? 0. : std::abs(a.torque - b.torque),
+                        std::abs(a.friction_loss() - b.friction_loss())};
+    };
+    double speed = 0., torque = 0., loss = 0.; // mean squares; of the loss relative
+    unsigned int n_speeds = 0, n_torques = 0;
+    for (unsigned int i = 0; i < to.size(); ++i)
+    {
+      const PointError found = change(i);
+      loss += std::pow(found.loss / to[i].result.friction_loss(), 2) / to.size();
+      if (to[i].request.control == Control::speed)
+      {
+        torque += found.torque * found.torque;
+        ++n_torques;
+      }
+      else if (to.size() == 1 || std::abs(to[i].result.torque) < flat_part * largest_torque)
+      {
+        speed += found.speed * found.speed;
+        ++n_speeds;
+      }
+    }
+    std::vector<PointError> errors;
+    for (unsigned int i = 0; i < to.size(); ++i)
+    {
+      PointError error = change(i);
+      if (to[i].request.control == Control::torque)
+        error.speed = factor * std::max(error.speed, std::sqrt(speed / std::max(1u, n_speeds)));
+      else
+        error.torque = factor * std::max(error.torque, std::sqrt(torque / std::max(1u, n_torques)));
+      error.loss = factor * std::max(error.loss, std::sqrt(loss) * to[i].result.friction_loss());
+      errors.push_back(error);
+    }
+    return errors;
+  }
 } // namespace ringmotor

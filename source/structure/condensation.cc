@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/mesh/ids.h>
 #include <ringmotor/structure/condensation.h>
 #include <ringmotor/structure/dense_ldlt.h>
 #include <ringmotor/structure/sparse_ldlt.h>
@@ -74,7 +75,11 @@ namespace ringmotor
       for (const auto &[dof, coefficient] : form)
         at_interface[dof] = true;
     for (const SectorNodes::Dof dof : driven)
+    {
       at_interface[dof] = true;
+      for (const auto cut : {ids::cut, ids::cut_low, ids::cut_high})
+        AssertThrow(!sector.nodes().on(dof, cut), ExcMessage("nodes on a cut cannot be driven"));
+    }
     for (SectorNodes::Dof dof = 0; dof < at_interface.size(); ++dof)
       AssertThrow(!at_interface[dof] || !sector.dependent().is_constrained(dof),
                   ExcMessage("an interface must not depend on other nodes"));

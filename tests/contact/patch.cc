@@ -17,6 +17,7 @@
 // linear faces only constants: these are wrong by up to the change over a face of the tooth.
 
 #include "support/elastic_contact.h"
+#include "support/record.h"
 
 #include <gtest/gtest.h>
 
@@ -111,6 +112,8 @@ namespace
 TEST_P(Patch, FlatFacesUnderConstantPressure)
 {
   const Deviation found = under_pressure(2e3 * length, GetParam());
+  record("traction", found.traction);
+  record("displacement", found.displacement);
   EXPECT_LT(found.traction, 1e-10);
   EXPECT_LT(found.displacement, 1e-10);
 }
@@ -141,7 +144,9 @@ TEST_P(Patch, FlatFacesThatStickUnderConstantShear)
   const ContactSolution solution = contact.solve(0.5);
   EXPECT_EQ(std::count(solution.status.begin(), solution.status.end(), PointStatus::stick),
             contact.n_points());
-  const Deviation found   = deviation(contact, solution, lower.surface(), pressure, shear, lower);
+  const Deviation found = deviation(contact, solution, lower.surface(), pressure, shear, lower);
+  record("traction", found.traction);
+  record("displacement", found.displacement);
   const double face_angle = 0.5 * 0.125 * length / radius;
   EXPECT_LT(found.traction, GetParam() == 1 ? shear / pressure * face_angle : 1e-10);
   EXPECT_LT(found.displacement, GetParam() == 1 ? shear / pressure * face_angle : 1e-10);
@@ -152,6 +157,7 @@ TEST_P(Patch, FacesOfARingUnderConstantPressure)
   for (const double radius : {34. * length, 340. * length})
   {
     const Deviation found = under_pressure(radius, GetParam());
+    record("traction_" + std::to_string(std::lround(radius / length)), found.traction);
     const double half_arc = 0.25 * 0.125 * length / radius;
     EXPECT_LT(found.traction, GetParam() == 1 ? 1e-10 : 0.3 * half_arc * half_arc);
   }

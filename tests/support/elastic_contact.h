@@ -85,9 +85,9 @@ namespace ringmotor::tests
     {
       const ComplementarityConstants constants{1. / compliance(0, 0), 1. / compliance(1, 1)};
       ContactState start{std::vector<PointVector>(n_points()), std::vector<double>(n_rigid(), 0.)};
-      // The lowest points must touch at the start if the upper body floats.
-      for (PointVector &force : start.force)
-        force[0] = preload.value_or(1.) / n_points();
+      // An upper body that floats starts so low that all points touch.
+      for (unsigned int i = 0; preload && i < n_points(); ++i)
+        start.rigid[0] = std::min(start.rigid[0], -2. * free_motion[i][0]);
       return solve_contact(
           *this,
           [&](unsigned int, double) {

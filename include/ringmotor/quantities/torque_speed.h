@@ -37,12 +37,24 @@ namespace ringmotor
     double value; ///< N m or rad/s
   };
 
+  /** Parts of the error bars of an operating point. */
+  struct PointError
+  {
+    double speed = 0., torque = 0., loss = 0.; ///< rad/s, N m, W
+
+    template <class Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      archive &speed &torque &loss;
+    }
+  };
+
   /** An operating point and what it took to find it. */
   struct CurvePoint
   {
     PointRequest request{};
     OperatingPoint result;
-    double speed_error = 0., torque_error = 0., loss_error = 0.; ///< rad/s, N m, W
+    PointError mesh_error, time_error; ///< by meshes of bodies and interface, by the time step
     double largest_violation  = 0.; ///< of the laws of contact and friction, see ContactCertificate
     unsigned int n_iterations = 0;
     double seconds            = 0.;
@@ -101,4 +113,13 @@ namespace ringmotor
                                       const std::vector<PointRequest> &requests,
                                       MPI_Comm communicator,
                                       const std::function<void(const CurvePoint &)> &after_point);
+
+  /**
+   * Error bars of points from how they change from one discretisation to another: @p factor times
+   * the change, or that of all points together (root mean square) where it is larger, since a
+   * change can be small by accident. Prescribed quantities have no error. Points at more than 0.95
+   * of the largest torque tell nothing of others: there the speed hangs on the last bit of torque.
+   */
+  std::vector<PointError> errors_by_change(const std::vector<CurvePoint> &from,
+                                           const std::vector<CurvePoint> &to, const double factor);
 } // namespace ringmotor

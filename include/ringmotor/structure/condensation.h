@@ -46,7 +46,7 @@ namespace ringmotor
     /**
      * @param interface displacements at which forces act; with a force goes the load that does work
      * on the displacement. Their degrees of freedom must be independent.
-     * @param driven degrees of freedom with a given motion
+     * @param driven degrees of freedom with a given motion, none of them on a cut
      * @param shift omega^2 in rad^2/s^2; 0: static
      * @throws ComputationError if a body without its interface is singular
      */
