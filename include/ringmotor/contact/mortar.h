@@ -41,12 +41,9 @@ namespace ringmotor
    * quadratic faces so much must be covered that the integrals of all shape functions are
    * positive.) @p pitch (rad) is the angle from sector to sector; the rotor's surface is looked at
    * turned by @p shift (rad).
-<<<<<<< HEAD
-=======
    *
    * Faces are straight in that plane, while quadratic arcs of a body are not run through at quite
    * even speed: with half an arc a (rad) a constant pressure comes out to some 0.1 a^2.
->>>>>>> condensation
    */
   MortarCoupling couple(const ContactSurface &tooth, const ContactSurface &rotor,
                         const double pitch, const double shift = 0.);

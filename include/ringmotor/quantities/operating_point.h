@@ -23,6 +23,13 @@ namespace ringmotor
     double output_power() const { return torque * speed; }
     /** Input power less output power and friction loss, over the larger of input power and loss. */
     double power_imbalance() const;
+
+    template <class Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      archive &speed &torque &tangential_loss &radial_loss &input_power &closing_work;
+      archive &teeth_in_contact &stick_fraction &largest_force;
+    }
   };
 
   /** Evaluates a steady state. */

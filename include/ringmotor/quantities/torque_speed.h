@@ -64,10 +64,8 @@ namespace ringmotor
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &request.control &request.value &result.speed &result.torque &result
-          .tangential_loss &result.radial_loss &result.input_power &result.closing_work &result
-          .teeth_in_contact &result.stick_fraction &result.largest_force &speed_error &torque_error
-              &loss_error &largest_violation &n_iterations &seconds &remark &fields;
+      archive &request.control &request.value &result &mesh_error &time_error;
+      archive &largest_violation &n_iterations &seconds &remark &fields;
     }
   };
 
