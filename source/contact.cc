@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace ringmotor
@@ -55,7 +56,9 @@ namespace ringmotor
       std::vector<CurvePoint> points_with_half_the_step(const CondensedMotor &motor) const;
       double worst_error(const Curve &curve, const bool of_mesh = true,
                          const bool of_time = true) const;
-      void report(const Curve &curve);
+      void report(const Curve &curve, const Curve &coarse);
+      void report_static_friction(const Curve &curve, const Curve &coarse);
+      void warn_of_long_steps(const Curve &curve);
       void write_results(const Curve &curve);
       void write_summary_file(const Curve &curve);
       void add_quantities(Summary &summary, const Curve &curve) const;
@@ -69,6 +72,7 @@ namespace ringmotor
       unsigned int n_moments;   ///< of the steady state
       double stall_torque = 0.; ///< N m; of the first motor that was computed
       std::vector<PointRequest> requests;
+      std::vector<CurvePoint> half_step_points; ///< on the coarser mesh
     };
 
     /** `50.0 mN m: 82.45 +- 0.52 rpm` */
@@ -117,7 +121,7 @@ namespace ringmotor
         refine(level, coarse, curve);
         estimate_errors(curve, coarse);
       }
-      report(curve);
+      report(curve, coarse);
       write_results(curve);
     }
 
@@ -219,8 +223,9 @@ namespace ringmotor
       constexpr double mesh_factor = 1.25, time_factor = 2.;
       const std::vector<PointError> by_mesh =
           errors_by_change(coarse.points, fine.points, mesh_factor);
+      half_step_points = points_with_half_the_step(coarse.motor);
       const std::vector<PointError> by_time =
-          errors_by_change(coarse.points, points_with_half_the_step(coarse.motor), time_factor);
+          errors_by_change(coarse.points, half_step_points, time_factor);
       for (unsigned int i = 0; i < fine.points.size(); ++i)
       {
         fine.points[i].mesh_error = by_mesh[i];
@@ -246,7 +251,7 @@ namespace ringmotor
       return worst;
     }
 
-    void ContactProgram::report(const Curve &curve)
+    void ContactProgram::report(const Curve &curve, const Curve &coarse)
     {
       for (const CurvePoint &point : curve.points)
         log.line(describe(point));
@@ -254,8 +259,51 @@ namespace ringmotor
         if (!point.remark.empty())
           log.line("note: at " + text(1e3 * point.result.torque, 2) +
                    " mN m Newton's method needed help: " + point.remark);
+      report_static_friction(curve, coarse);
+      warn_of_long_steps(curve);
       log.line("effects left out: inertia of the teeth would change their tangential motion by " +
                text(100. * curve.motor.tooth_inertia_indicator, 1) + " %");
+    }
+
+    void ContactProgram::report_static_friction(const Curve &curve, const Curve &coarse)
+    {
+      const Friction &friction = parameters.friction;
+      if (effective_friction(parameters).law == FrictionLaw::coulomb ||
+          friction.static_coefficient == friction.dynamic_coefficient)
+        return;
+      // Static friction above dynamic friction has no fracture energy unless the law has a length
+      // or a velocity: how much of it is left depends on mesh and step.
+      const unsigned int middle = (curve.points.size() - 1) / 2;
+      Parameters plain          = parameters;
+      plain.friction.law        = FrictionLaw::coulomb;
+      const CurvePoint dynamic =
+          OperatingPointFinder(plain, curve.motor, n_moments).find(requests[middle]);
+      const bool of_torque = requests[middle].control == Control::torque;
+      const auto change    = [&](const CurvePoint &from, const CurvePoint &to)
+      {
+        return of_torque ? text((to.result.speed - from.result.speed) / rpm, 3) + " rpm"
+                         : text(1e3 * (to.result.torque - from.result.torque), 3) + " mN m";
+      };
+      log.line("static friction: at " + text(1e3 * curve.points[middle].result.torque, 1) +
+               " mN m the dynamic coefficient alone changes the result by " +
+               change(curve.points[middle], dynamic) + ", half the step by " +
+               change(coarse.points[middle], half_step_points[middle]) + ", the finer mesh by " +
+               change(coarse.points[middle], curve.points[middle]));
+    }
+
+    void ContactProgram::warn_of_long_steps(const Curve &curve)
+    {
+      double shortest = std::numeric_limits<double>::infinity();
+      for (const CurvePoint &point : curve.points)
+        shortest = std::min(shortest, point.result.teeth_in_contact * curve.motor.n_waves /
+                                          curve.motor.n_teeth * curve.motor.period());
+      const double step = curve.points.front().fields.time_step;
+      if (step > 0.5 * shortest)
+        log.line("warning: the time step of " + scientific(step) +
+                 " s is not short against the time for which a tooth is in contact, " +
+                 scientific(shortest) +
+                 " s; choose a smaller Time/Time step (marching) or more "
+                 "Time/Snapshots (steady)");
     }
 
     void ContactProgram::write_results(const Curve &curve)
