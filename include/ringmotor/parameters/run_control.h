@@ -20,7 +20,7 @@ namespace ringmotor
   struct Accuracy
   {
     double target                     = 1.e-4; ///< relative error of the results
-    double contact_target             = 0.02;  ///< relative error of speeds and torques
+    double contact_target             = 0.03;  ///< relative error of speeds and torques
     AccuracyMode mode                 = AccuracyMode::adaptive;
     unsigned int polynomial_degree    = 3; ///< mode fixed only
     unsigned int refinement           = 0; ///< of the body meshes, mode fixed only
