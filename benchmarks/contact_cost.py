@@ -13,16 +13,14 @@ import argparse
 import csv
 import json
 import math
-import os
 import pathlib
 import statistics
-import subprocess
 import sys
 import tempfile
-import time
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
-MOTOR = ROOT / "prm" / "canon_ring.prm"
+sys.dont_write_bytecode = True
+from timed_run import program, timed_run  # noqa: E402
+
 PLAIN = {"Friction/Law": "coulomb", "Rotor/Flange element": "solid", "Accuracy/Mode": "fixed",
          "Accuracy/Target": "1e-3", "Accuracy/Refinement": "1", "Output/VTU": "false"}
 
@@ -48,31 +46,14 @@ GROWTH_OF_INTERFACE = [(level, {"Accuracy/Interface refinement": str(level), "Lo
                        for level in (0, 1, 2, 3)]
 
 
-def run(program, folder, entries, n_ranks=1):
-    """One run; returns wall seconds and largest resident set in MB."""
-    command = [str(ROOT / "build" / "bin" / program), str(MOTOR), "--output", folder]
-    for entry, value in {**PLAIN, **entries}.items():
-        command += ["--set", f"{entry} = {value}"]
-    environment = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
-    if n_ranks > 1:
-        environment.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
-        command = ["mpirun", "--oversubscribe", "-n", str(n_ranks)] + command
-    begin = time.perf_counter()
-    process = subprocess.Popen(command, env=environment, stdout=subprocess.DEVNULL)
-    _, status, usage = os.wait4(process.pid, 0)
-    if status != 0:
-        sys.exit(f"contact_cost: failed: {' '.join(command)}")
-    return time.perf_counter() - begin, usage.ru_maxrss / 1000.0
-
-
 def measure(entries, n_ranks, repeat):
     """Medians of some runs: dict of numbers."""
     level = entries["Accuracy/Interface refinement"]
     runs = []
     with tempfile.TemporaryDirectory() as folder:
-        run("stator", folder, entries)
+        timed_run("stator", folder, {**PLAIN, **entries})
         for _ in range(repeat):
-            seconds, memory = run("contact", folder, entries, n_ranks)
+            seconds, memory = timed_run("contact", folder, {**PLAIN, **entries}, n_ranks)
             summary = json.loads((pathlib.Path(folder) / "contact" / "summary.json").read_text())
             with open(pathlib.Path(folder) / "contact" / "torque_speed.csv") as file:
                 points = [float(row["seconds"]) for row in csv.DictReader(file)]
@@ -125,8 +106,7 @@ def main():
     parser.add_argument("--growth", action="store_true", help="with the interface's and the ring's size")
     parser.add_argument("--markdown", help="also write the table to this file")
     options = parser.parse_args()
-    if not (ROOT / "build" / "bin" / "contact").exists():
-        sys.exit("contact_cost: build/bin/contact is missing: run scripts/setup.sh")
+    program("contact")
     if options.growth:
         nodes = {0: 15, 1: 25, 2: 63, 3: 117}  # contact points of a tooth
         lines = growth("points on a tooth", GROWTH_OF_INTERFACE, nodes.get, options.repeat)

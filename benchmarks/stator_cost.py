@@ -10,17 +10,13 @@ is left when start-up of the libraries and output are taken off), "memory" its l
 """
 import argparse
 import json
-import os
 import pathlib
 import statistics
-import subprocess
 import sys
 import tempfile
-import time
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
-PROGRAM = ROOT / "build" / "bin" / "stator"
-MOTOR = ROOT / "prm" / "canon_ring.prm"
+sys.dont_write_bytecode = True
+from timed_run import program, timed_run  # noqa: E402
 
 # Frequency of the motor's wave: what our own meshes converge to from above (30 001.68 Hz computed with
 # elements of degree 6 and 99 579 degrees of freedom), within the 30 004 +- 3 Hz of an independent
@@ -54,23 +50,10 @@ THIN += [("rotor without bars, n = 0-3 and 7, target 1e-3",
 def run_once(entries, n_ranks):
     """One run; returns wall seconds, largest resident set in MB and the summary."""
     with tempfile.TemporaryDirectory() as folder:
-        command = [str(PROGRAM), str(MOTOR), "--output", folder, "--set", "Output/VTU = false"]
-        for entry, value in entries.items():
-            command += ["--set", f"{entry} = {value}"]
-        environment = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
-        if n_ranks > 1:
-            environment.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
-            command = ["mpirun", "--oversubscribe", "-n", str(n_ranks)] + command
-        begin = time.perf_counter()
-        process = subprocess.Popen(command, env=environment, stdout=subprocess.DEVNULL)
-        _, status, usage = os.wait4(process.pid, 0)
-        seconds = time.perf_counter() - begin
-        if status != 0:
-            sys.exit(f"stator_cost: failed: {' '.join(command)}")
+        seconds, memory = timed_run("stator", folder, {"Output/VTU": "false", **entries}, n_ranks)
         body = entries.get("Modes/Body", "stator")
         summary = json.loads((pathlib.Path(folder) / body / "summary.json").read_text())
-    memory = summary["peak_memory_MB"] if n_ranks > 1 else usage.ru_maxrss / 1000.0
-    return seconds, memory, summary
+    return seconds, summary["peak_memory_MB"] if n_ranks > 1 else memory, summary
 
 
 def measure(name, entries, n_ranks, repeat, converged):
@@ -94,8 +77,7 @@ def main():
                         help="flange and ceramic ring in solid cells and as shells")
     parser.add_argument("--markdown", help="also write the table to this file")
     options = parser.parse_args()
-    if not PROGRAM.exists():
-        sys.exit("stator_cost: build/bin/stator is missing: run scripts/setup.sh")
+    program("stator")
 
     cases, converged = (THIN, None) if options.thin_parts else (ADAPTIVE, CONVERGED)
     if not (options.thin_parts or options.quick):

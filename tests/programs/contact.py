@@ -7,12 +7,9 @@ Usage: tests/programs/contact.py STATOR CONTACT [unittest arguments]
 What is compared: files with each other and with the loads that were asked for; an independent model of
 the motor turns at 85.3 rpm without load (see tests/quantities/motor.cc).
 """
-import csv
 import json
-import os
 import pathlib
 import shutil
-import subprocess
 import sys
 import tempfile
 import unittest
@@ -20,25 +17,15 @@ import unittest
 import h5py
 import numpy as np
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
+from program import QUICK, rows_of, run  # noqa: E402
+
 STATOR, CONTACT = sys.argv.pop(1), sys.argv.pop(1)
-QUICK = ROOT / "prm" / "quick.prm"
 PRELOAD = 14.0
-
-
-def run(*command):
-    environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
-    return subprocess.run([str(part) for part in command], capture_output=True, text=True, timeout=250,
-                          env=environment)
 
 
 def settings(*entries):
     return [part for entry in entries for part in ("--set", entry)]
-
-
-def rows_of(path):
-    with open(path, newline="") as file:
-        return list(csv.DictReader(file))
 
 
 class WithWave(unittest.TestCase):

@@ -7,32 +7,20 @@ Usage: tests/programs/stator.py PROGRAM [unittest arguments]
 The frequency is compared with the 30 004 +- 3 Hz of an independent program (see
 tests/quantities/reference_stator.cc); everything else with what the documentation promises.
 """
-import csv
 import json
 import pathlib
 import shutil
-import subprocess
 import sys
 import tempfile
 import unittest
 
 import h5py
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
+from program import QUICK, ROOT, rows_of, run  # noqa: E402
+
 PROGRAM = sys.argv.pop(1)
-QUICK = ROOT / "prm" / "quick.prm"
 REFERENCE, UNCERTAINTY = 30004.0, 3.0
-
-
-def run(*command, file_size_limit=None):
-    if file_size_limit is not None:
-        command = ("bash", "-c", f"ulimit -f {file_size_limit}; \"$@\"", "bash", *command)
-    return subprocess.run([str(part) for part in command], capture_output=True, text=True, timeout=250)
-
-
-def rows_of(path):
-    with open(path, newline="") as file:
-        return list(csv.DictReader(file))
 
 
 class Results(unittest.TestCase):

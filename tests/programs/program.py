@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the tests of the programs share."""
+import csv
+import os
+import pathlib
+import subprocess
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+QUICK = ROOT / "prm" / "quick.prm"
+
+
+def run(*command, file_size_limit=None):
+    if file_size_limit is not None:
+        command = ("bash", "-c", f"ulimit -f {file_size_limit}; \"$@\"", "bash", *command)
+    environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+    return subprocess.run([str(part) for part in command], capture_output=True, text=True, timeout=250,
+                          env=environment)
+
+
+def rows_of(path):
+    with open(path, newline="") as file:
+        return list(csv.DictReader(file))
