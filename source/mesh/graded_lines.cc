@@ -27,4 +27,12 @@ namespace ringmotor
       lines.push_back(length * i * i / (n_cells * n_cells));
     return lines;
   }
+
+  std::vector<double> widths(const std::vector<double> &lines)
+  {
+    std::vector<double> widths;
+    for (unsigned int i = 1; i < lines.size(); ++i)
+      widths.push_back(lines[i] - lines[i - 1]);
+    return widths;
+  }
 } // namespace ringmotor

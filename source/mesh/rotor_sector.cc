@@ -56,14 +56,6 @@ namespace ringmotor
       return lines;
     }
 
-    std::vector<double> widths(const std::vector<double> &lines)
-    {
-      std::vector<double> widths;
-      for (unsigned int i = 1; i < lines.size(); ++i)
-        widths.push_back(lines[i] - lines[i - 1]);
-      return widths;
-    }
-
     /**
      * Where a flange that is a shell begins: half its thickness away from the ring. The stresses in
      * the corners at the ring, which no shell knows, have died down there.

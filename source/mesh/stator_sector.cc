@@ -232,6 +232,16 @@ namespace ringmotor
 
   namespace
   {
+    /** Makes the box of chart coordinates the body that it stands for. */
+    void bend_to_shape(Triangulation<3> &box, const StatorGeometry &stator,
+                       const unsigned int n_teeth)
+    {
+      const SectorManifold<3> shape(stator, n_teeth);
+      GridTools::transform([&](const Point<3> &chart) { return shape.push_forward(chart); }, box);
+      box.set_all_manifold_ids(0);
+      box.set_manifold(0, shape);
+    }
+
     SectorMesh make_sector(const StatorGeometry &stator, const unsigned int n_teeth,
                            const SectorForm form, const SectorGrading &grading, const Parts parts,
                            MPI_Comm communicator)
@@ -251,11 +261,7 @@ namespace ringmotor
                            triangulation);
       set_boundary_ids(triangulation, form, stator, parts);
 
-      const SectorManifold<3> shape(stator, n_teeth);
-      GridTools::transform([&](const Point<3> &chart) { return shape.push_forward(chart); },
-                           triangulation);
-      triangulation.set_all_manifold_ids(0);
-      triangulation.set_manifold(0, shape);
+      bend_to_shape(triangulation, stator, n_teeth);
       return mesh;
     }
   } // namespace
@@ -306,13 +312,6 @@ namespace ringmotor
       return radii;
     }
 
-    std::vector<double> widths(const std::vector<double> &lines)
-    {
-      std::vector<double> widths;
-      for (unsigned int i = 1; i < lines.size(); ++i)
-        widths.push_back(lines[i] - lines[i - 1]);
-      return widths;
-    }
   } // namespace
 
   SectorMesh make_contact_tooth(const StatorGeometry &stator, const unsigned int n_teeth,
@@ -353,11 +352,7 @@ namespace ringmotor
             face->set_boundary_id(ids::tooth_foot);
         }
     }
-    const SectorManifold<3> shape(stator, n_teeth);
-    GridTools::transform([&](const Point<3> &chart) { return shape.push_forward(chart); },
-                         triangulation);
-    triangulation.set_all_manifold_ids(0);
-    triangulation.set_manifold(0, shape);
+    bend_to_shape(triangulation, stator, n_teeth);
     return mesh;
   }
 } // namespace ringmotor

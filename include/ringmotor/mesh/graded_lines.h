@@ -10,4 +10,7 @@ namespace ringmotor
    * first cell is @p first wide, each further one about three times wider than the one before.
    */
   std::vector<double> graded_lines(const double length, const double first);
+
+  /** The widths of the cells between lines in ascending order. */
+  std::vector<double> widths(const std::vector<double> &lines);
 } // namespace ringmotor
