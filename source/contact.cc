@@ -132,7 +132,7 @@ namespace ringmotor
           !is_marched(parameters) && n_moments < most_moments)
       {
         n_moments *= 2;
-        find_all(coarse);
+        coarse.points = std::move(half_step_points);
         find_all(curve);
       }
       else if (level < finest)

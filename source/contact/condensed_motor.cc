@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace ringmotor
 {
@@ -16,24 +17,6 @@ namespace ringmotor
   namespace
   {
     using Complex = std::complex<double>;
-
-    /** The motion of a surface over the whole sector from that of the meshed half. */
-    std::vector<std::array<Complex, 3>> sector_motion(const std::vector<double> &half,
-                                                      const std::vector<MirroredNode> &origin)
-    {
-      std::vector<std::array<Complex, 3>> motions;
-      for (const MirroredNode &node : origin)
-      {
-        std::array<Complex, 3> motion;
-        for (unsigned int c = 0; c < 3; ++c)
-        {
-          const Complex u(half[3 * node.node + c], half[half.size() / 2 + 3 * node.node + c]);
-          motion[c] = node.mirrored ? (c == 1 ? -1. : 1.) * std::conj(u) : u;
-        }
-        motions.push_back(motion);
-      }
-      return motions;
-    }
 
     /** A tooth alone: its compliance, and how its top follows the motion of its foot. */
     struct CondensedTooth
@@ -265,6 +248,11 @@ namespace ringmotor
     return discretisation;
   }
 
+  unsigned int CondensedMotor::n_repeats() const
+  {
+    return std::gcd(n_waves, n_teeth);
+  }
+
   double CondensedMotor::period() const
   {
     return 2. * numbers::PI / angular_frequency;
@@ -347,6 +335,8 @@ namespace ringmotor
     motor.n_dofs                  = tooth.n_dofs + rotor.n_dofs;
     motor.tooth_inertia_indicator = tooth.inertia_indicator;
     add_teeth(motor, tooth, rotor.mortar, parameters);
+    if (motor.n_repeats() > 1)
+      motor.folded = motor.compliance.folded(motor.n_repeats());
     motor.constants = constants_for(motor.compliance);
     return motor;
   }

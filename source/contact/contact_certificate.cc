@@ -21,11 +21,6 @@ namespace ringmotor
       return a <= b || std::isnan(a) ? a : b;
     }
 
-    double tangential_norm(const PointVector &vector)
-    {
-      return std::hypot(vector[1], vector[2]);
-    }
-
     /** What violations are compared with; none is zero. */
     struct Scales
     {

@@ -83,6 +83,7 @@ namespace ringmotor
       {
         touching.clear();
         friction.clear();
+        bool lost_force = false;
         for (unsigned int i = 0; i < iterate.state.force.size(); ++i)
         {
           PointVector &force       = iterate.state.force[i];
@@ -90,13 +91,15 @@ namespace ringmotor
           const double reach       = force[0] - constants.normal * moved[0];
           if (reach <= 0.)
           {
-            force = 0.;
+            lost_force = lost_force || force != PointVector();
+            force      = 0.;
             continue;
           }
           touching.push_back(i);
           friction.push_back(friction_of(i, reach, force, moved));
         }
-        iterate.motion = problem.relative_motion(iterate.state);
+        if (lost_force)
+          iterate.motion = problem.relative_motion(iterate.state);
       }
 
       Friction friction_of(const unsigned int i, const double reach, const PointVector &force,

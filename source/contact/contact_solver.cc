@@ -14,11 +14,6 @@ namespace ringmotor
     constexpr unsigned int most_from_smoothed = 15;
     constexpr unsigned int n_smoothings       = 10;
 
-    double tangential_norm(const PointVector &force)
-    {
-      return std::hypot(force[1], force[2]);
-    }
-
     /**
      * Newton's method from the state in which all points stick, and from states of smoothed
      * friction that is smoothed less and less.
@@ -112,5 +107,14 @@ namespace ringmotor
                            " points was not solved; tried, with the largest violation of the laws "
                            "of contact and the linear problems solved: " +
                            tried.str());
+  }
+
+  ContactSolution solve_without_friction(const ContactProblem &problem,
+                                         const ComplementarityConstants &constants,
+                                         const ContactState &start)
+  {
+    return solve_contact(
+        problem, [](const unsigned int, const double) { return FrictionCoefficient{}; }, constants,
+        start);
   }
 } // namespace ringmotor

@@ -10,6 +10,23 @@ namespace ringmotor
 {
   using namespace dealii;
 
+  Point<2> unit_point(const std::array<Point<2>, 4> &corner, const Point<2> &x)
+  {
+    Point<2> unit(0.5, 0.5);
+    for (unsigned int step = 0; step < 20; ++step)
+    {
+      const double u = unit[0], v = unit[1];
+      const Tensor<1, 2> miss = (1. - u) * (1. - v) * corner[0] + u * (1. - v) * corner[1] +
+                                (1. - u) * v * corner[2] + u * v * corner[3] - x;
+      const Tensor<1, 2> by_u  = (1. - v) * (corner[1] - corner[0]) + v * (corner[3] - corner[2]),
+                         by_v  = (1. - u) * (corner[2] - corner[0]) + u * (corner[3] - corner[1]);
+      const double determinant = by_u[0] * by_v[1] - by_u[1] * by_v[0];
+      unit[0] -= (miss[0] * by_v[1] - miss[1] * by_v[0]) / determinant;
+      unit[1] -= (by_u[0] * miss[1] - by_u[1] * miss[0]) / determinant;
+    }
+    return unit;
+  }
+
   namespace
   {
     Point<2> in_plane(const Point<3> &x)
@@ -37,25 +54,6 @@ namespace ringmotor
       if (a[0] * b[1] - a[1] * b[0] < 0.)
         std::swap(corner[1], corner[2]);
       return corner;
-    }
-
-    /** Where a point lies in a quadrilateral that is nearly a parallelogram, in unit coordinates.
-     */
-    Point<2> unit_point(const std::array<Point<2>, 4> &corner, const Point<2> &x)
-    {
-      Point<2> unit(0.5, 0.5);
-      for (unsigned int step = 0; step < 20; ++step)
-      {
-        const double u = unit[0], v = unit[1];
-        const Tensor<1, 2> miss = (1. - u) * (1. - v) * corner[0] + u * (1. - v) * corner[1] +
-                                  (1. - u) * v * corner[2] + u * v * corner[3] - x;
-        const Tensor<1, 2> by_u  = (1. - v) * (corner[1] - corner[0]) + v * (corner[3] - corner[2]),
-                           by_v  = (1. - u) * (corner[2] - corner[0]) + u * (corner[3] - corner[1]);
-        const double determinant = by_u[0] * by_v[1] - by_u[1] * by_v[0];
-        unit[0] -= (miss[0] * by_v[1] - miss[1] * by_v[0]) / determinant;
-        unit[1] -= (by_u[0] * miss[1] - by_u[1] * miss[0]) / determinant;
-      }
-      return unit;
     }
 
     /** Collects faces, each node once. */

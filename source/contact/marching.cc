@@ -10,13 +10,11 @@ namespace ringmotor
     const unsigned int n_points = motor.n_teeth * motor.nodes.size();
     const TimeStep at_rest{now, motor.period(), std::vector<PointVector>(n_points)};
     const RotorLoad load{preload, {}};
-    const PointFriction none = [](const unsigned int, const double)
-    { return FrictionCoefficient{}; };
     // On teeth without warp it is plain how many of them will touch.
     const RingContact even(motor, load, at_rest, std::vector<double>(motor.n_teeth, 0.)),
         contact(motor, load, at_rest, heights);
-    state     = solve_contact(even, none, motor.constants, even.pressed_down()).state;
-    state     = solve_contact(contact, none, motor.constants, state).state;
+    state     = solve_without_friction(even, motor.constants, even.pressed_down()).state;
+    state     = solve_without_friction(contact, motor.constants, state).state;
     positions = contact.positions(state);
     memory.resize(n_points);
   }
@@ -31,31 +29,34 @@ namespace ringmotor
     ContactState begin = state;
     if (load.torque)
       begin.rigid.push_back(last_turn * length);
-    unsigned int n_iterations = 0;
-    for (bool settled = false; !settled;)
+    ContactSolution solution = solve_contact(*contact, law, motor.constants, begin);
+    while (lose_static_limits(solution, limits))
     {
-      ContactSolution solution = solve_contact(*contact, law, motor.constants, begin);
-      n_iterations             = solution.n_iterations += n_iterations;
-      // A point that exceeds its static limit falls to the dynamic one and stays there.
-      settled = true;
-      for (unsigned int point = 0; point < limits.size(); ++point)
-        if (friction.law == FrictionLaw::static_dynamic && limits[point].stuck &&
-            solution.status[point] == PointStatus::slip)
-        {
-          limits[point].stuck = false;
-          settled             = false;
-        }
-      begin = solution.state;
-      if (!settled)
-        continue;
-      now += length;
-      positions = contact->positions(solution.state);
-      memory    = next_memory(solution, memory);
-      last_turn = contact->speed(solution.state);
-      state     = solution.state;
-      state.rigid.resize(contact->n_rigid() - (load.torque ? 1 : 0));
-      return {contact, std::move(solution), std::move(limits)};
+      const unsigned int n_iterations = solution.n_iterations;
+      solution = solve_contact(*contact, law, motor.constants, solution.state);
+      solution.n_iterations += n_iterations;
     }
-    return {};
+    now += length;
+    positions = contact->positions(solution.state);
+    memory    = next_memory(solution, memory);
+    last_turn = contact->speed(solution.state);
+    state     = solution.state;
+    state.rigid.resize(contact->n_rigid() - (load.torque ? 1 : 0));
+    return {contact, std::move(solution), std::move(limits)};
+  }
+
+  bool MarchingDriver::lose_static_limits(const ContactSolution &solution,
+                                          std::vector<FrictionMemory> &limits) const
+  {
+    if (friction.law != FrictionLaw::static_dynamic)
+      return false;
+    bool lost = false;
+    for (unsigned int point = 0; point < limits.size(); ++point)
+      if (limits[point].stuck && solution.status[point] == PointStatus::slip)
+      {
+        limits[point].stuck = false;
+        lost                = true;
+      }
+    return lost;
   }
 } // namespace ringmotor

@@ -51,6 +51,24 @@ namespace ringmotor
     return compliance;
   }
 
+  std::vector<std::array<std::complex<double>, 3>>
+  sector_motion(const std::vector<double> &half, const std::vector<MirroredNode> &origin)
+  {
+    std::vector<std::array<std::complex<double>, 3>> motions;
+    for (const MirroredNode &node : origin)
+    {
+      std::array<std::complex<double>, 3> motion;
+      for (unsigned int c = 0; c < 3; ++c)
+      {
+        const std::complex<double> u(half[3 * node.node + c],
+                                     half[half.size() / 2 + 3 * node.node + c]);
+        motion[c] = node.mirrored ? mirror_sign(c) * std::conj(u) : u;
+      }
+      motions.push_back(motion);
+    }
+    return motions;
+  }
+
   ComplexMatrix coupled_compliance(const ComplexMatrix &rotor, const MortarCoupling &coupling,
                                    const unsigned int k, const double pitch)
   {

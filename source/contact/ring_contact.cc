@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace ringmotor
 {
@@ -24,13 +23,13 @@ namespace ringmotor
 
   RingContact::RingContact(const CondensedMotor &motor, const RotorLoad &load,
                            const unsigned int n_moments)
-      : motor(motor), load(load), fold(std::gcd(motor.n_waves, motor.n_teeth)),
-        n_sectors(motor.n_teeth / fold), n_nodes(motor.nodes.size()), n_moments(n_moments),
+      : motor(motor), load(load), fold(motor.n_repeats()), n_sectors(motor.n_teeth / fold),
+        n_nodes(motor.nodes.size()), n_moments(n_moments),
         step(motor.period() / (n_sectors * n_moments)),
         steady_neighbour(neighbour_of(motor.n_waves, motor.n_teeth, fold)),
         // Forces that repeat themselves around the ring shift and tilt nothing.
         n_rigid_of_moment(fold > 1 ? 1 : 1 + 2 * motor.loose_motions.size()),
-        compliance(motor.compliance.folded(fold))
+        compliance(motor.repeating())
   {
     place_stator(0., std::vector<double>(n_sectors, 0.));
     tabulate_rigid_motions();

@@ -12,11 +12,6 @@ namespace ringmotor
   {
     constexpr unsigned int most_rounds = 60; ///< of an update of the memory
 
-    double slip_of(const PointVector &motion)
-    {
-      return std::hypot(motion[1], motion[2]);
-    }
-
     /** What points remember in the steady state: what happened one step earlier. */
     std::vector<FrictionMemory> travelled(const RingContact &contact,
                                           const ContactSolution &solution)
@@ -30,7 +25,7 @@ namespace ringmotor
         unsigned int n_steps = 0;
         while (solution.status[before] == PointStatus::slip && n_steps++ < n_points)
         {
-          memory[point].slipped += slip_of(solution.motion[before]);
+          memory[point].slipped += tangential_norm(solution.motion[before]);
           before = contact.earlier(before);
         }
       }
@@ -46,7 +41,7 @@ namespace ringmotor
     {
       memory[point].stuck = solution.status[point] == PointStatus::stick;
       if (solution.status[point] == PointStatus::slip)
-        memory[point].slipped = earlier[point].slipped + slip_of(solution.motion[point]);
+        memory[point].slipped = earlier[point].slipped + tangential_norm(solution.motion[point]);
     }
     return memory;
   }
@@ -57,7 +52,8 @@ namespace ringmotor
   {
   }
 
-  OperatingState SteadyDriver::find(const RotorLoad &load, const ContactState &begin) const
+  OperatingState SteadyDriver::find(const RotorLoad &load, const ContactState &begin,
+                                    const double speed) const
   {
     const auto contact = std::make_shared<const RingContact>(motor, load, n_moments);
     const bool jumps   = friction.law == FrictionLaw::static_dynamic;
@@ -67,6 +63,9 @@ namespace ringmotor
     { return friction_coefficient(friction, memory[point], slip, contact->time_step()); };
     unsigned int n_iterations = 0;
     ContactState from         = begin;
+    from.rigid.resize(contact->n_rigid());
+    if (load.torque)
+      from.rigid.back() = speed * contact->time_step();
     for (unsigned int round = 0; round < most_rounds; ++round)
     {
       ContactSolution solution                = solve_contact(*contact, law, motor.constants, from);
@@ -104,9 +103,9 @@ namespace ringmotor
           std::max(crest, motor.angular_frequency * std::abs(node.free_motion[1]) / node.radius);
     const RotorLoad load{preload, {}, 0.97 * crest};
     const RingContact contact(motor, load, n_moments);
-    const PointFriction none = [](const unsigned int, const double)
-    { return FrictionCoefficient{}; };
-    last = find(load, solve_contact(contact, none, motor.constants, contact.pressed_down()).state);
+    const ContactSolution pressed =
+        solve_without_friction(contact, motor.constants, contact.pressed_down());
+    last = find(load, pressed.state, load.speed);
   }
 
   OperatingState SteadyDriver::approach(const RotorLoad &load)
@@ -125,14 +124,9 @@ namespace ringmotor
         next.torque = from_torque + to * (*load.torque - from_torque);
       else
         next.speed = from_speed + to * (load.speed - from_speed);
-      ContactState begin = last->solution.state;
-      begin.rigid.resize(RingContact(motor, load, n_moments).n_rigid());
-      if (load.torque)
-        begin.rigid.back() =
-            last->contact->speed(last->solution.state) * last->contact->time_step();
       try
       {
-        last    = find(next, begin);
+        last    = find(next, last->solution.state, last->contact->speed(last->solution.state));
         reached = to;
       }
       catch (const ComputationError &error)

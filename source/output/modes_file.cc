@@ -45,13 +45,10 @@ namespace ringmotor
           }
           corners.push_back(corner);
         }
+        std::vector<Point<1>> support;
         for (unsigned int i = 0; i <= order; ++i)
-        {
-          std::vector<Point<1>> support;
-          for (unsigned int j = 0; j <= order; ++j)
-            support.emplace_back(j / static_cast<double>(order));
-          basis = Polynomials::generate_complete_Lagrange_basis(support);
-        }
+          support.emplace_back(i / static_cast<double>(order));
+        basis = Polynomials::generate_complete_Lagrange_basis(support);
       }
 
       /** The r, theta, z components at a point of the surface. */
@@ -86,26 +83,6 @@ namespace ringmotor
       }
 
     private:
-      /** Newton's method for the bilinear map of a face; faces are nearly parallelograms. */
-      static Point<2> unit_point(const std::array<Point<2>, 4> &corner, const Point<2> &x)
-      {
-        Point<2> unit(0.5, 0.5);
-        for (unsigned int step = 0; step < 6; ++step)
-        {
-          const double u = unit[0], v = unit[1];
-          const Tensor<1, 2> miss = (1. - u) * (1. - v) * corner[0] + u * (1. - v) * corner[1] +
-                                    (1. - u) * v * corner[2] + u * v * corner[3] - x;
-          const Tensor<1, 2> by_u =
-                                 (1. - v) * (corner[1] - corner[0]) + v * (corner[3] - corner[2]),
-                             by_v =
-                                 (1. - u) * (corner[2] - corner[0]) + u * (corner[3] - corner[1]);
-          const double determinant = by_u[0] * by_v[1] - by_u[1] * by_v[0];
-          unit[0] -= (miss[0] * by_v[1] - miss[1] * by_v[0]) / determinant;
-          unit[1] -= (by_u[0] * miss[1] - by_u[1] * miss[0]) / determinant;
-        }
-        return unit;
-      }
-
       const unsigned int order;
       std::vector<std::array<Point<2>, 4>> corners;
       std::vector<Complex> values;
@@ -135,8 +112,9 @@ namespace ringmotor
                parameters.motor.n_waves);
     check_same(path, "Motor/Number of teeth", file.attribute<unsigned int>("/", "n_teeth"),
                parameters.motor.n_teeth);
-    for (const auto &[name, entry, value] : stator_fingerprint(parameters))
-      check_same(path, entry, file.attribute<double>("/stator", name), value);
+    for (const StatorEntry &entry : stator_fingerprint(parameters))
+      check_same(path, entry.entry, file.attribute<double>(entry.group, entry.attribute),
+                 entry.value);
     StatorWave wave;
     wave.n_waves = file.attribute<unsigned int>("/wave", "nodal_diameter");
     check_same(path, "Wave/Amplitude", file.attribute<double>("/wave", "amplitude_m"),

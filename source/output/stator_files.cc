@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace ringmotor
 {
@@ -14,20 +15,6 @@ namespace ringmotor
   namespace
   {
     constexpr double micrometre = 1e-6, millimetre = 1e-3, degree = numbers::PI / 180.;
-
-    void write_materials(Hdf5Writer &file, const Materials &materials)
-    {
-      const std::vector<std::pair<std::string, const Material *>> table{
-          {"materials/stator_metal", &materials.stator_metal},
-          {"materials/piezoceramic", &materials.piezoceramic}};
-      for (const auto &[group, material] : table)
-      {
-        file.set_attribute(group, "young_modulus_Pa", material->young_modulus);
-        file.set_attribute(group, "poisson_ratio", material->poisson_ratio);
-        file.set_attribute(group, "density_kg_per_m3", material->density);
-        file.set_attribute(group, "loss_factor", material->loss_factor);
-      }
-    }
 
     void write_mode_list(Hdf5Writer &file, const std::vector<FoundMode> &modes)
     {
@@ -125,29 +112,33 @@ namespace ringmotor
     table.write(path);
   }
 
-  std::vector<std::tuple<std::string, std::string, double>>
-  stator_fingerprint(const Parameters &parameters)
+  std::vector<StatorEntry> stator_fingerprint(const Parameters &parameters)
   {
-    const StatorGeometry &stator = parameters.stator;
-    const Material &metal        = parameters.materials.stator_metal;
-    const Material &ceramic      = parameters.materials.piezoceramic;
-    return {
-        {"metal_young_modulus_Pa", "Materials/Stator metal/Young modulus", metal.young_modulus},
-        {"metal_poisson_ratio", "Materials/Stator metal/Poisson ratio", metal.poisson_ratio},
-        {"metal_density_kg_per_m3", "Materials/Stator metal/Density", metal.density},
-        {"ceramic_young_modulus_Pa", "Materials/Piezoceramic/Young modulus", ceramic.young_modulus},
-        {"ceramic_poisson_ratio", "Materials/Piezoceramic/Poisson ratio", ceramic.poisson_ratio},
-        {"ceramic_density_kg_per_m3", "Materials/Piezoceramic/Density", ceramic.density},
-        {"base_inner_radius_m", "Stator/Base inner radius", stator.base_inner_radius},
-        {"base_outer_radius_m", "Stator/Base outer radius", stator.base_outer_radius},
-        {"tip_inner_radius_m", "Stator/Tip inner radius", stator.tip_inner_radius},
-        {"tip_outer_radius_m", "Stator/Tip outer radius", stator.tip_outer_radius},
-        {"base_thickness_m", "Stator/Base thickness", stator.base_thickness},
-        {"tooth_height_m", "Stator/Tooth height", stator.tooth_height},
-        {"slot_width_m", "Stator/Slot width", stator.slot_width},
-        {"piezoceramic_thickness_m", "Stator/Piezoceramic thickness",
-         stator.piezoceramic_thickness},
+    std::vector<StatorEntry> entries;
+    const auto add_material =
+        [&](const std::string &name, const std::string &entry, const Material &material)
+    {
+      const std::string group = "materials/" + name, path = "Materials/" + entry + "/";
+      entries.push_back(
+          {group, "young_modulus_Pa", path + "Young modulus", material.young_modulus});
+      entries.push_back({group, "poisson_ratio", path + "Poisson ratio", material.poisson_ratio});
+      entries.push_back({group, "density_kg_per_m3", path + "Density", material.density});
     };
+    add_material("stator_metal", "Stator metal", parameters.materials.stator_metal);
+    add_material("piezoceramic", "Piezoceramic", parameters.materials.piezoceramic);
+    const StatorGeometry &stator = parameters.stator;
+    for (const auto &[attribute, entry, length] :
+         {std::make_tuple("base_inner_radius_m", "Base inner radius", stator.base_inner_radius),
+          std::make_tuple("base_outer_radius_m", "Base outer radius", stator.base_outer_radius),
+          std::make_tuple("tip_inner_radius_m", "Tip inner radius", stator.tip_inner_radius),
+          std::make_tuple("tip_outer_radius_m", "Tip outer radius", stator.tip_outer_radius),
+          std::make_tuple("base_thickness_m", "Base thickness", stator.base_thickness),
+          std::make_tuple("tooth_height_m", "Tooth height", stator.tooth_height),
+          std::make_tuple("slot_width_m", "Slot width", stator.slot_width),
+          std::make_tuple("piezoceramic_thickness_m", "Piezoceramic thickness",
+                          stator.piezoceramic_thickness)})
+      entries.push_back({"stator", attribute, std::string("Stator/") + entry, length});
+    return entries;
   }
 
   void write_modes_h5(const std::string &path, const Parameters &parameters,
@@ -159,9 +150,12 @@ namespace ringmotor
     file.set_attribute("/", "n_waves", parameters.motor.n_waves);
     file.set_attribute("/", "n_teeth", parameters.motor.n_teeth);
     file.set_attribute("/", "polynomial_degree", sector.dofs().get_fe().degree);
-    for (const auto &[name, entry, value] : stator_fingerprint(parameters))
-      file.set_attribute("/stator", name, value);
-    write_materials(file, parameters.materials);
+    for (const StatorEntry &entry : stator_fingerprint(parameters))
+      file.set_attribute(entry.group, entry.attribute, entry.value);
+    file.set_attribute("materials/stator_metal", "loss_factor",
+                       parameters.materials.stator_metal.loss_factor);
+    file.set_attribute("materials/piezoceramic", "loss_factor",
+                       parameters.materials.piezoceramic.loss_factor);
     write_mode_list(file, modes);
     if (wave != nullptr)
       write_wave(file, sector, *wave);

@@ -45,7 +45,6 @@ namespace ringmotor
           pressed += force[0];
           stuck += solution.status[i] == PointStatus::stick ? force[0] : 0.;
           touching.emplace(contact.moment(i), contact.tooth(i));
-          point.largest_force = std::max(point.largest_force, force[0]);
         }
       }
       const CondensedMotor &motor = contact.condensed_motor();
@@ -91,8 +90,7 @@ namespace ringmotor
     for (double OperatingPoint::*quantity :
          {&OperatingPoint::speed, &OperatingPoint::torque, &OperatingPoint::tangential_loss,
           &OperatingPoint::radial_loss, &OperatingPoint::input_power, &OperatingPoint::closing_work,
-          &OperatingPoint::teeth_in_contact, &OperatingPoint::stick_fraction,
-          &OperatingPoint::largest_force})
+          &OperatingPoint::teeth_in_contact, &OperatingPoint::stick_fraction})
       for (const OperatingPoint &point : points)
         mean.*quantity += point.*quantity / points.size();
     return mean;

@@ -67,6 +67,7 @@ namespace ringmotor
     std::vector<Node> nodes;
     std::vector<LooseMotion> loose_motions;
     RingCompliance compliance; ///< of rotor and teeth, relative motion of rotor against stator
+    RingCompliance folded;     ///< the same of the part that repeats itself; empty if nothing does
     ComplementarityConstants constants{};
     dealii::FullMatrix<double> tooth_compliance;  ///< of a tooth alone, m/N
     std::vector<std::vector<unsigned int>> faces; ///< nodes of each face, as ContactSurface::faces
@@ -75,6 +76,11 @@ namespace ringmotor
 
     /** Relative change of the tangential motion if the inertia of the teeth were left in. */
     double tooth_inertia_indicator = 0.;
+
+    /** How often the wave repeats itself around the ring on equal teeth: gcd(n, N). */
+    unsigned int n_repeats() const;
+    /** The compliance of the part that repeats itself. */
+    const RingCompliance &repeating() const { return n_repeats() > 1 ? folded : compliance; }
 
     double period() const;
     double pitch() const;

@@ -4,6 +4,7 @@
 #include <deal.II/base/tensor.h>
 #include <deal.II/lac/full_matrix.h>
 
+#include <cmath>
 #include <vector>
 
 namespace ringmotor
@@ -11,6 +12,12 @@ namespace ringmotor
   /** A force (N) or a motion (m) at a contact point. Components: normal (away from the stator),
    * along the driven direction t = -theta, radial. */
   using PointVector = dealii::Tensor<1, 3>;
+
+  /** The length of the tangential part. */
+  inline double tangential_norm(const PointVector &vector)
+  {
+    return std::hypot(vector[1], vector[2]);
+  }
 
   /** The unknowns of a contact problem. */
   struct ContactState

@@ -41,4 +41,9 @@ namespace ringmotor
   ContactSolution solve_contact(const ContactProblem &problem, const PointFriction &friction,
                                 const ComplementarityConstants &constants,
                                 const ContactState &start);
+
+  /** The same with surfaces that know no friction. */
+  ContactSolution solve_without_friction(const ContactProblem &problem,
+                                         const ComplementarityConstants &constants,
+                                         const ContactState &start);
 } // namespace ringmotor

@@ -31,6 +31,10 @@ namespace ringmotor
     std::vector<std::array<dealii::Point<2>, 4>> corners; ///< of each face, as deal.II orders them
   };
 
+  /** Where a point lies in a quadrilateral that is nearly a parallelogram, in unit coordinates. */
+  dealii::Point<2> unit_point(const std::array<dealii::Point<2>, 4> &corner,
+                              const dealii::Point<2> &x);
+
   /** The faces of solids with this boundary id; of the meshed part of the sector. */
   ContactSurface solid_surface(const SectorElements &sector,
                                const dealii::types::boundary_id faces);
@@ -39,7 +43,7 @@ namespace ringmotor
   ContactSurface shell_surface(const SectorElements &sector,
                                const dealii::types::material_id cells);
 
-  /** Completes the surface of half a sector by its mirror image. */
+  /** Where a node of a whole sector's surface comes from. */
   struct MirroredNode
   {
     unsigned int node; ///< of the half surface

@@ -24,6 +24,11 @@ namespace ringmotor
     double time() const { return now; }
 
   private:
+    /** A point that exceeds its static limit falls to the dynamic one and stays there. Returns
+     * whether there is one. */
+    bool lose_static_limits(const ContactSolution &solution,
+                            std::vector<FrictionMemory> &limits) const;
+
     const CondensedMotor &motor;
     const Friction friction;
     const std::vector<double> heights;

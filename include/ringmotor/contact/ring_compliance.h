@@ -37,6 +37,11 @@ namespace ringmotor
   ComplexMatrix sector_compliance(const dealii::FullMatrix<double> &condensed,
                                   const std::vector<MirroredNode> &origin, const SectorForm form);
 
+  /** The motion of a half sector's surface (real field, then imaginary one) over the whole sector.
+   */
+  std::vector<std::array<std::complex<double>, 3>>
+  sector_motion(const std::vector<double> &half, const std::vector<MirroredNode> &origin);
+
   /** The compliance at the nodes of a coupling of a rotor with this compliance of its own nodes. */
   ComplexMatrix coupled_compliance(const ComplexMatrix &rotor, const MortarCoupling &coupling,
                                    const unsigned int k, const double pitch);

@@ -68,8 +68,6 @@ namespace ringmotor
     unsigned int n_teeth() const { return n_sectors; }
     unsigned int n_repeats() const { return fold; }
     unsigned int n_times() const { return n_moments; }
-    /** s: a step of T/P equals a turn by so many teeth. */
-    unsigned int neighbour() const { return steady_neighbour; }
 
     unsigned int moment(const unsigned int point) const { return point / (n_sectors * n_nodes); }
     unsigned int tooth(const unsigned int point) const { return point / n_nodes % n_sectors; }
@@ -121,7 +119,7 @@ namespace ringmotor
     const std::optional<std::vector<PointVector>> given; ///< positions at the step's begin
     unsigned int steady_neighbour;
     unsigned int n_rigid_of_moment; ///< of the rotor at one moment
-    RingCompliance compliance;
+    const RingCompliance &compliance;
     std::vector<PointVector> stator; ///< motion of all points without contact forces
     std::vector<PointVector> rigid;  ///< motions of the points of a moment by unit rigid motions
   };

@@ -37,7 +37,9 @@ namespace ringmotor
     OperatingState at_torque(const double torque);
 
   private:
-    OperatingState find(const RotorLoad &load, const ContactState &start) const;
+    /** Solves from another state, of this or the other control, in which the rotor turns with
+     * @p speed (rad/s). */
+    OperatingState find(const RotorLoad &load, const ContactState &begin, const double speed) const;
     /** Solves at a load from the last state, with states between them where it has to. */
     OperatingState approach(const RotorLoad &load);
     void start();

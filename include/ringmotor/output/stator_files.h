@@ -8,7 +8,6 @@
 #include <ringmotor/quantities/tooth_motion.h>
 
 #include <string>
-#include <tuple>
 #include <vector>
 
 namespace ringmotor
@@ -42,10 +41,15 @@ namespace ringmotor
   /** `ellipses.csv`: the elliptic motion of the named points in the travelling wave. */
   void write_ellipses(const std::string &path, const WaveResult &wave);
 
-  /** What tells one stator from another: name of an attribute in `modes.h5`, entry of the parameter
-   * file, value. */
-  std::vector<std::tuple<std::string, std::string, double>>
-  stator_fingerprint(const Parameters &parameters);
+  /** One of the numbers that tell one stator from another. */
+  struct StatorEntry
+  {
+    std::string group, attribute; ///< where it stands in `modes.h5`
+    std::string entry;            ///< of the parameter file
+    double value;
+  };
+
+  std::vector<StatorEntry> stator_fingerprint(const Parameters &parameters);
 
   /** `modes.h5`: everything `contact` needs of the wave, and the list of modes. See doc/files.md.
    */

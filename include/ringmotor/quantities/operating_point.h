@@ -17,7 +17,6 @@ namespace ringmotor
     double closing_work     = 0.; ///< W, that numbers lose where gaps close and open in a step
     double teeth_in_contact = 0.; ///< per wave
     double stick_fraction   = 0.; ///< of the pressure force, on points that stick
-    double largest_force    = 0.; ///< N, pressure force of a point
 
     double friction_loss() const { return tangential_loss + radial_loss; }
     double output_power() const { return torque * speed; }
@@ -28,7 +27,7 @@ namespace ringmotor
     void serialize(Archive &archive, const unsigned int)
     {
       archive &speed &torque &tangential_loss &radial_loss &input_power &closing_work;
-      archive &teeth_in_contact &stick_fraction &largest_force;
+      archive &teeth_in_contact &stick_fraction;
     }
   };
 
