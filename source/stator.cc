@@ -3,6 +3,7 @@
 #include <ringmotor/output/files.h>
 #include <ringmotor/output/log.h>
 #include <ringmotor/output/stator_files.h>
+#include <ringmotor/output/study.h>
 #include <ringmotor/output/summary.h>
 #include <ringmotor/output/text.h>
 #include <ringmotor/output/vtu.h>
@@ -69,6 +70,8 @@ namespace ringmotor
       void write_results();
       void write_fields();
       void write_summary_file(const double plate_shift);
+      /** The numbers of the wave's shape with their error bars, from the last two passes. */
+      void estimate_shape();
       void add_wave_quantities(Summary &summary, const double seconds) const;
 
       const Parameters &parameters;
@@ -134,12 +137,12 @@ namespace ringmotor
                             body.search().worst_relative_error()});
           });
       for (const double tolerance : {1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5})
-        if (const StudyRow *row = cheapest(rows, tolerance))
-          log.line("cheapest for " + scientific(tolerance) + ": degree " +
-                   std::to_string(row->degree) + ", refinement " + std::to_string(row->refinement) +
-                   ", " + text(row->seconds, 2) + " s");
-        else
-          log.line("no setting of the study reaches " + scientific(tolerance));
+        log.line(describe_cheapest(rows, tolerance,
+                                   [](const StudyRow &row)
+                                   {
+                                     return "degree " + std::to_string(row.degree) +
+                                            ", refinement " + std::to_string(row.refinement);
+                                   }));
       if (speaks)
       {
         write_used_prm(folder + "study.prm", "stator", parameters);
@@ -230,6 +233,8 @@ namespace ringmotor
         throw ComputationError(
             "the motor's wave was recognised on the last mesh only, so that nothing tells the "
             "error of its shape; choose a smaller Accuracy/Target or a finer mesh");
+      if (wave)
+        estimate_shape();
       if (wave)
         log.line("motor's wave: A_t/A_n = " + text(shape_samples.back().quantities[0].value, 4) +
                  " at the outer edge of the tooth top" +
@@ -361,23 +366,27 @@ namespace ringmotor
       write_summary(folder + "summary.json", summary);
     }
 
-    void StatorProgram::add_wave_quantities(Summary &summary, const double seconds) const
+    void StatorProgram::estimate_shape()
     {
       const ShapeSample &last = shape_samples.back(), &earlier = *(shape_samples.end() - 2);
       for (unsigned int i = 0; i < last.quantities.size(); ++i)
-      {
-        const Quantity &quantity = last.quantities[i];
-        const Estimate estimate  = shape_estimate(
-             quantity.value, earlier.quantities[i].value, last.frequency, earlier.frequency,
-             wave->found.frequency.error / wave->found.frequency.value);
-        summary.quantities.push_back({quantity.name,
-                                      estimate.value,
-                                      quantity.unit,
-                                      estimate.error,
-                                      {{"body mesh", estimate.error}},
+        wave->shape.push_back(
+            {last.quantities[i].name, last.quantities[i].unit,
+             shape_estimate(last.quantities[i].value, earlier.quantities[i].value, last.frequency,
+                            earlier.frequency,
+                            wave->found.frequency.error / wave->found.frequency.value)});
+    }
+
+    void StatorProgram::add_wave_quantities(Summary &summary, const double seconds) const
+    {
+      for (const WaveResult::ShapeNumber &number : wave->shape)
+        summary.quantities.push_back({number.name,
+                                      number.estimate.value,
+                                      number.unit,
+                                      number.estimate.error,
+                                      {{"body mesh", number.estimate.error}},
                                       seconds,
                                       {}});
-      }
       const double gap_error = 2. * body.search().worst_relative_error();
       for (const auto &[name, gap] : {std::make_pair("gap_above", wave->gap_above),
                                       std::make_pair("gap_below", wave->gap_below)})

@@ -101,15 +101,14 @@ namespace ringmotor
     for (const CurvePoint &point : points)
     {
       const OperatingPoint &result = point.result;
-      table.add_row(
-          {point.request.control == Control::torque ? "torque" : "speed", result.speed / rpm,
-           (point.mesh_error.speed + point.time_error.speed) / rpm, result.torque / milli,
-           (point.mesh_error.torque + point.time_error.torque) / milli,
-           result.friction_loss() / milli, (point.mesh_error.loss + point.time_error.loss) / milli,
-           result.output_power() / milli, result.teeth_in_contact, result.stick_fraction,
-           point.n_iterations, point.seconds, point.largest_violation,
-           result.tangential_loss / milli, result.radial_loss / milli, result.input_power / milli,
-           result.power_imbalance()});
+      const PointError error       = point.errors.total();
+      table.add_row({point.request.control == Control::torque ? "torque" : "speed",
+                     result.speed / rpm, error.speed / rpm, result.torque / milli,
+                     error.torque / milli, result.friction_loss() / milli, error.loss / milli,
+                     result.output_power() / milli, result.teeth_in_contact, result.stick_fraction,
+                     point.n_iterations, point.seconds, point.largest_violation,
+                     result.tangential_loss / milli, result.radial_loss / milli,
+                     result.input_power / milli, result.power_imbalance()});
     }
     table.write(path);
   }

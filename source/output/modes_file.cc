@@ -123,6 +123,12 @@ namespace ringmotor
     if (parameters.wave.frequency)
       check_same(path, "Wave/Frequency", wave.angular_frequency / (2. * numbers::PI),
                  *parameters.wave.frequency);
+    const auto relative_error = [&](const std::string &group, const std::string &value,
+                                    const std::string &error)
+    { return file.attribute<double>(group, error) / file.attribute<double>(group, value); };
+    wave.relative_error =
+        relative_error("/wave", "natural_frequency_Hz", "natural_frequency_error_Hz") +
+        relative_error("/wave/shape", "A_t/A_n", "A_t/A_n error");
     const auto foot = std::make_shared<TraceInterpolation>(file, "/wave/tooth_foot");
     const auto top  = std::make_shared<TraceInterpolation>(file, "/wave/tooth_top");
     wave.foot       = [foot](const Point<3> &x) { return (*foot)(x); };

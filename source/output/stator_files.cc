@@ -67,11 +67,11 @@ namespace ringmotor
       file.set_attribute(group, "natural_frequency_error_Hz", wave.found.frequency.error);
       file.set_attribute(group, "angular_frequency_rad_per_s", wave.angular_frequency);
       file.set_attribute(group, "amplitude_m", wave.amplitude);
-      file.set_attribute(group, "modal_mass_kg", wave.modal_mass);
-      file.set_attribute(group, "strain_energy_base_J", wave.energy.strain.at(ids::base));
-      file.set_attribute(group, "strain_energy_tooth_J", wave.energy.strain.at(ids::tooth));
-      file.set_attribute(group, "strain_energy_piezoceramic_J",
-                         wave.energy.strain.at(ids::piezoceramic));
+      for (const WaveResult::ShapeNumber &number : wave.shape)
+      {
+        file.set_attribute(group + "/shape", number.name, number.estimate.value);
+        file.set_attribute(group + "/shape", number.name + " error", number.estimate.error);
+      }
       file.set_attribute(
           group, "convention",
           std::string(
@@ -175,14 +175,5 @@ namespace ringmotor
                      std::abs(row.frequency.value / best->frequency.value - 1.),
                      row.largest_error});
     table.write(path);
-  }
-
-  const StudyRow *cheapest(const std::vector<StudyRow> &rows, const double tolerance)
-  {
-    const StudyRow *found = nullptr;
-    for (const StudyRow &row : rows)
-      if (row.largest_error <= tolerance && (found == nullptr || row.seconds < found->seconds))
-        found = &row;
-    return found;
   }
 } // namespace ringmotor

@@ -54,12 +54,36 @@ namespace ringmotor
     }
   } // namespace
 
+  PointError PointErrors::total() const
+  {
+    PointError sum;
+    for (const PointError &part : {mesh, time, wave, algebra})
+      sum += part;
+    return sum;
+  }
+
   bool is_marched(const Parameters &parameters)
   {
     if (parameters.time.scheme != TimeScheme::automatic)
       return parameters.time.scheme == TimeScheme::marching;
     return parameters.initial_deformation.amplitude > 0. &&
            parameters.effects.initial_deformation != EffectChoice::off;
+  }
+
+  Parameters with_parts_of_a_step(const Parameters &parameters, const unsigned int n_parts)
+  {
+    Parameters divided = parameters;
+    Time &time         = divided.time;
+    if (!is_marched(parameters))
+    {
+      time.n_snapshots = n_parts;
+      return divided;
+    }
+    time.time_step /= n_parts;
+    time.n_steps *= n_parts;
+    time.average_from_step = n_parts * (time.average_from_step - 1) + 1;
+    time.average_to_step *= n_parts;
+    return divided;
   }
 
   Friction effective_friction(const Parameters &parameters)
@@ -71,10 +95,9 @@ namespace ringmotor
   }
 
   OperatingPointFinder::OperatingPointFinder(const Parameters &parameters,
-                                             const CondensedMotor &motor,
-                                             const unsigned int n_moments)
+                                             const CondensedMotor &motor)
       : parameters(parameters), motor(motor), friction(effective_friction(parameters)),
-        steady(motor, friction, parameters.loading.preload, n_moments)
+        steady(motor, friction, parameters.loading.preload, parameters.time.n_snapshots)
   {
   }
 
@@ -136,14 +159,13 @@ namespace ringmotor
   }
 
   std::vector<CurvePoint> find_points(const Parameters &parameters, const CondensedMotor &motor,
-                                      const unsigned int n_moments,
                                       const std::vector<PointRequest> &requests,
                                       MPI_Comm communicator,
                                       const std::function<void(const CurvePoint &)> &after_point)
   {
     const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator),
                        n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-    OperatingPointFinder finder(parameters, motor, n_moments);
+    OperatingPointFinder finder(parameters, motor);
     std::vector<CurvePoint> mine;
     for (unsigned int i = rank; i < requests.size(); i += n_ranks)
     {

@@ -33,7 +33,8 @@ namespace
     }
     CurvePoint at_torque(const double torque, const unsigned int n_moments = 1) const
     {
-      return OperatingPointFinder(parameters, motor, n_moments).find({Control::torque, torque});
+      return OperatingPointFinder(with_parts_of_a_step(parameters, n_moments), motor)
+          .find({Control::torque, torque});
     }
 
     static Parameters parameters;
@@ -53,7 +54,7 @@ namespace
 
 TEST_F(ReferenceMotor, TurnsAsFastAsAnIndependentModel)
 {
-  OperatingPointFinder finder(parameters, motor, 1);
+  OperatingPointFinder finder(parameters, motor);
   for (const auto &[torque, speed] : {std::make_pair(0., 85.3), std::make_pair(0.05, 82.7),
                                       std::make_pair(0.1, 79.0), std::make_pair(0.15, 73.4)})
   {
@@ -68,7 +69,7 @@ TEST_F(ReferenceMotor, TurnsAsFastAsAnIndependentModel)
 
 TEST_F(ReferenceMotor, StallsWhereAllFrictionPointsOneWay)
 {
-  const CurvePoint point = OperatingPointFinder(parameters, motor, 1).find({Control::speed, 0.});
+  const CurvePoint point = OperatingPointFinder(parameters, motor).find({Control::speed, 0.});
   // The contact lies along the outer line; radial sliding takes a small share of the friction.
   EXPECT_NEAR(point.result.torque, 0.40 * 14. * 34.2e-3, 0.002 * 0.40 * 14. * 34.2e-3);
   EXPECT_LT(point.result.stick_fraction, 1e-6);
@@ -79,8 +80,9 @@ TEST_F(ReferenceMotor, SpeedAndTorqueControlAreTwoWaysToOnePoint)
   for (const unsigned int n_moments : {1u, 3u})
   {
     const CurvePoint loaded = at_torque(0.08, n_moments);
-    const CurvePoint driven = OperatingPointFinder(parameters, motor, n_moments)
-                                  .find({Control::speed, loaded.result.speed});
+    const CurvePoint driven =
+        OperatingPointFinder(with_parts_of_a_step(parameters, n_moments), motor)
+            .find({Control::speed, loaded.result.speed});
     EXPECT_NEAR(driven.result.torque, 0.08, 1e-8);
   }
 }
@@ -149,7 +151,7 @@ TEST_F(ReferenceMotor, BalancesItsPower)
       condense_motor(parameters, stator_wave(parameters), ContactDiscretisation::level(0));
   std::vector<double> imbalance;
   for (const unsigned int n_moments : {3u, 6u})
-    imbalance.push_back(OperatingPointFinder(parameters, coarse, n_moments)
+    imbalance.push_back(OperatingPointFinder(with_parts_of_a_step(parameters, n_moments), coarse)
                             .find({Control::torque, 0.})
                             .result.power_imbalance());
   EXPECT_LT(imbalance[1], 1e-3);
@@ -172,7 +174,7 @@ TEST_F(ReferenceMotor, IsSteadyAfterFiveOfThePapersSteps)
     torque.push_back(state.contact->torque(state.solution.state));
   }
   const double steady =
-      OperatingPointFinder(parameters, motor, 1).find({Control::speed, 60. * rpm}).result.torque;
+      OperatingPointFinder(parameters, motor).find({Control::speed, 60. * rpm}).result.torque;
   EXPECT_LT(torque[0], 0.95 * steady);
   for (unsigned int step = 5; step < 15; ++step)
     EXPECT_NEAR(torque[step], steady, 0.01 * steady) << step;
@@ -196,7 +198,7 @@ TEST_F(ReferenceMotor, IsSlowerWhenWarped)
 {
   Parameters warped                    = parameters;
   warped.initial_deformation.amplitude = 4e-6;
-  const CurvePoint slow = OperatingPointFinder(warped, motor, 1).find({Control::torque, 0.05});
+  const CurvePoint slow = OperatingPointFinder(warped, motor).find({Control::torque, 0.05});
   const double even     = at_torque(0.05).result.speed;
   RecordProperty("warped_speed_rpm", std::to_string(slow.result.speed / rpm));
   EXPECT_LT(slow.result.speed, even - 3. * rpm);
@@ -208,12 +210,12 @@ TEST_F(ReferenceMotor, FeelsItsFrictionAndItsStiffness)
   // A test that could not fail would hold for another motor too.
   Parameters smoother                   = parameters;
   smoother.friction.dynamic_coefficient = 0.30;
-  EXPECT_LT(OperatingPointFinder(smoother, motor, 1).find({Control::torque, 0.1}).result.speed,
+  EXPECT_LT(OperatingPointFinder(smoother, motor).find({Control::torque, 0.1}).result.speed,
             at_torque(0.1).result.speed - 1. * rpm);
   Parameters softer = parameters;
   softer.materials.rotor_metal.young_modulus *= 0.5;
   const CondensedMotor soft =
       condense_motor(softer, stator_wave(softer), ContactDiscretisation::level(1));
-  const CurvePoint point = OperatingPointFinder(softer, soft, 1).find({Control::torque, 0.1});
+  const CurvePoint point = OperatingPointFinder(softer, soft).find({Control::torque, 0.1});
   EXPECT_LT(point.result.speed, at_torque(0.1).result.speed - 0.5 * rpm);
 }

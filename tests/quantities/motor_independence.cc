@@ -29,7 +29,7 @@ namespace
   double speed_of(const Parameters &parameters, const CondensedMotor &motor, const double torque,
                   const unsigned int n_moments = 1)
   {
-    return OperatingPointFinder(parameters, motor, n_moments)
+    return OperatingPointFinder(with_parts_of_a_step(parameters, n_moments), motor)
         .find({Control::torque, torque})
         .result.speed;
   }
@@ -157,7 +157,7 @@ TEST(MotorIndependenceRanks, SameResultsOnTwo)
   const CondensedMotor motor        = condense_motor(parameters, stator_wave(parameters), coarse());
   const std::vector<PointRequest> requests = requested_points(parameters.loading, 0.19);
   const auto curve_on                      = [&](MPI_Comm communicator)
-  { return find_points(parameters, motor, 1, requests, communicator, [](const CurvePoint &) {}); };
+  { return find_points(parameters, motor, requests, communicator, [](const CurvePoint &) {}); };
   const std::vector<CurvePoint> one = curve_on(MPI_COMM_SELF), two = curve_on(MPI_COMM_WORLD);
   ASSERT_EQ(one.size(), 5u);
   ASSERT_EQ(two.size(), 5u);

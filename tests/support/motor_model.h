@@ -34,6 +34,7 @@ namespace ringmotor::tests
     wave.angular_frequency = 2. * M_PI * wave.found.frequency.value;
     normalise_to_amplitude(wave.found.mode, tooth_points(search.sector()), wave.amplitude);
     wave.energy = wave_energy(search.sector(), wave.found.mode);
+    wave.shape  = {{"A_t/A_n", "1", {0.84, 1e-4}}};
     const Scratch scratch;
     const std::string path = scratch.path("modes.h5");
     write_modes_h5(path, parameters, search.sector(), search.modes(), &wave);

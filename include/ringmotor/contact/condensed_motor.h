@@ -22,6 +22,7 @@ namespace ringmotor
   {
     unsigned int n_waves     = 0;
     double angular_frequency = 0.; ///< rad/s
+    double relative_error    = 0.; ///< of the speed of its surface
     WaveMotion foot;               ///< between base and tooth
     WaveMotion top;                ///< of the tooth's top
   };

@@ -31,9 +31,17 @@ namespace ringmotor
     double gap_below  = 0.; ///< relative distance of the next slower mode of the same nodal
                             ///< diameter; 0: none computed
     double gap_above = 0.;  ///< the same for the next faster one
+
+    /** A number that the wave's shape gives. */
+    struct ShapeNumber
+    {
+      std::string name, unit;
+      Estimate estimate;
+    };
+    std::vector<ShapeNumber> shape;
   };
 
-  constexpr unsigned int modes_format_version = 2;
+  constexpr unsigned int modes_format_version = 3;
 
   /** `frequencies.csv`: all modes with their error bars and their content. */
   void write_frequencies(const std::string &path, const std::vector<FoundMode> &modes);
@@ -72,8 +80,4 @@ namespace ringmotor
    * the smallest error bar.
    */
   void write_study(const std::string &path, const std::vector<StudyRow> &rows);
-
-  /** The row of least seconds whose error bars are all below @p tolerance (relative); null if there
-   * is none. */
-  const StudyRow *cheapest(const std::vector<StudyRow> &rows, const double tolerance);
 } // namespace ringmotor

@@ -37,10 +37,18 @@ namespace ringmotor
     double value; ///< N m or rad/s
   };
 
-  /** Parts of the error bars of an operating point. */
+  /** Errors of an operating point; what is prescribed has none. */
   struct PointError
   {
     double speed = 0., torque = 0., loss = 0.; ///< rad/s, N m, W
+
+    PointError &operator+=(const PointError &other)
+    {
+      speed += other.speed;
+      torque += other.torque;
+      loss += other.loss;
+      return *this;
+    }
 
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
@@ -49,12 +57,30 @@ namespace ringmotor
     }
   };
 
+  /** The error bars of an operating point by their causes. */
+  struct PointErrors
+  {
+    PointError mesh;    ///< meshes of bodies and interface
+    PointError time;    ///< time step
+    PointError wave;    ///< the stator's wave, as the program `stator` knows it
+    PointError algebra; ///< what the solver leaves of the laws of contact and friction
+
+    /** The sum of all. */
+    PointError total() const;
+
+    template <class Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      archive &mesh &time &wave &algebra;
+    }
+  };
+
   /** An operating point and what it took to find it. */
   struct CurvePoint
   {
     PointRequest request{};
     OperatingPoint result;
-    PointError mesh_error, time_error; ///< by meshes of bodies and interface, by the time step
+    PointErrors errors;
     double largest_violation  = 0.; ///< of the laws of contact and friction, see ContactCertificate
     unsigned int n_iterations = 0;
     double seconds            = 0.;
@@ -64,7 +90,7 @@ namespace ringmotor
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &request.control &request.value &result &mesh_error &time_error;
+      archive &request.control &request.value &result &errors;
       archive &largest_violation &n_iterations &seconds &remark &fields;
     }
   };
@@ -74,9 +100,8 @@ namespace ringmotor
   class OperatingPointFinder
   {
   public:
-    /** @param n_moments of the steady state. Both references must outlive this object. */
-    OperatingPointFinder(const Parameters &parameters, const CondensedMotor &motor,
-                         const unsigned int n_moments);
+    /** Both references must outlive this object. */
+    OperatingPointFinder(const Parameters &parameters, const CondensedMotor &motor);
 
     /** @throws ComputationError if none is found */
     CurvePoint find(const PointRequest &request);
@@ -94,6 +119,10 @@ namespace ringmotor
   /** Whether a motor has to be marched through time: it says so, or its ring is not uniform. */
   bool is_marched(const Parameters &parameters);
 
+  /** The parameters with a step of a part of its length: of the steady state, with so many moments;
+   * when marching, with Time/Time step divided by so much. */
+  Parameters with_parts_of_a_step(const Parameters &parameters, const unsigned int n_parts);
+
   /** The friction law with the effects that are switched off left out. */
   Friction effective_friction(const Parameters &parameters);
 
@@ -107,7 +136,6 @@ namespace ringmotor
    * @p after_point is called on the rank that has found a point.
    */
   std::vector<CurvePoint> find_points(const Parameters &parameters, const CondensedMotor &motor,
-                                      const unsigned int n_moments,
                                       const std::vector<PointRequest> &requests,
                                       MPI_Comm communicator,
                                       const std::function<void(const CurvePoint &)> &after_point);

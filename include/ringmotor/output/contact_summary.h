@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/output/summary.h>
+#include <ringmotor/quantities/curve_search.h>
+
+#include <string>
+#include <vector>
+
+namespace ringmotor
+{
+  /** `50.00 mN m: 82.45 +- 0.52 rpm, friction loss ...` */
+  std::string describe(const CurvePoint &point);
+
+  /** Adds the quantities of operating points and the certificates of their solutions.
+   * @param target relative error up to which the power balance has to close */
+  void add_points(Summary &summary, const std::vector<CurvePoint> &points, const double target);
+
+  /** `study.csv` of the program `contact`: settings, what they cost and how accurate they are. */
+  void write_contact_study(const std::string &path, const std::vector<CurveSearch::Rung> &rungs);
+} // namespace ringmotor
