@@ -151,7 +151,7 @@ namespace ringmotor
       {
         return PointError{of_torque ? relative * std::abs(result.speed) : 0.,
                           of_torque ? 0. : relative * std::abs(result.torque),
-                          relative * result.friction_loss()};
+                          relative * result.friction_loss(), relative * points[i].rotor_power};
       };
       points[i].errors = {by_mesh[i], by_time[i], share(wave_error),
                           share(points[i].largest_violation)};

@@ -40,16 +40,31 @@ namespace ringmotor
         point.remark = solution.how;
     }
 
+    /** Adds what the rotor stores. The fields must be there. */
+    void add_rotor_energy(CurvePoint &point, const CondensedMotor &motor,
+                          const unsigned int warp_waves, const unsigned int first_moment)
+    {
+      point.rotor_energies =
+          rotor_energies(point.fields, {motor.n_waves, motor.n_teeth, warp_waves}, first_moment);
+      point.rotor_power = power_per_loss_factor(point.rotor_energies, motor.angular_frequency);
+    }
+
+    bool is_warped(const Parameters &parameters)
+    {
+      return parameters.initial_deformation.amplitude > 0. &&
+             parameters.effects.initial_deformation != EffectChoice::off;
+    }
+
     std::vector<double> warp(const Parameters &parameters)
     {
       std::vector<double> heights;
       const InitialDeformation &deformation = parameters.initial_deformation;
-      const bool is_on = parameters.effects.initial_deformation != EffectChoice::off;
       for (unsigned int tooth = 0; tooth < parameters.motor.n_teeth; ++tooth)
-        heights.push_back(is_on ? deformation.amplitude *
-                                      std::cos(2. * numbers::PI * tooth * deformation.n_waves /
-                                               parameters.motor.n_teeth)
-                                : 0.);
+        heights.push_back(is_warped(parameters)
+                              ? deformation.amplitude *
+                                    std::cos(2. * numbers::PI * tooth * deformation.n_waves /
+                                             parameters.motor.n_teeth)
+                              : 0.);
       return heights;
     }
   } // namespace
@@ -66,8 +81,7 @@ namespace ringmotor
   {
     if (parameters.time.scheme != TimeScheme::automatic)
       return parameters.time.scheme == TimeScheme::marching;
-    return parameters.initial_deformation.amplitude > 0. &&
-           parameters.effects.initial_deformation != EffectChoice::off;
+    return is_warped(parameters);
   }
 
   Parameters with_parts_of_a_step(const Parameters &parameters, const unsigned int n_parts)
@@ -119,6 +133,7 @@ namespace ringmotor
     point.result = evaluate(state);
     add_certificate(point, state.solution);
     append_fields(point.fields, state, 0.);
+    add_rotor_energy(point, motor, 0, 0);
     return point;
   }
 
@@ -142,6 +157,9 @@ namespace ringmotor
       before = std::move(state);
     }
     point.result = mean(averaged);
+    add_rotor_energy(point, motor,
+                     is_warped(parameters) ? parameters.initial_deformation.n_waves : 0,
+                     time.average_from_step - 1);
     return point;
   }
 
@@ -179,6 +197,27 @@ namespace ringmotor
     return points;
   }
 
+  namespace
+  {
+    PointError change(const CurvePoint &from, const CurvePoint &to)
+    {
+      const bool of_torque    = to.request.control == Control::torque;
+      const OperatingPoint &a = from.result, &b = to.result;
+      return PointError{of_torque ? std::abs(a.speed - b.speed) : 0.,
+                        of_torque ? 0. : std::abs(a.torque - b.torque),
+                        std::abs(a.friction_loss() - b.friction_loss()),
+                        std::abs(from.rotor_power - to.rotor_power)};
+    }
+
+    /** What a change of a point is measured by; zero for what is prescribed. */
+    PointError measure(const CurvePoint &point)
+    {
+      const bool of_torque = point.request.control == Control::torque;
+      return {of_torque ? 1. : 0., of_torque ? 0. : 1., point.result.friction_loss(),
+              point.rotor_power};
+    }
+  } // namespace
+
   std::vector<PointError> errors_by_change(const std::vector<CurvePoint> &from,
                                            const std::vector<CurvePoint> &to, const double factor)
   {
@@ -186,41 +225,27 @@ namespace ringmotor
     double largest_torque      = 0.;
     for (const CurvePoint &point : to)
       largest_torque = std::max(largest_torque, std::abs(point.result.torque));
-    const auto change = [&](const unsigned int i)
-    {
-      const bool of_torque    = to[i].request.control == Control::torque;
-      const OperatingPoint &a = from[i].result, &b = to[i].result;
-      return PointError{of_torque ? std::abs(a.speed - b.speed) : 0.,
-                        of_torque ? 0. : std::abs(a.torque - b.torque),
-                        std::abs(a.friction_loss() - b.friction_loss())};
-    };
-    double speed = 0., torque = 0., loss = 0.; // mean squares; of the loss relative
-    unsigned int n_speeds = 0, n_torques = 0;
-    for (unsigned int i = 0; i < to.size(); ++i)
-    {
-      const PointError found = change(i);
-      loss += std::pow(found.loss / to[i].result.friction_loss(), 2) / to.size();
-      if (to[i].request.control == Control::speed)
-      {
-        torque += found.torque * found.torque;
-        ++n_torques;
-      }
-      else if (to.size() == 1 || std::abs(to[i].result.torque) < flat_part * largest_torque)
-      {
-        speed += found.speed * found.speed;
-        ++n_speeds;
-      }
-    }
     std::vector<PointError> errors;
     for (unsigned int i = 0; i < to.size(); ++i)
+      errors.push_back(change(from[i], to[i]));
+    for (double PointError::*part :
+         {&PointError::speed, &PointError::torque, &PointError::loss, &PointError::rotor_power})
     {
-      PointError error = change(i);
-      if (to[i].request.control == Control::torque)
-        error.speed = factor * std::max(error.speed, std::sqrt(speed / std::max(1u, n_speeds)));
-      else
-        error.torque = factor * std::max(error.torque, std::sqrt(torque / std::max(1u, n_torques)));
-      error.loss = factor * std::max(error.loss, std::sqrt(loss) * to[i].result.friction_loss());
-      errors.push_back(error);
+      double squares = 0.;
+      unsigned int n = 0;
+      for (unsigned int i = 0; i < to.size(); ++i)
+      {
+        const bool is_flat = part == &PointError::speed && to.size() > 1 &&
+                             std::abs(to[i].result.torque) >= flat_part * largest_torque;
+        if (const double unit = measure(to[i]).*part; unit > 0. && !is_flat)
+        {
+          squares += std::pow(errors[i].*part / unit, 2);
+          ++n;
+        }
+      }
+      const double typical = n > 0 ? std::sqrt(squares / n) : 0.;
+      for (unsigned int i = 0; i < to.size(); ++i)
+        errors[i].*part = factor * std::max(errors[i].*part, typical * measure(to[i]).*part);
     }
     return errors;
   }

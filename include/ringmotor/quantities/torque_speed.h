@@ -2,7 +2,9 @@
 #pragma once
 
 #include <ringmotor/contact/marching.h>
+#include <ringmotor/quantities/contact_fields.h>
 #include <ringmotor/quantities/operating_point.h>
+#include <ringmotor/quantities/rotor_energy.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -12,24 +14,6 @@
 
 namespace ringmotor
 {
-  /** Everything at the contact points at some moments; by moment, tooth, node. */
-  struct ContactFields
-  {
-    std::vector<double> times;             ///< s
-    unsigned int n_teeth = 0;              ///< those of one repetition in the steady state
-    double time_step     = 0.;             ///< s
-    std::vector<PointVector> force;        ///< N, on the rotor
-    std::vector<PointVector> motion;       ///< m, gap and slip in the step
-    std::vector<PointVector> tooth, rotor; ///< m, displacements; the rotor's without its turn
-    std::vector<unsigned char> status;     ///< see PointStatus
-
-    template <class Archive>
-    void serialize(Archive &archive, const unsigned int)
-    {
-      archive &times &n_teeth &time_step &force &motion &tooth &rotor &status;
-    }
-  };
-
   /** An operating point that is asked for. */
   struct PointRequest
   {
@@ -41,19 +25,21 @@ namespace ringmotor
   struct PointError
   {
     double speed = 0., torque = 0., loss = 0.; ///< rad/s, N m, W
+    double rotor_power = 0.;                   ///< W, see power_per_loss_factor()
 
     PointError &operator+=(const PointError &other)
     {
       speed += other.speed;
       torque += other.torque;
       loss += other.loss;
+      rotor_power += other.rotor_power;
       return *this;
     }
 
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &speed &torque &loss;
+      archive &speed &torque &loss &rotor_power;
     }
   };
 
@@ -80,6 +66,8 @@ namespace ringmotor
   {
     PointRequest request{};
     OperatingPoint result;
+    std::vector<double> rotor_energies; ///< J, see rotor_energies()
+    double rotor_power = 0.;            ///< W, see power_per_loss_factor()
     PointErrors errors;
     double largest_violation  = 0.; ///< of the laws of contact and friction, see ContactCertificate
     unsigned int n_iterations = 0;
@@ -90,7 +78,7 @@ namespace ringmotor
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &request.control &request.value &result &errors;
+      archive &request.control &request.value &result &errors &rotor_energies &rotor_power;
       archive &largest_violation &n_iterations &seconds &remark &fields;
     }
   };

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/contact/contact_problem.h>
+
+#include <vector>
+
+namespace ringmotor
+{
+  /** Everything at the contact points at some moments; by moment, tooth, node. */
+  struct ContactFields
+  {
+    std::vector<double> times;             ///< s
+    unsigned int n_teeth = 0;              ///< those of one repetition in the steady state
+    double time_step     = 0.;             ///< s
+    std::vector<PointVector> force;        ///< N, on the rotor
+    std::vector<PointVector> motion;       ///< m, gap and slip in the step
+    std::vector<PointVector> tooth, rotor; ///< m, displacements; the rotor's without its turn
+    std::vector<unsigned char> status;     ///< see PointStatus
+
+    template <class Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      archive &times &n_teeth &time_step &force &motion &tooth &rotor &status;
+    }
+  };
+} // namespace ringmotor

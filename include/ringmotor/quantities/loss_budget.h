@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/parameters/parameters.h>
+#include <ringmotor/quantities/frequency_error.h>
+#include <ringmotor/quantities/torque_speed.h>
+
+namespace ringmotor
+{
+  /** Strain energies (J) of the whole ring in the stator's travelling wave, constant in time. */
+  struct WaveEnergies
+  {
+    double angular_frequency = 0.; ///< rad/s
+    Estimate metal, piezoceramic;
+    Estimate felt; ///< of the felt under the ring, which follows the stator's lower side
+  };
+
+  /**
+   * Strain energy (J) of a felt ring that carries the stator on a foundation of the stiffness felt
+   * modulus / felt thickness per area and follows its lower side: the mean over a period of one
+   * half of stiffness times normal displacement squared. Only where the felt lies under the stator.
+   */
+  double felt_energy(const Support &felt, const StatorGeometry &stator, const unsigned int n_teeth,
+                     const WaveMotion &lower_side);
+
+  /**
+   * Where the energy of an operating point goes, in W. Hysteretic damping: what stores the strain
+   * energy E in a travelling wave of angular frequency omega loses 2 eta omega E, eta the loss
+   * factor. The stator's share is that of its wave; what contact forces change in the stator is
+   * left out, as the paper does.
+   */
+  struct LossBudget
+  {
+    Estimate output;                     ///< torque times speed
+    Estimate friction;                   ///< eq. (7) of the paper
+    Estimate stator_metal, piezoceramic; ///< inside the stator
+    Estimate rotor;                      ///< inside the rotor
+    Estimate support;                    ///< inside the felt
+
+    Estimate stator() const; ///< metal and piezoceramic
+    Estimate total() const;  ///< all but the output
+    /** Output over output and total loss; 0 for a motor that is driven from outside. */
+    Estimate efficiency() const;
+  };
+
+  LossBudget loss_budget(const CurvePoint &point, const WaveEnergies &wave,
+                         const Materials &materials, const Support &felt);
+} // namespace ringmotor

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/quantities/loss_budget.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ringmotor
+{
+  using namespace dealii;
+
+  namespace
+  {
+    Estimate sum(const std::initializer_list<Estimate> &parts)
+    {
+      Estimate sum{0., 0.};
+      for (const Estimate &part : parts)
+      {
+        sum.value += part.value;
+        sum.error += part.error;
+      }
+      return sum;
+    }
+
+    Estimate scaled(const double factor, const Estimate &estimate)
+    {
+      return {factor * estimate.value, std::abs(factor) * estimate.error};
+    }
+  } // namespace
+
+  double felt_energy(const Support &felt, const StatorGeometry &stator, const unsigned int n_teeth,
+                     const WaveMotion &lower_side)
+  {
+    const double inner = std::max(felt.felt_inner_radius, stator.base_inner_radius),
+                 outer = std::min(felt.felt_outer_radius, stator.base_outer_radius);
+    if (inner >= outer)
+      return 0.;
+    // The wave is a polynomial on each face of the mesh, smooth enough from face to face.
+    const QIterated<1> points(QGauss<1>(3), 12);
+    const double pitch = 2. * numbers::PI / n_teeth;
+    double square      = 0.; // integral of |U_z|^2 over one sector
+    for (unsigned int i = 0; i < points.size(); ++i)
+      for (unsigned int j = 0; j < points.size(); ++j)
+      {
+        const double r     = inner + (outer - inner) * points.point(i)[0];
+        const double theta = pitch * (points.point(j)[0] - 0.5);
+        const auto u       = lower_side(Point<3>(r * std::cos(theta), r * std::sin(theta), 0.));
+        square +=
+            points.weight(i) * points.weight(j) * (outer - inner) * pitch * r * std::norm(u[2]);
+      }
+    // The mean of Re(U exp(i omega t))^2 is |U|^2 / 2.
+    return 0.25 * n_teeth * square * felt.felt_modulus / felt.felt_thickness;
+  }
+
+  Estimate LossBudget::stator() const
+  {
+    return sum({stator_metal, piezoceramic});
+  }
+
+  Estimate LossBudget::total() const
+  {
+    return sum({friction, stator_metal, piezoceramic, rotor, support});
+  }
+
+  Estimate LossBudget::efficiency() const
+  {
+    const Estimate loss = total();
+    const double input  = output.value + loss.value;
+    if (output.value <= 0.)
+      return {0., output.error / loss.value};
+    return {output.value / input,
+            (loss.value * output.error + output.value * loss.error) / (input * input)};
+  }
+
+  LossBudget loss_budget(const CurvePoint &point, const WaveEnergies &wave,
+                         const Materials &materials, const Support &felt)
+  {
+    const OperatingPoint &result = point.result;
+    const PointError error       = point.errors.total();
+    const double twice_omega     = 2. * wave.angular_frequency;
+    LossBudget budget;
+    budget.output       = {result.output_power(),
+                           std::abs(result.torque) * error.speed + std::abs(result.speed) * error.torque};
+    budget.friction     = {result.friction_loss(), error.loss};
+    budget.stator_metal = scaled(twice_omega * materials.stator_metal.loss_factor, wave.metal);
+    budget.piezoceramic =
+        scaled(twice_omega * materials.piezoceramic.loss_factor, wave.piezoceramic);
+    budget.rotor =
+        scaled(materials.rotor_metal.loss_factor, {point.rotor_power, error.rotor_power});
+    budget.support = scaled(twice_omega * felt.felt_loss_factor, wave.felt);
+    return budget;
+  }
+} // namespace ringmotor
