@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/contact/condensed_motor.h>
-#include <ringmotor/mesh/ids.h>
-#include <ringmotor/mesh/rotor_sector.h>
-#include <ringmotor/mesh/stator_sector.h>
 #include <ringmotor/parameters/errors.h>
-#include <ringmotor/structure/surface_load.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,56 +24,18 @@ namespace ringmotor
       double inertia_indicator; ///< relative change of the tangential motion by inertia
     };
 
-    /** All degrees of freedom of the nodes on the tooth's foot. */
-    std::vector<SectorNodes::Dof> foot_dofs(const ContactSurface &foot)
-    {
-      std::vector<SectorNodes::Dof> dofs;
-      for (const SurfaceNode &node : foot.nodes)
-        for (const auto &[dof, coefficient] : node.displacement[0])
-          dofs.push_back(dof);
-      return dofs;
-    }
-
-    /** The real and the imaginary part of the wave along these degrees of freedom. */
-    std::vector<double> foot_motion(const CyclicSector &sector,
-                                    const std::vector<SectorNodes::Dof> &dofs,
-                                    const WaveMotion &wave)
-    {
-      std::vector<double> motion(2 * dofs.size());
-      for (unsigned int i = 0; i < dofs.size(); ++i)
-      {
-        const Point<3> &x          = sector.nodes().position(sector.nodes().node(dofs[i]));
-        const double r             = std::hypot(x[0], x[1]);
-        const auto u               = wave(x);
-        const Tensor<1, 3> along   = sector.nodes().direction(dofs[i]);
-        const Complex displacement = u[0] * (along[0] * x[0] + along[1] * x[1]) / r +
-                                     u[1] * (along[1] * x[0] - along[0] * x[1]) / r +
-                                     u[2] * along[2];
-        motion[i]               = displacement.real();
-        motion[dofs.size() + i] = displacement.imag();
-      }
-      return motion;
-    }
-
     CondensedTooth condense_tooth(const Parameters &parameters, const StatorWave &wave,
                                   const ContactDiscretisation &discretisation)
     {
-      const SectorMesh mesh = make_contact_tooth(
-          parameters.stator, parameters.motor.n_teeth, parameters.rotor.lip_inner_radius,
-          parameters.rotor.lip_outer_radius, discretisation.tooth, MPI_COMM_SELF);
-      const CyclicSector sector(mesh, {{ids::tooth, parameters.materials.stator_metal}},
-                                discretisation.degree);
-      const ContactSurface top                 = solid_surface(sector, ids::tooth_top);
-      const std::vector<SectorNodes::Dof> foot = foot_dofs(solid_surface(sector, ids::tooth_foot));
-      const Condensation condensation(sector, displacement_forms(top), foot, {}, 0.);
+      const ToothBody body(parameters, discretisation);
+      const Condensation condensation = body.condensed();
       CondensedTooth tooth;
-      tooth.surface = whole_surface(top, mesh.form);
+      tooth.surface = body.whole_top;
       tooth.compliance =
-          sector_compliance(condensation.compliance(0, {}), tooth.surface.origin, mesh.form);
-      tooth.n_dofs = sector.n_dofs();
-      const std::vector<double> moved =
-          condensation.follow(0, foot_motion(sector, foot, wave.foot));
-      tooth.free_motion       = sector_motion(moved, tooth.surface.origin);
+          sector_compliance(condensation.compliance(0, {}), tooth.surface.origin, body.mesh.form);
+      tooth.n_dofs = body.sector.n_dofs();
+      tooth.free_motion =
+          sector_motion(condensation.follow(0, body.foot_motion(wave.foot)), tooth.surface.origin);
       tooth.inertia_indicator = 0.;
       for (unsigned int i = 0; i < tooth.free_motion.size(); ++i)
       {
@@ -89,39 +47,6 @@ namespace ringmotor
                      std::abs(std::abs(vibrating[1]) / std::abs(tooth.free_motion[i][1]) - 1.));
       }
       return tooth;
-    }
-
-    /** The loads of the rotor as supports: preload on the ring's top, torque on its inner side. */
-    std::vector<CondensationSupport> rotor_loads(const CyclicSector &sector)
-    {
-      const Traction up     = [](const Point<3> &) { return std::array<Complex, 3>{{0., 0., 1.}}; };
-      const Traction around = [](const Point<3> &x)
-      {
-        const double r = std::hypot(x[0], x[1]);
-        const Complex i(0., 1.);
-        return std::array<Complex, 3>{{-i * x[1] / r, i * x[0] / r, 0.}};
-      };
-      std::vector<CondensationSupport> supports;
-      for (const unsigned int part : {0u, 1u})
-      {
-        const Vector<double> load =
-            sector.from_forces(part == 0 ? face_load(sector, ids::ring_top, up)
-                                         : face_load(sector, ids::ring_bore, around))[part];
-        supports.push_back({part, {}});
-        const double scale = 1. / load.l1_norm();
-        for (SectorNodes::Dof dof = 0; dof < load.size(); ++dof)
-          if (load[dof] != 0.)
-            supports.back().load.emplace_back(dof, scale * load[dof]);
-      }
-      return supports;
-    }
-
-    /** The rotor rises and turns freely, and tilts nearly so; without bars it also shifts. */
-    std::vector<unsigned int> supports_that_hold(const unsigned int k, const bool has_bars)
-    {
-      if (k > 1)
-        return {};
-      return k == 1 && has_bars ? std::vector<unsigned int>{0} : std::vector<unsigned int>{0, 1};
     }
 
     /** Makes a body stiff against tangential forces, and normal forces without tangential effect.
@@ -240,14 +165,6 @@ namespace ringmotor
     }
   } // namespace
 
-  ContactDiscretisation ContactDiscretisation::level(const unsigned int level)
-  {
-    ContactDiscretisation discretisation;
-    discretisation.tooth = {1 + level, std::max(1u, level)};
-    discretisation.lip   = {1 + level, 1 + level};
-    return discretisation;
-  }
-
   unsigned int CondensedMotor::n_repeats() const
   {
     return std::gcd(n_waves, n_teeth);
@@ -279,40 +196,30 @@ namespace ringmotor
     {
       const unsigned int n_teeth = parameters.motor.n_teeth;
       const double pitch         = 2. * numbers::PI / n_teeth;
-      const SectorMesh mesh =
-          make_rotor_sector(parameters.rotor, n_teeth, SectorForm::half, discretisation.rotor_level,
-                            MPI_COMM_SELF, discretisation.lip);
-      const Material &metal = parameters.materials.rotor_metal;
-      const CyclicSector sector(mesh, {{ids::rotor, metal}, {ids::lip_shell, metal}},
-                                discretisation.degree);
-      const ContactSurface lip  = parameters.rotor.flange_element == ElementKind::solid
-                                      ? solid_surface(sector, ids::lip)
-                                      : shell_surface(sector, ids::lip_shell);
-      const SectorSurface whole = whole_surface(lip, mesh.form);
+      const RotorBody body(parameters, discretisation);
+      const SectorSurface &whole = body.whole_lip;
 
       CondensedRotor rotor;
-      rotor.n_dofs = sector.n_dofs();
+      rotor.n_dofs = body.sector.n_dofs();
       rotor.mortar = couple(tooth_top, whole.surface, pitch, discretisation.lip_turn);
       if (rotor.mortar.nodes.empty())
         throw UserError(
             "the lip (Rotor/Lip inner radius to Lip outer radius) covers no part of the tooth tops "
             "(Stator/Tip inner radius to Tip outer radius); let them overlap");
-      const Condensation condensation(sector, displacement_forms(lip), {}, rotor_loads(sector), 0.);
-      const bool has_bars = parameters.rotor.radial_bar_stiffness > 0.;
+      const Condensation condensation = body.condensed();
       const bool gives_way_along =
           parameters.effects.rotor_tangential_compliance != EffectChoice::off;
-      rotor.compliance =
-          RingCompliance(n_teeth, rotor.mortar.nodes.size(),
-                         [&](const unsigned int k)
-                         {
-                           ComplexMatrix of_lip = sector_compliance(
-                               condensation.compliance(k, supports_that_hold(k, has_bars)),
-                               whole.origin, mesh.form);
-                           if (!gives_way_along)
-                             leave_normal_compliance(of_lip);
-                           return coupled_compliance(of_lip, rotor.mortar, k, pitch);
-                         });
-      const std::vector<unsigned int> held = supports_that_hold(1, has_bars);
+      rotor.compliance                     = RingCompliance(n_teeth, rotor.mortar.nodes.size(),
+                                                            [&](const unsigned int k)
+                                                            {
+                                          ComplexMatrix of_lip = sector_compliance(
+                                                                  condensation.compliance(k, body.held(k)),
+                                                                  whole.origin, body.mesh.form);
+                                          if (!gives_way_along)
+                                            leave_normal_compliance(of_lip);
+                                          return coupled_compliance(of_lip, rotor.mortar, k, pitch);
+                                        });
+      const std::vector<unsigned int> held = body.held(1);
       for (const unsigned int support : held)
         rotor.loose_motions.push_back(loose_motion(condensation.support_motion(1, held, support),
                                                    whole.origin, rotor.mortar, pitch, n_teeth));

@@ -28,6 +28,9 @@ namespace ringmotor
       append(fields.motion, solution.motion);
       append(fields.tooth, t);
       append(fields.rotor, r);
+      const auto rigid = solution.state.rigid.begin(); // a turn may follow
+      fields.rigid.insert(fields.rigid.end(), rigid,
+                          rigid + contact.n_times() * contact.n_rigid_motions());
       for (const PointStatus status : solution.status)
         fields.status.push_back(static_cast<unsigned char>(status));
     }
@@ -54,19 +57,6 @@ namespace ringmotor
       return parameters.initial_deformation.amplitude > 0. &&
              parameters.effects.initial_deformation != EffectChoice::off;
     }
-
-    std::vector<double> warp(const Parameters &parameters)
-    {
-      std::vector<double> heights;
-      const InitialDeformation &deformation = parameters.initial_deformation;
-      for (unsigned int tooth = 0; tooth < parameters.motor.n_teeth; ++tooth)
-        heights.push_back(is_warped(parameters)
-                              ? deformation.amplitude *
-                                    std::cos(2. * numbers::PI * tooth * deformation.n_waves /
-                                             parameters.motor.n_teeth)
-                              : 0.);
-      return heights;
-    }
   } // namespace
 
   PointError PointErrors::total() const
@@ -75,6 +65,19 @@ namespace ringmotor
     for (const PointError &part : {mesh, time, wave, algebra})
       sum += part;
     return sum;
+  }
+
+  std::vector<double> warp_heights(const Parameters &parameters)
+  {
+    std::vector<double> heights;
+    const InitialDeformation &deformation = parameters.initial_deformation;
+    for (unsigned int tooth = 0; tooth < parameters.motor.n_teeth; ++tooth)
+      heights.push_back(is_warped(parameters)
+                            ? deformation.amplitude *
+                                  std::cos(2. * numbers::PI * tooth * deformation.n_waves /
+                                           parameters.motor.n_teeth)
+                            : 0.);
+    return heights;
   }
 
   bool is_marched(const Parameters &parameters)
@@ -140,7 +143,7 @@ namespace ringmotor
   CurvePoint OperatingPointFinder::march(const PointRequest &request) const
   {
     const Time &time = parameters.time;
-    MarchingDriver driver(motor, friction, warp(parameters), parameters.loading.preload);
+    MarchingDriver driver(motor, friction, warp_heights(parameters), parameters.loading.preload);
     CurvePoint point;
     OperatingState before;
     std::vector<OperatingPoint> averaged;

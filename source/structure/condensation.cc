@@ -37,7 +37,8 @@ namespace ringmotor
     std::vector<unsigned int> place,
         cut_place; ///< of an unknown that stays, and of others, or none
     unsigned int size = 0, n_cut = 0;
-    std::vector<double> matrix; ///< by columns, both triangles
+    std::vector<double> matrix;       ///< by columns, both triangles
+    std::vector<double> cut_response; ///< by columns: minus how the cut follows those that stay
 
     /** The unknowns that stay, with coefficients, that make up a sum over one field. */
     std::vector<std::pair<unsigned int, double>>
@@ -67,7 +68,8 @@ namespace ringmotor
 
   Condensation::Condensation(const CyclicSector &sector, const std::vector<LinearForm> &interface,
                              const std::vector<SectorNodes::Dof> &driven,
-                             const std::vector<CondensationSupport> &supports, const double shift)
+                             const std::vector<CondensationSupport> &supports, const double shift,
+                             const bool with_inside)
       : sector(sector), interface(interface), driven(driven), supports(supports),
         at_interface(sector.n_dofs(), false)
   {
@@ -84,10 +86,12 @@ namespace ringmotor
       AssertThrow(!at_interface[dof] || !sector.dependent().is_constrained(dof),
                   ExcMessage("an interface must not depend on other nodes"));
     for (const unsigned int part : {0u, 1u})
-      condense(part, shift);
+      condense(part, shift, with_inside);
   }
 
-  void Condensation::condense(const unsigned int part, const double shift)
+  Condensation::~Condensation() = default;
+
+  void Condensation::condense(const unsigned int part, const double shift, const bool with_inside)
   {
     const CyclicSector::RealField &real_field = sector.field(part);
     Field &field                              = fields[part];
@@ -127,13 +131,15 @@ namespace ringmotor
         field.unknown.push_back(sector.n_unknowns() + s);
         field.kept.push_back(size++);
       }
-    SparseLDLT factors(size, sector.communicator(), field.kept);
-    factors.factorise(triplets);
-    field.matrix             = factors.schur_complement();
+    auto factors = std::make_unique<SparseLDLT>(size, sector.communicator(), field.kept);
+    factors->factorise(triplets);
+    field.matrix             = factors->schur_complement();
     const std::size_t n_rows = field.kept.size();
     for (std::size_t column = 0; column < n_rows; ++column)
       for (std::size_t row = 0; row < column; ++row)
         field.matrix[column * n_rows + row] = field.matrix[row * n_rows + column];
+    if (with_inside)
+      field.factors = std::move(factors);
   }
 
   Condensation::Reduced Condensation::layout(const unsigned int k,
@@ -226,7 +232,8 @@ namespace ringmotor
     }
     if (n_cut > 0)
     {
-      std::vector<double> solved = across;
+      std::vector<double> &solved = reduced.cut_response;
+      solved                      = across;
       DenseLDLT factors;
       factors.factorise(n_cut, std::move(cut));
       factors.solve(solved);
@@ -274,27 +281,51 @@ namespace ringmotor
     return places;
   }
 
+  std::vector<double> Condensation::solutions(const Reduced &reduced,
+                                              const std::vector<unsigned int> &held,
+                                              const std::vector<CondensationLoad> &loads) const
+  {
+    const std::size_t size                 = reduced.size;
+    const std::vector<unsigned int> places = driven_places(reduced);
+    std::vector<double> solutions(loads.size() * size, 0.);
+    for (std::size_t l = 0; l < loads.size(); ++l)
+    {
+      double *right_hand_side = solutions.data() + l * size;
+      const auto add          = [&](const std::vector<double> &values, const unsigned int part,
+                           const unsigned int i, const LinearForm &form, double *to)
+      {
+        if (!values.empty())
+          for (const auto &[place, coefficient] : reduced.in_places(part, form, fields[part]))
+            to[place] += coefficient * values[part * values.size() / 2 + i];
+      };
+      // The given motion of each driven unknown; loads on the others are those that it causes.
+      std::vector<double> given(size, 0.);
+      for (const unsigned int part : {0u, 1u})
+      {
+        for (unsigned int i = 0; i < driven.size(); ++i)
+          add(loads[l].driven, part, i, {{driven[i], 1.}}, given.data());
+        for (unsigned int i = 0; i < interface.size(); ++i)
+          add(loads[l].forces, part, i, interface[i], right_hand_side);
+      }
+      for (const unsigned int column : places)
+        for (std::size_t row = 0; row < size; ++row)
+          right_hand_side[row] -= reduced.matrix[column * size + row] * given[column];
+      for (const unsigned int place : places)
+        right_hand_side[place] = given[place];
+      for (unsigned int i = 0; i < loads[l].supports.size(); ++i)
+        right_hand_side[reduced.place[sector.n_unknowns() + held[i]]] = loads[l].supports[i];
+    }
+    DenseLDLT factors;
+    factors.factorise(size, reduced.with_held(places));
+    factors.solve(solutions);
+    return solutions;
+  }
+
   std::vector<double> Condensation::follow(const unsigned int k,
                                            const std::vector<double> &motion) const
   {
-    const Reduced reduced                  = reduce(k, {});
-    const std::vector<unsigned int> places = driven_places(reduced);
-    // The given motion of each driven unknown; loads on the others are those that it causes.
-    std::vector<double> given(reduced.size, 0.), solution(reduced.size, 0.);
-    for (const unsigned int part : {0u, 1u})
-      for (std::size_t i = 0; i < driven.size(); ++i)
-        for (const auto &entry : reduced.in_places(part, {{driven[i], 1.}}, fields[part]))
-          given[entry.first] = motion[part * driven.size() + i];
-    for (std::size_t column = 0; column < reduced.size; ++column)
-      for (std::size_t row = 0; row < reduced.size; ++row)
-        solution[row] -= reduced.matrix[column * reduced.size + row] * given[column];
-    for (const unsigned int place : places)
-      solution[place] = given[place];
-    DenseLDLT factors;
-    factors.factorise(reduced.size, reduced.with_held(places));
-    factors.solve(solution);
-
-    return interface_motion(reduced, solution);
+    const Reduced reduced = reduce(k, {});
+    return interface_motion(reduced, solutions(reduced, {}, {{{}, motion, {}}}));
   }
 
   std::vector<double> Condensation::interface_motion(const Reduced &reduced,
@@ -316,14 +347,68 @@ namespace ringmotor
                                              const std::vector<unsigned int> &held,
                                              const unsigned int support) const
   {
-    const Reduced reduced    = reduce(k, held);
-    const unsigned int place = reduced.place[sector.n_unknowns() + support];
-    DenseLDLT factors;
-    factors.factorise(reduced.size, reduced.with_held(driven_places(reduced)));
-    std::vector<double> solution(reduced.size, 0.);
-    solution[place] = 1.;
-    factors.solve(solution);
+    const Reduced reduced = reduce(k, held);
+    CondensationLoad load;
+    for (const unsigned int other : held)
+      load.supports.push_back(other == support ? 1. : 0.);
+    const std::vector<double> solution = solutions(reduced, held, {load});
     // The multiplier of the condition on the displacement is minus the load.
-    return {interface_motion(reduced, solution), -solution[place]};
+    return {interface_motion(reduced, solution),
+            -solution[reduced.place[sector.n_unknowns() + support]]};
+  }
+
+  std::vector<double> Condensation::field_solutions(const Reduced &reduced, const unsigned int part,
+                                                    const std::vector<double> &unknowns) const
+  {
+    const std::size_t n_rows = fields[part].kept.size(), n_loads = unknowns.size() / reduced.size;
+    std::vector<double> kept(n_loads * n_rows, 0.);
+    for (std::size_t l = 0; l < n_loads; ++l)
+    {
+      const double *stays = unknowns.data() + l * reduced.size;
+      std::vector<double> cut(reduced.n_cut, 0.);
+      for (std::size_t column = 0; column < reduced.size; ++column)
+        for (std::size_t i = 0; i < cut.size(); ++i)
+          cut[i] -= reduced.cut_response[column * cut.size() + i] * stays[column];
+      for (std::size_t row = 0; row < n_rows; ++row)
+        for (const Reduced::Part &entry : reduced.rows[part][row])
+          kept[l * n_rows + row] += entry.factor * (reduced.place[entry.unknown] != none
+                                                        ? stays[reduced.place[entry.unknown]]
+                                                        : cut[reduced.cut_place[entry.unknown]]);
+    }
+    SparseLDLT &factors     = *fields[part].factors;
+    const auto n_of_field   = std::count_if(supports.begin(), supports.end(),
+                                            [&](const auto &s) { return s.part == part; });
+    const std::size_t width = sector.field(part).size + n_of_field;
+    factors.condense(std::vector<double>(n_loads * width, 0.));
+    return factors.expand(std::move(kept));
+  }
+
+  std::vector<SectorMotion> Condensation::inside(const unsigned int k,
+                                                 const std::vector<unsigned int> &held,
+                                                 const std::vector<CondensationLoad> &loads) const
+  {
+    AssertThrow(fields[0].factors, ExcMessage("the inside of this body has not been kept"));
+    if (loads.empty())
+      return {};
+    const Reduced reduced              = reduce(k, held);
+    const std::vector<double> unknowns = solutions(reduced, held, loads);
+    const std::array<std::vector<double>, 2> solved{
+        {field_solutions(reduced, 0, unknowns), field_solutions(reduced, 1, unknowns)}};
+    std::vector<SectorMotion> motions;
+    for (std::size_t l = 0; l < loads.size(); ++l)
+    {
+      std::array<Vector<double>, 2> motion;
+      for (const unsigned int part : {0u, 1u})
+      {
+        motion[part].reinit(sector.n_dofs());
+        const std::vector<unsigned int> &number = sector.field(part).number;
+        const std::size_t width                 = solved[part].size() / loads.size();
+        for (SectorNodes::Dof dof = 0; dof < number.size(); ++dof)
+          if (number[dof] != none)
+            motion[part][dof] = solved[part][l * width + number[dof]];
+      }
+      motions.push_back(sector.to_motion(std::move(motion)));
+    }
+    return motions;
   }
 } // namespace ringmotor

@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/contact/contact_bodies.h>
 #include <ringmotor/contact/contact_solver.h>
 #include <ringmotor/contact/ring_compliance.h>
-#include <ringmotor/mesh/interface_grading.h>
-#include <ringmotor/parameters/parameters.h>
 
 #include <array>
 #include <complex>
-#include <functional>
 #include <vector>
 
 namespace ringmotor
 {
-  /** The complex displacement amplitude of the stator's wave (m; r, theta, z components) at a point
-   * of a surface of tooth 0. */
-  using WaveMotion = std::function<std::array<std::complex<double>, 3>(const dealii::Point<3> &)>;
-
   /** The travelling wave that drives the motor, as the stator's modes tell it. */
   struct StatorWave
   {
@@ -25,19 +19,6 @@ namespace ringmotor
     double relative_error    = 0.; ///< of the speed of its surface
     WaveMotion foot;               ///< between base and tooth
     WaveMotion top;                ///< of the tooth's top
-  };
-
-  /** How finely the bodies are divided for the contact. */
-  struct ContactDiscretisation
-  {
-    unsigned int degree = 2;
-    InterfaceGrading tooth{2, 1};
-    InterfaceGrading lip{2, 2};
-    unsigned int rotor_level = 0;
-    double lip_turn          = 0.; ///< rad, of the lip's mesh against that of the teeth
-
-    /** Discretisations 0, 1, 2, ... of a sequence in which all get finer. */
-    static ContactDiscretisation level(const unsigned int level);
   };
 
   /** What the contact needs to know of a motor: everything elastic in one matrix. */

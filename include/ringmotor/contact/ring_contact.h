@@ -68,6 +68,8 @@ namespace ringmotor
     unsigned int n_teeth() const { return n_sectors; }
     unsigned int n_repeats() const { return fold; }
     unsigned int n_times() const { return n_moments; }
+    /** Rigid motions of the rotor at one moment. */
+    unsigned int n_rigid_motions() const { return n_rigid_of_moment; }
 
     unsigned int moment(const unsigned int point) const { return point / (n_sectors * n_nodes); }
     unsigned int tooth(const unsigned int point) const { return point / n_nodes % n_sectors; }

@@ -16,12 +16,13 @@ namespace ringmotor
     std::vector<PointVector> force;        ///< N, on the rotor
     std::vector<PointVector> motion;       ///< m, gap and slip in the step
     std::vector<PointVector> tooth, rotor; ///< m, displacements; the rotor's without its turn
+    std::vector<double> rigid;             ///< motions of the rotor by moment, see RingContact
     std::vector<unsigned char> status;     ///< see PointStatus
 
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &times &n_teeth &time_step &force &motion &tooth &rotor &status;
+      archive &times &n_teeth &time_step &force &motion &tooth &rotor &rigid &status;
     }
   };
 } // namespace ringmotor

@@ -104,6 +104,9 @@ namespace ringmotor
     SteadyDriver steady;
   };
 
+  /** How far the teeth stand above the plane of an even ring at rest, m. */
+  std::vector<double> warp_heights(const Parameters &parameters);
+
   /** Whether a motor has to be marched through time: it says so, or its ring is not uniform. */
   bool is_marched(const Parameters &parameters);
 

@@ -6,6 +6,7 @@
 #include <deal.II/lac/full_matrix.h>
 
 #include <array>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -33,6 +34,16 @@ namespace ringmotor
     double stiffness;              ///< load of the support that it takes; 0 for a rigid motion
   };
 
+  /** What acts on a body; empty: nothing. */
+  struct CondensationLoad
+  {
+    std::vector<double> forces; ///< N, on the interface, real field, then imaginary
+    std::vector<double> driven; ///< m, of the driven degrees of freedom, real field, then imaginary
+    std::vector<double> supports; ///< m, of each support that is held
+  };
+
+  class SparseLDLT;
+
   /**
    * Static condensation of a cyclic sector: an elastic body (vibrating at one frequency) as seen
    * from its interface. The two real fields of the sector are condensed to their interface and
@@ -48,11 +59,14 @@ namespace ringmotor
      * on the displacement. Their degrees of freedom must be independent.
      * @param driven degrees of freedom with a given motion, none of them on a cut
      * @param shift omega^2 in rad^2/s^2; 0: static
+     * @param with_inside keeps what inside() needs: the factors of both fields
      * @throws ComputationError if a body without its interface is singular
      */
     Condensation(const CyclicSector &sector, const std::vector<LinearForm> &interface,
                  const std::vector<SectorNodes::Dof> &driven,
-                 const std::vector<CondensationSupport> &supports, const double shift);
+                 const std::vector<CondensationSupport> &supports, const double shift,
+                 const bool with_inside = false);
+    ~Condensation();
 
     /**
      * Interface displacements under interface forces for nodal diameter @p k, with driven degrees
@@ -73,6 +87,11 @@ namespace ringmotor
      */
     std::vector<double> follow(const unsigned int k, const std::vector<double> &motion) const;
 
+    /** The motion of the whole body, inside too, under each of these loads; only if the factors
+     * have been kept. */
+    std::vector<SectorMotion> inside(const unsigned int k, const std::vector<unsigned int> &held,
+                                     const std::vector<CondensationLoad> &loads) const;
+
   private:
     /** One real field, condensed to its cut, its interface and its supports. */
     struct Field
@@ -81,10 +100,11 @@ namespace ringmotor
       std::vector<unsigned int> row_of_dof; ///< in the matrix, of kept degrees of freedom
       std::vector<unsigned int> unknown;    ///< by row, of those not on the cut
       std::vector<double> matrix;           ///< by columns
+      std::unique_ptr<SparseLDLT> factors;  ///< if they are kept
     };
     struct Reduced;
 
-    void condense(const unsigned int part, const double shift);
+    void condense(const unsigned int part, const double shift, const bool with_inside);
     /** Which unknowns stay when the cut is eliminated, and how kept rows depend on unknowns. */
     Reduced layout(const unsigned int k, const std::vector<unsigned int> &held) const;
     /** The fields tied to each other at the cut: by columns, cut first. */
@@ -96,6 +116,12 @@ namespace ringmotor
                                          const std::vector<double> &unknowns) const;
     /** Where the driven degrees of freedom are in it. */
     std::vector<unsigned int> driven_places(const Reduced &reduced) const;
+    /** The unknowns that stay, under each load one after the other. */
+    std::vector<double> solutions(const Reduced &reduced, const std::vector<unsigned int> &held,
+                                  const std::vector<CondensationLoad> &loads) const;
+    /** All unknowns of a field under each load, from those that stay. */
+    std::vector<double> field_solutions(const Reduced &reduced, const unsigned int part,
+                                        const std::vector<double> &unknowns) const;
 
     const CyclicSector &sector;
     const std::vector<LinearForm> interface;

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/contact/mortar.h>
+#include <ringmotor/quantities/ring_body.h>
+#include <ringmotor/quantities/torque_speed.h>
+
+#include <vector>
+
+namespace ringmotor
+{
+  /** A moment of an operating point. */
+  struct PointMoment
+  {
+    const ContactFields &fields;
+    unsigned int moment; ///< in fields.times
+  };
+
+  /**
+   * Rotor and teeth of a motor over the whole ring, and how all of them moves, inside too, when
+   * this happens at their contact points. The bodies are condensed again for it. An effect that is
+   * off leaves out the forces that it is about: those on the teeth, or friction on the rotor.
+   */
+  class MotorBodies
+  {
+  public:
+    /** @param discretisation as that of the condensed motor
+     *  @param n_subdivisions of a cell per direction, see RingBody
+     *
+     *  The references must outlive this object. */
+    MotorBodies(const Parameters &parameters, const StatorWave &wave,
+                const ContactDiscretisation &discretisation, const unsigned int n_subdivisions = 1);
+
+    /** In its own place at rest, where the lip's lower face is in the plane of the tooth tops. */
+    const RingBody &rotor() const { return rotor_ring; }
+    const RingBody &teeth() const { return tooth_ring; }
+
+    /** The displacement of the rotor without its turn, at each moment. */
+    std::vector<RingBody::Displacement>
+    rotor_motions(const std::vector<PointMoment> &moments) const;
+    /** The displacement of the teeth, a warp at rest included. */
+    std::vector<RingBody::Displacement>
+    teeth_motions(const std::vector<PointMoment> &moments) const;
+
+  private:
+    using Amplitudes = std::vector<std::array<std::complex<double>, 3>>;
+
+    /** Amplitudes of the forces on a sector's lip, by node, for each nodal diameter. */
+    std::vector<Amplitudes> lip_forces(const PointMoment &at) const;
+
+    const Parameters &parameters;
+    const StatorWave &wave;
+    const ToothBody tooth_body;
+    const RotorBody rotor_body;
+    const MortarCoupling mortar;
+    const RingBody rotor_ring, tooth_ring;
+  };
+} // namespace ringmotor

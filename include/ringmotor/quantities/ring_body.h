@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/structure/sector_elements.h>
+
+#include <array>
+#include <complex>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace ringmotor
+{
+  /**
+   * A body over the whole ring as hexahedra with straight edges and the points that they share:
+   * what it takes to draw how it moves. Shells have their thickness, as in sample_sector(). For
+   * half sectors.
+   */
+  class RingBody
+  {
+  public:
+    using Displacement = std::vector<dealii::Tensor<1, 3>>;                ///< m, by point
+    using Amplitude    = std::vector<std::array<std::complex<double>, 3>>; ///< m, of a sector
+
+    /** @param n_subdivisions of a cell per direction
+     *  @param turn of the sectors, rad */
+    RingBody(const SectorElements &sector, const unsigned int n_subdivisions,
+             const double turn = 0.);
+
+    const std::vector<dealii::Point<3>> &points() const { return ring_points; }
+    /** Points of each cell, the first direction fastest. */
+    const std::vector<std::array<unsigned int, 8>> &cells() const { return ring_cells; }
+    /** Of each cell, see mesh/ids.h. */
+    const std::vector<dealii::types::material_id> &materials() const { return cell_materials; }
+    /** The point at a place, if there is one. */
+    std::optional<unsigned int> point_at(const dealii::Point<3> &place) const;
+
+    Displacement at_rest() const { return Displacement(ring_points.size()); }
+
+    /** The motion @p one + i @p two of sector 0. Both parts have the symmetry
+     * U(-theta) = S conj(U(theta)), which their sum has not. */
+    Amplitude amplitude(const SectorMotion &one, const SectorMotion &two) const;
+
+    /** Adds the real part of @p factor times a motion, turned to its place, in sector @p sector. */
+    void add(const unsigned int sector, const std::complex<double> factor,
+             const Amplitude &amplitude, Displacement &displacement) const;
+
+  private:
+    /** Displacement at a point: values of degrees of freedom times these vectors. */
+    struct Sample
+    {
+      bool of_shell;
+      std::vector<std::pair<SectorElements::Dof, dealii::Tensor<1, 3>>> terms;
+    };
+    using Key = std::array<long long, 3>;
+    static Key key_of(const dealii::Point<3> &place);
+
+    void sample_solids(const SectorElements &sector, const unsigned int n_subdivisions);
+    void sample_shells(const SectorElements &sector, const unsigned int n_subdivisions);
+    /** Takes a lattice of points of a cell and divides it into hexahedra. */
+    void add_lattice(const std::vector<dealii::Point<3>> &lattice,
+                     const std::vector<Sample> &samples, const unsigned int n_subdivisions,
+                     const dealii::types::material_id material);
+    void number_ring(const double turn);
+    std::array<std::complex<double>, 3> value(const Sample &sample,
+                                              const SectorMotion &motion) const;
+
+    const unsigned int n_sectors;
+    // Of the meshed half sector, theta >= 0
+    std::vector<dealii::Point<3>> half_points;
+    std::vector<Sample> samples;
+    std::vector<std::array<unsigned int, 8>> half_cells;
+    std::vector<dealii::types::material_id> half_materials;
+
+    std::vector<dealii::Point<3>> ring_points;
+    std::vector<std::array<unsigned int, 8>> ring_cells;
+    std::vector<dealii::types::material_id> cell_materials;
+    std::vector<std::array<double, 2>> turns; ///< cosine and sine of each sector's angle
+    /** Points of a sector, those of its half first, then their mirror images: numbers in the ring
+     * or, where another one has the same place and was first, invalid_unsigned_int. */
+    std::vector<unsigned int> owned;
+    std::map<Key, unsigned int> known; ///< in the half sector first, in the ring then
+  };
+} // namespace ringmotor
