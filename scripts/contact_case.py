@@ -105,7 +105,7 @@ class ContactCase(Results):
         return fields
 
     def history(self, point):
-        """Of tooth 0: list of dict, the rows of history.csv."""
+        """Of the chosen contact points: list of dict, the rows of history.csv."""
         rows = []
 
         def read(path):

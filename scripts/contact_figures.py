@@ -240,10 +240,10 @@ def draw_contact_forces(case):
 
 # ----------------------------------------------------------------------------------- friction, Fig. 11
 def history_from_table(case, point):
-    """Of the point of tooth 0 that is pressed most: time in us, force in N, slip in um, status; steady states only."""
+    """Of the chosen point that is pressed most: time in us, force in N, slip in um, status; steady states only."""
     rows = case.history(point)
-    node = max(rows, key=lambda row: row["force_n_N"])["node"]
-    rows = [row for row in rows if row["node"] == node]
+    most = max(rows, key=lambda row: row["force_n_N"])
+    rows = [row for row in rows if (row["tooth"], row["node"]) == (most["tooth"], most["node"])]
     column = {key: np.array([row[key] for row in rows]) for key in rows[0] if key != "status"}
     status = np.array([STATUS.get(row["status"], STICK + 1) for row in rows])
     time, period = column["time_us"], case.period / MICRO
@@ -251,7 +251,8 @@ def history_from_table(case, point):
     touching = np.flatnonzero(status != OPEN)
     pauses = np.diff(time[touching], append=time[touching[0]] + period)
     cut = (time[touching[np.argmax(pauses)]] + pauses.max() / 2) % period
-    crest = np.radians(column["theta_deg"][0]) * case.n_waves / case.angular_frequency / MICRO
+    angle = np.radians(column["theta_deg"][0]) + 2 * np.pi * most["tooth"] / case.n_teeth
+    crest = angle * case.n_waves / case.angular_frequency / MICRO
     order = np.argsort((time - cut) % period)
     shown = cut + (time[order] - cut) % period - crest
     shown -= period * np.round(np.mean(shown[status[order] != OPEN]) / period)

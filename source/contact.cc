@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/output/contact_files.h>
 #include <ringmotor/output/contact_summary.h>
+#include <ringmotor/output/contact_vtu.h>
 #include <ringmotor/output/files.h>
 #include <ringmotor/output/log.h>
 #include <ringmotor/output/modes_file.h>
 #include <ringmotor/output/study.h>
 #include <ringmotor/output/text.h>
-#include <ringmotor/output/vtu.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/programs/run_program.h>
 #include <ringmotor/programs/run_results.h>
@@ -185,30 +185,29 @@ namespace ringmotor
         return;
       {
         const auto scope = phases.measure("output");
-        prepare_results(folder, "used\\.prm|torque_speed\\.csv|history\\.csv|contact\\.h5|"
-                                "summary\\.json|contact\\.pvd|contact_[0-9]+\\.vtu");
+        prepare_results(folder,
+                        "used\\.prm|torque_speed\\.csv|history\\.csv|contact\\.h5|"
+                        "summary\\.json|(contact|motor)\\.pvd|(contact|rotor|teeth)_[0-9]+\\.vtu");
         write_used_prm(folder + "used.prm", "contact", parameters);
         write_torque_speed(folder + "torque_speed.csv", search.points());
-        write_history(folder + "history.csv", search.motor(), search.points());
+        write_history(folder + "history.csv", search.motor(), search.points(),
+                      parameters.output.history_points);
         write_contact_h5(folder + "contact.h5", parameters, search.motor(), search.points());
-        if (parameters.output.vtu)
-          write_fields();
       }
+      if (parameters.output.vtu)
+        write_fields();
       write_summary_file();
       log.line("results in " + folder);
     }
 
     void ContactProgram::write_fields()
     {
-      std::vector<std::pair<double, std::string>> frames;
-      for (const CurvePoint &point : search.points())
-      {
-        const std::string name = "contact_" + Utilities::int_to_string(frames.size(), 3) + ".vtu";
-        write_contact_vtu(folder + name, search.motor(), point, point.fields.times.size() - 1,
-                          parameters.stator.base_thickness + parameters.stator.tooth_height);
-        frames.emplace_back(std::round(1e6 * point.result.torque) * 1e-3 + 0., name);
-      }
-      write_pvd(folder + "contact.pvd", frames);
+      const auto scope    = phases.measure("fields for ParaView");
+      const double height = parameters.stator.base_thickness + parameters.stator.tooth_height;
+      write_contact_surfaces(folder, search.motor(), search.points(), height);
+      const MotorBodies bodies(parameters, wave,
+                               ContactDiscretisation::level(search.setting().level));
+      write_motor_bodies(folder, search.motor(), bodies, search.points(), height);
     }
 
     void ContactProgram::write_summary_file()

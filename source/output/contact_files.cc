@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/output/contact_files.h>
-#include <ringmotor/output/files.h>
 #include <ringmotor/output/hdf5.h>
 #include <ringmotor/output/table.h>
-
-#include <deal.II/base/data_out_base.h>
-#include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/fe_tools.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,28 +22,64 @@ namespace ringmotor
                                                                         : "slip";
     }
 
-    /** A moment and a tooth that show what tooth 0 does at a time. */
+    /** A contact point whose history is told. */
+    struct Watched
+    {
+      unsigned int tooth, node;
+    };
+
+    /** The contact points nearest to the places that are asked for. */
+    std::vector<Watched> watched_points(const CondensedMotor &motor,
+                                        const std::vector<HistoryPoint> &places)
+    {
+      std::vector<Watched> watched;
+      double outermost = 0.;
+      for (const CondensedMotor::Node &node : motor.nodes)
+        outermost = std::max(outermost, node.radius);
+      if (places.empty())
+        for (unsigned int a = 0; a < motor.nodes.size(); ++a)
+          if (motor.nodes[a].radius > outermost * (1. - 1e-6))
+            watched.push_back({0, a});
+      for (const HistoryPoint &place : places)
+      {
+        const double tooth  = std::round(place.tooth);
+        const auto distance = [&](const CondensedMotor::Node &node)
+        {
+          const double angle = node.angle - (place.tooth - tooth) * motor.pitch();
+          return std::hypot(node.radius - place.radius, node.radius * angle);
+        };
+        const auto nearest = std::min_element(motor.nodes.begin(), motor.nodes.end(),
+                                              [&](const auto &a, const auto &b)
+                                              { return distance(a) < distance(b); });
+        watched.push_back({static_cast<unsigned int>(tooth) % motor.n_teeth,
+                           static_cast<unsigned int>(nearest - motor.nodes.begin())});
+      }
+      return watched;
+    }
+
+    /** A moment and a tooth that show what a watched tooth does at a time. */
     struct Sight
     {
       double time;
       unsigned int moment, tooth;
     };
 
-    /** What tooth 0 does: in the steady state, a period of it from the teeth of few moments. */
-    std::vector<Sight> history_of_tooth_0(const CondensedMotor &motor, const ContactFields &fields)
+    /** What a tooth does: in the steady state, a period of it from the teeth of few moments. */
+    std::vector<Sight> history_of(const unsigned int watched, const CondensedMotor &motor,
+                                  const ContactFields &fields)
     {
       std::vector<Sight> sights;
       const bool is_steady =
           fields.times.size() * fields.time_step * fields.n_teeth < 1.5 * motor.period();
       for (unsigned int m = 0; m < fields.times.size(); ++m)
         if (!is_steady)
-          sights.push_back({fields.times[m], m, 0});
+          sights.push_back({fields.times[m], m, watched});
         else
           for (unsigned int tooth = 0; tooth < fields.n_teeth; ++tooth)
           {
-            // Tooth j is where tooth 0 was n j alpha / omega ago.
-            double time =
-                fields.times[m] - motor.n_waves * tooth * motor.pitch() / motor.angular_frequency;
+            // Tooth i + j is where tooth i was n j alpha / omega ago.
+            double time = fields.times[m] - motor.n_waves * (1. * tooth - watched) * motor.pitch() /
+                                                motor.angular_frequency;
             time -= motor.period() * std::floor(time / motor.period() + 1e-9);
             sights.push_back({time, m, tooth});
           }
@@ -114,32 +145,30 @@ namespace ringmotor
   }
 
   void write_history(const std::string &path, const CondensedMotor &motor,
-                     const std::vector<CurvePoint> &points)
+                     const std::vector<CurvePoint> &points, const std::vector<HistoryPoint> &places)
   {
-    CsvTable table({"point", "time_us", "node", "theta_deg", "force_n_N", "force_t_N", "force_r_N",
-                    "gap_um", "slip_t_um", "slip_r_um", "tooth_n_um", "tooth_t_um", "tooth_r_um",
-                    "rotor_n_um", "rotor_t_um", "rotor_r_um", "status"});
-    double outermost = 0.;
-    for (const CondensedMotor::Node &node : motor.nodes)
-      outermost = std::max(outermost, node.radius);
+    CsvTable table({"point", "time_us", "tooth", "node", "r_mm", "theta_deg", "force_n_N",
+                    "force_t_N", "force_r_N", "gap_um", "slip_t_um", "slip_r_um", "tooth_n_um",
+                    "tooth_t_um", "tooth_r_um", "rotor_n_um", "rotor_t_um", "rotor_r_um",
+                    "status"});
     const std::size_t n_nodes = motor.nodes.size();
     for (unsigned int p = 0; p < points.size(); ++p)
-      for (const Sight &sight : history_of_tooth_0(motor, points[p].fields))
-        for (unsigned int a = 0; a < n_nodes; ++a)
-          if (motor.nodes[a].radius > outermost * (1. - 1e-6))
-          {
-            const ContactFields &fields = points[p].fields;
-            const std::size_t i = (sight.moment * fields.n_teeth + sight.tooth) * n_nodes + a;
-            std::vector<CsvTable::Entry> row{p, sight.time / micrometre, a,
-                                             motor.nodes[a].angle * 180. / numbers::PI};
+      for (const auto &[tooth, node] : watched_points(motor, places))
+        for (const Sight &sight : history_of(tooth, motor, points[p].fields))
+        {
+          const ContactFields &fields = points[p].fields;
+          const std::size_t i = (sight.moment * fields.n_teeth + sight.tooth) * n_nodes + node;
+          std::vector<CsvTable::Entry> row{
+              p,    sight.time / micrometre,          tooth,
+              node, motor.nodes[node].radius / milli, motor.nodes[node].angle * 180. / numbers::PI};
+          for (unsigned int c = 0; c < 3; ++c)
+            row.push_back(fields.force[i][c]);
+          for (const PointVector &vector : {fields.motion[i], fields.tooth[i], fields.rotor[i]})
             for (unsigned int c = 0; c < 3; ++c)
-              row.push_back(fields.force[i][c]);
-            for (const PointVector &vector : {fields.motion[i], fields.tooth[i], fields.rotor[i]})
-              for (unsigned int c = 0; c < 3; ++c)
-                row.push_back(vector[c] / micrometre);
-            row.push_back(std::string(name_of(fields.status[i])));
-            table.add_row(row);
-          }
+              row.push_back(vector[c] / micrometre);
+          row.push_back(std::string(name_of(fields.status[i])));
+          table.add_row(row);
+        }
     table.write(path);
   }
 
@@ -170,100 +199,5 @@ namespace ringmotor
           points[p], motor.nodes.size());
     }
     file.save(path);
-  }
-
-  namespace
-  {
-    /** Surface patches, made elsewhere, for the VTU writer of deal.II. */
-    class SurfaceOutput : public DataOutInterface<2, 3>
-    {
-    public:
-      std::vector<DataOutBase::Patch<2, 3>> patches;
-      std::vector<std::string> names;
-      std::vector<std::tuple<unsigned int, unsigned int, std::string,
-                             DataComponentInterpretation::DataComponentInterpretation>>
-          ranges;
-
-    private:
-      const std::vector<DataOutBase::Patch<2, 3>> &get_patches() const override { return patches; }
-      std::vector<std::string> get_dataset_names() const override { return names; }
-      std::vector<std::tuple<unsigned int, unsigned int, std::string,
-                             DataComponentInterpretation::DataComponentInterpretation>>
-      get_nonscalar_data_ranges() const override
-      {
-        return ranges;
-      }
-    };
-
-    Tensor<1, 3> cartesian(const PointVector &vector, const double theta)
-    {
-      Tensor<1, 3> result; // components: z, -theta, r
-      result[0] = vector[2] * std::cos(theta) + vector[1] * std::sin(theta);
-      result[1] = vector[2] * std::sin(theta) - vector[1] * std::cos(theta);
-      result[2] = vector[0];
-      return result;
-    }
-  } // namespace
-
-  void write_contact_vtu(const std::string &path, const CondensedMotor &motor,
-                         const CurvePoint &point, const unsigned int moment, const double height)
-  {
-    const ContactFields &fields = point.fields;
-    const std::size_t n_nodes   = motor.nodes.size();
-    const unsigned int n_points = Utilities::fixed_power<2>(motor.degree + 1);
-    const std::vector<unsigned int> lattice =
-        FETools::lexicographic_to_hierarchic_numbering<2>(motor.degree);
-    SurfaceOutput output;
-    output.names = {"pressure", "friction_t", "friction_r", "slip_velocity", "status", "gap"};
-    for (const char *vector : {"displacement_tooth", "displacement_rotor"})
-    {
-      output.ranges.emplace_back(output.names.size(), output.names.size() + 2, vector,
-                                 DataComponentInterpretation::component_is_part_of_vector);
-      output.names.insert(output.names.end(), 3, vector);
-    }
-    for (unsigned int tooth = 0; tooth < motor.n_teeth; ++tooth)
-      for (const std::vector<unsigned int> &face : motor.faces)
-      {
-        output.patches.emplace_back();
-        auto &patch                = output.patches.back();
-        patch.patch_index          = output.patches.size() - 1;
-        patch.n_subdivisions       = motor.degree;
-        patch.points_are_available = true;
-        patch.reference_cell       = ReferenceCells::Quadrilateral;
-        patch.data.reinit(output.names.size() + 3, n_points);
-        for (unsigned int q = 0; q < n_points; ++q)
-        {
-          const unsigned int a             = face[lattice[q]];
-          const CondensedMotor::Node &node = motor.nodes[a];
-          const std::size_t i = (moment * fields.n_teeth + tooth % fields.n_teeth) * n_nodes + a;
-          const double theta  = node.angle + tooth * motor.pitch();
-          const Point<3> x(node.radius * std::cos(theta), node.radius * std::sin(theta), height);
-          unsigned int row = 0;
-          for (unsigned int c = 0; c < 3; ++c)
-            patch.data(row++, q) = fields.force[i][c] / node.area;
-          patch.data(row++, q) =
-              std::hypot(fields.motion[i][1], fields.motion[i][2]) / fields.time_step;
-          patch.data(row++, q) = fields.status[i];
-          patch.data(row++, q) = fields.motion[i][0];
-          for (const PointVector &vector : {fields.tooth[i], fields.rotor[i]})
-            for (unsigned int d = 0; d < 3; ++d)
-              patch.data(row++, q) = cartesian(vector, theta)[d];
-          for (unsigned int d = 0; d < 3; ++d)
-            patch.data(row++, q) = x[d];
-          if (const unsigned int column = q % (motor.degree + 1), line = q / (motor.degree + 1);
-              column % motor.degree == 0 && line % motor.degree == 0)
-            patch.vertices[2 * (line / motor.degree) + column / motor.degree] = x;
-        }
-      }
-    DataOutBase::VtkFlags flags;
-    flags.print_date_and_time      = false;
-    flags.write_higher_order_cells = true;
-    flags.compression_level        = DataOutBase::VtkFlags::best_speed;
-    flags.physical_units           = {
-                  {"pressure", "Pa"},         {"friction_t", "Pa"}, {"friction_r", "Pa"},
-                  {"slip_velocity", "m/s"},   {"gap", "m"},         {"displacement_tooth", "m"},
-                  {"displacement_rotor", "m"}};
-    output.set_flags(flags);
-    write_file(path, [&](std::ostream &out) { output.write_vtu(out); });
   }
 } // namespace ringmotor

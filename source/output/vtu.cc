@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/output/files.h>
+#include <ringmotor/output/lattice_output.h>
 #include <ringmotor/output/vtu.h>
 
-#include <deal.II/base/data_out_base.h>
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/utilities.h>
 
-#include <deal.II/grid/reference_cell.h>
-
 #include <cmath>
 #include <cstdio>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -21,91 +18,6 @@ namespace ringmotor
   namespace
   {
     using Vector = std::array<std::complex<double>, 3>;
-
-    /** One field of the file: a scalar or a vector, in consecutive rows of the patches' data. */
-    struct FieldName
-    {
-      std::string name;
-      unsigned int n_components;
-      std::string unit;
-    };
-
-    /** Hands patches, made elsewhere, to the VTU writer of deal.II. */
-    class LatticeOutput : public DataOutInterface<3, 3>
-    {
-    public:
-      /** @param order points per direction of each patch less one */
-      LatticeOutput(const std::vector<FieldName> &fields, const unsigned int order)
-          : n_points(Utilities::fixed_power<3>(order + 1)), order(order)
-      {
-        std::map<std::string, std::string> units;
-        for (const FieldName &field : fields)
-        {
-          if (field.n_components == 3)
-            ranges.emplace_back(names.size(), names.size() + 2, field.name,
-                                DataComponentInterpretation::component_is_part_of_vector);
-          names.insert(names.end(), field.n_components, field.name);
-          if (!field.unit.empty())
-            units[field.name] = field.unit;
-        }
-        DataOutBase::VtkFlags flags;
-        flags.print_date_and_time      = false;
-        flags.write_higher_order_cells = true;
-        flags.compression_level        = DataOutBase::VtkFlags::best_speed;
-        flags.physical_units           = units;
-        set_flags(flags);
-      }
-
-      void reserve(const std::size_t n_patches) { patches.reserve(n_patches); }
-
-      /** Appends a patch without data. @param points in the lattice order of SectorField */
-      DataOutBase::Patch<3, 3> &add_patch(const std::vector<Point<3>> &points)
-      {
-        AssertDimension(points.size(), n_points);
-        patches.emplace_back();
-        auto &patch                = patches.back();
-        patch.patch_index          = patches.size() - 1;
-        patch.n_subdivisions       = order;
-        patch.points_are_available = true;
-        patch.reference_cell       = ReferenceCells::Hexahedron;
-        patch.data.reinit(names.size() + 3, n_points);
-
-        // The lattice's corners; positions inside follow in the last three rows of the data.
-        for (unsigned int corner = 0; corner < GeometryInfo<3>::vertices_per_cell; ++corner)
-        {
-          const unsigned int i = corner & 1, j = (corner >> 1) & 1, k = corner >> 2;
-          patch.vertices[corner] = points[order * (i + (order + 1) * (j + (order + 1) * k))];
-        }
-        for (unsigned int point = 0; point < n_points; ++point)
-          for (unsigned int d = 0; d < 3; ++d)
-            patch.data(names.size() + d, point) = points[point][d];
-        return patch;
-      }
-
-      DataOutBase::Patch<3, 3> &patch(const std::size_t index) { return patches[index]; }
-
-      void write(const std::string &path) const
-      {
-        write_file(path, [this](std::ostream &out) { write_vtu(out); });
-      }
-
-    private:
-      const std::vector<DataOutBase::Patch<3, 3>> &get_patches() const override { return patches; }
-      std::vector<std::string> get_dataset_names() const override { return names; }
-      std::vector<std::tuple<unsigned int, unsigned int, std::string,
-                             DataComponentInterpretation::DataComponentInterpretation>>
-      get_nonscalar_data_ranges() const override
-      {
-        return ranges;
-      }
-
-      const unsigned int n_points, order;
-      std::vector<std::string> names;
-      std::vector<std::tuple<unsigned int, unsigned int, std::string,
-                             DataComponentInterpretation::DataComponentInterpretation>>
-          ranges;
-      std::vector<DataOutBase::Patch<3, 3>> patches;
-    };
 
     /** A vector (a point, or complex) turned about the z axis. */
     template <typename VectorType>
@@ -177,19 +89,19 @@ namespace ringmotor
       }
 
       const SectorField &field;
-      LatticeOutput output;
+      LatticeOutput<3> output;
     };
   } // namespace
 
   void write_sector(const std::string &path, const SectorField &field)
   {
-    LatticeOutput output({{"displacement_real", 3, "m"},
-                          {"displacement_imaginary", 3, "m"},
-                          {"amplitude_radial", 1, "m"},
-                          {"amplitude_tangential", 1, "m"},
-                          {"amplitude_axial", 1, "m"},
-                          {"material", 1, ""}},
-                         field.order);
+    LatticeOutput<3> output({{"displacement_real", 3, "m"},
+                             {"displacement_imaginary", 3, "m"},
+                             {"amplitude_radial", 1, "m"},
+                             {"amplitude_tangential", 1, "m"},
+                             {"amplitude_axial", 1, "m"},
+                             {"material", 1, ""}},
+                            field.order);
     output.reserve(field.cells.size());
     for (const SectorField::Cell &cell : field.cells)
     {
@@ -236,6 +148,20 @@ namespace ringmotor
                  const std::vector<std::pair<double, std::string>> &times_and_names)
   {
     write_file(path,
-               [&](std::ostream &out) { DataOutBase::write_pvd_record(out, times_and_names); });
+               [&](std::ostream &out)
+               {
+                 out.precision(12);
+                 out << "<?xml version=\"1.0\"?>\n"
+                     << "<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
+                 unsigned int part = 0;
+                 for (std::size_t i = 0; i < times_and_names.size(); ++i)
+                 {
+                   const auto &[time, name] = times_and_names[i];
+                   part = i > 0 && time == times_and_names[i - 1].first ? part + 1 : 0;
+                   out << "    <DataSet timestep=\"" << time << "\" part=\"" << part << "\" file=\""
+                       << name << "\"/>\n";
+                 }
+                 out << "  </Collection>\n</VTKFile>\n";
+               });
   }
 } // namespace ringmotor

@@ -255,6 +255,29 @@ namespace ringmotor
             "; allowed: at least 10 um in common");
     }
 
+    void check_history(const Parameters &parameters)
+    {
+      const double inner = std::max(parameters.rotor.lip_inner_radius,
+                                    parameters.stator.tip_inner_radius),
+                   outer = std::min(parameters.rotor.lip_outer_radius,
+                                    parameters.stator.tip_outer_radius);
+      for (const HistoryPoint &point : parameters.output.history_points)
+      {
+        std::ostringstream text;
+        text << "Output/History points: ";
+        if (point.radius < inner || point.radius > outer)
+          text << "radius " << point.radius
+               << " m is not where lip and teeth can touch; allowed: " << inner << " to " << outer
+               << " m";
+        else if (point.tooth >= parameters.motor.n_teeth)
+          text << "tooth " << point.tooth << " is not on the ring; allowed: from 0 to less than "
+               << parameters.motor.n_teeth << " (Motor/Number of teeth)";
+        else
+          continue;
+        throw UserError(text.str());
+      }
+    }
+
     void check_friction(const Friction &friction)
     {
       for (const auto &[name, value] :
@@ -340,6 +363,7 @@ namespace ringmotor
     check_springs(parameters);
     check_contact_effects(parameters.effects);
     check_time(parameters);
+    check_history(parameters);
     std::vector<std::string> warnings;
     if (parameters.friction.dynamic_coefficient > parameters.friction.static_coefficient &&
         parameters.friction.law != FrictionLaw::coulomb)

@@ -2,9 +2,44 @@
 #include <ringmotor/parameters/declare.h>
 #include <ringmotor/parameters/run_control.h>
 
+#include <deal.II/base/utilities.h>
+
 namespace ringmotor
 {
   using namespace dealii;
+
+  namespace
+  {
+    Notation<std::vector<HistoryPoint>> history_point_list()
+    {
+      using Points                 = std::vector<HistoryPoint>;
+      const std::string edge       = "outer edge";
+      const Notation<double> tooth = non_negative_number(), radius = positive_number();
+      const auto write = [=](const Points &points)
+      {
+        std::string text;
+        for (const HistoryPoint &point : points)
+          text += (text.empty() ? "" : ", ") + tooth.write(point.tooth) + ":" +
+                  radius.write(point.radius);
+        return text.empty() ? edge : text;
+      };
+      const auto read = [=](const std::string &text) -> std::optional<Points>
+      {
+        Points points;
+        if (text == edge)
+          return points;
+        for (const std::string &item : Utilities::split_string_list(text, ','))
+        {
+          const std::vector<std::string> parts = Utilities::split_string_list(item, ':');
+          if (parts.size() != 2 || !tooth.read(parts[0]) || !radius.read(parts[1]))
+            return {};
+          points.push_back({*tooth.read(parts[0]), *radius.read(parts[1])});
+        }
+        return points.empty() ? std::nullopt : std::make_optional(points);
+      };
+      return {write, read, edge + ", or places TOOTH:RADIUS separated by commas"};
+    }
+  } // namespace
 
   void Accuracy::declare(ParameterHandler &prm)
   {
@@ -72,6 +107,11 @@ namespace ringmotor
     add_entry(prm, "VTU", vtu, yes_or_no(), "Write fields for ParaView.");
     add_entry(prm, "Frames per period", frames_per_period, whole_number(2, 360),
               "Number of pictures of one period in animations.");
+    add_entry(
+        prm, "History points", history_points, history_point_list(),
+        "Where history.csv tells forces and motion against time: at the outer edge of tooth 0, "
+        "or at the contact points nearest to these places; 2.25:0.034 is a quarter of a pitch "
+        "beyond the centre of tooth 2. Units: pitches for TOOTH and m for RADIUS.");
     add_entry(prm, "Figures", figures, yes_or_no(), "Draw the figures at the end of a run.");
   }
 } // namespace ringmotor

@@ -49,7 +49,9 @@ namespace ringmotor
         rotor_body(parameters, discretisation),
         mortar(couple(tooth_body.whole_top.surface, rotor_body.whole_lip.surface,
                       2. * numbers::PI / parameters.motor.n_teeth, discretisation.lip_turn)),
-        rotor_ring(rotor_body.sector, n_subdivisions, discretisation.lip_turn),
+        rotor_ring(rotor_body.sector, n_subdivisions,
+                   parameters.stator.base_thickness + parameters.stator.tooth_height,
+                   discretisation.lip_turn),
         tooth_ring(tooth_body.sector, n_subdivisions)
   {
   }

@@ -38,7 +38,7 @@ namespace ringmotor
   } // namespace
 
   RingBody::RingBody(const SectorElements &sector, const unsigned int n_subdivisions,
-                     const double turn)
+                     const double height, const double turn)
       : n_sectors(sector.sector_mesh().n_sectors)
   {
     AssertThrow(sector.sector_mesh().form == SectorForm::half, ExcMessage("for half sectors"));
@@ -46,7 +46,7 @@ namespace ringmotor
       sample_solids(sector, n_subdivisions);
     if (sector.shell_dofs().has_active_dofs())
       sample_shells(sector, n_subdivisions);
-    number_ring(turn);
+    number_ring(height, turn);
   }
 
   RingBody::Key RingBody::key_of(const Point<3> &place)
@@ -81,7 +81,7 @@ namespace ringmotor
           if (const double shape = values.shape_value(i, q); std::abs(shape) > 1e-12)
             at_points[q].terms.emplace_back(
                 dofs[i], shape * unit_vector(element.system_to_component_index(i).first));
-      add_lattice(values.get_quadrature_points(), at_points, n_subdivisions, cell->material_id());
+      add_lattice(values.get_quadrature_points(), at_points, n_subdivisions);
     }
   }
 
@@ -117,13 +117,13 @@ namespace ringmotor
                                : shape * cross_product_3d(unit_vector(component - 3), arm));
           }
         }
-      add_lattice(places, at_points, n_subdivisions, cell->material_id());
+      add_lattice(places, at_points, n_subdivisions);
     }
   }
 
   void RingBody::add_lattice(const std::vector<Point<3>> &lattice,
                              const std::vector<Sample> &at_points,
-                             const unsigned int n_subdivisions, const types::material_id material)
+                             const unsigned int n_subdivisions)
   {
     std::vector<unsigned int> numbers;
     for (unsigned int q = 0; q < lattice.size(); ++q)
@@ -145,11 +145,10 @@ namespace ringmotor
           for (unsigned int v = 0; v < 8; ++v)
             cell[v] = numbers[i + (v & 1) + width * (j + ((v >> 1) & 1) + width * (k + (v >> 2)))];
           half_cells.push_back(cell);
-          half_materials.push_back(material);
         }
   }
 
-  void RingBody::number_ring(const double turn)
+  void RingBody::number_ring(const double height, const double turn)
   {
     known.clear();
     const unsigned int n_half = half_points.size();
@@ -162,7 +161,7 @@ namespace ringmotor
       {
         const Point<3> &x = p < n_half ? half_points[p] : mirrored(half_points[p - n_half]);
         const auto [c, s] = turns.back();
-        const Point<3> place(c * x[0] - s * x[1], s * x[0] + c * x[1], x[2]);
+        const Point<3> place(c * x[0] - s * x[1], s * x[0] + c * x[1], x[2] + height);
         const auto [entry, is_new] = known.emplace(key_of(place), ring_points.size());
         owned.push_back(is_new ? entry->second : none);
         number.push_back(entry->second);
@@ -170,13 +169,12 @@ namespace ringmotor
           ring_points.push_back(place);
       }
       for (const bool image : {false, true})
-        for (unsigned int i = 0; i < half_cells.size(); ++i)
+        for (const auto &half_cell : half_cells)
         {
           std::array<unsigned int, 8> cell;
           for (unsigned int v = 0; v < 8; ++v) // mirrored and turned round again: right-handed
-            cell[v] = number[image ? n_half + half_cells[i][v ^ 1] : half_cells[i][v]];
+            cell[v] = number[image ? n_half + half_cell[v ^ 1] : half_cell[v]];
           ring_cells.push_back(cell);
-          cell_materials.push_back(half_materials[i]);
         }
     }
   }

@@ -8,6 +8,9 @@
 #include "scratch.h"
 #include "wave_field.h"
 
+#include <ringmotor/mesh/ids.h>
+#include <ringmotor/mesh/rotor_sector.h>
+#include <ringmotor/output/body_vtu.h>
 #include <ringmotor/output/files.h>
 #include <ringmotor/output/vtu.h>
 #include <ringmotor/parameters/errors.h>
@@ -18,8 +21,11 @@
 #include <cstdint>
 #include <cstring>
 #include <gtest/gtest.h>
+#include <limits>
+#include <map>
 #include <numeric>
 #include <regex>
+#include <set>
 #include <zlib.h>
 
 using namespace ringmotor;
@@ -272,4 +278,89 @@ TEST(Vtu, NoRecordOfFramesThatWereNotWritten)
       [&]() { write_ring_animation(scratch.path(""), "wave", WaveRing().field(), 2); });
   EXPECT_NE(message.find("wave_01.vtu"), std::string::npos) << message;
   EXPECT_FALSE(std::filesystem::exists(scratch.path("wave.pvd")));
+}
+
+TEST(Vtu, BodyIsWhatItWasGiven)
+{
+  const Scratch scratch;
+  const unsigned int n_sectors = 12;
+  const SectorMesh mesh =
+      make_rotor_sector(RotorGeometry(), n_sectors, SectorForm::half, 0, MPI_COMM_SELF);
+  const SectorElements sector(
+      mesh, {{ids::rotor, {68.9e9, 0.33, 2700., 0.}}, {ids::lip_shell, {68.9e9, 0.33, 2700., 0.}}},
+      2);
+  const RingBody body(sector, 1, 5e-3);
+  PointField field{"displacement", "m", 3, {}}, gap{"gap", "m", 1, {}};
+  for (const auto &point : body.points())
+  {
+    for (unsigned int d = 0; d < 3; ++d)
+      field.values.push_back(static_cast<float>(1e-3 * point[(d + 1) % 3]));
+    gap.values.push_back(point[0] > 0. ? std::numeric_limits<float>::quiet_NaN() : 1.f);
+  }
+  write_body(scratch.path("body.vtu"), body, {field, gap});
+
+  const VtuFile file(scratch.path("body.vtu"));
+  ASSERT_EQ(file.count("Points"), body.points().size());
+  ASSERT_EQ(file.count("Cells"), 2 * n_sectors * mesh.n_cells());
+  const auto places = file.vectors(""), values = file.vectors("displacement");
+  const auto gaps = file.array<float>("gap");
+  for (unsigned int i = 0; i < places.size(); ++i)
+  {
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      EXPECT_NEAR(places[i][d], body.points()[i][d], 1e-8);
+      EXPECT_NEAR(values[i][d], 1e-3 * places[i][(d + 1) % 3], 1e-11);
+    }
+    EXPECT_EQ(std::isnan(gaps[i]), body.points()[i][0] > 0.);
+  }
+  // A closed ring of hexahedra: each face belongs to two cells or, on the skin, to one, and there
+  // are as many edges of the skin's faces as a torus wants (Euler: points - edges + faces = 0).
+  const auto nodes                   = file.array<std::int32_t>("connectivity");
+  const auto offsets                 = file.array<std::int32_t>("offsets");
+  constexpr unsigned int sides[6][4] = {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4},
+                                        {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+  std::map<std::set<std::int32_t>, unsigned int> n_cells_of;
+  std::map<std::set<std::int32_t>, std::array<std::int32_t, 4>> around;
+  for (unsigned int cell = 0; cell < file.count("Cells"); ++cell)
+  {
+    EXPECT_EQ(offsets[cell], 8 * static_cast<int>(cell + 1));
+    for (const auto &side : sides)
+    {
+      std::array<std::int32_t, 4> corners;
+      for (unsigned int v = 0; v < 4; ++v)
+        corners[v] = nodes[8 * cell + side[v]];
+      const std::set<std::int32_t> key(corners.begin(), corners.end());
+      EXPECT_EQ(key.size(), 4u);
+      ++n_cells_of[key];
+      around[key] = corners;
+    }
+  }
+  std::set<std::int32_t> points;
+  std::map<std::set<std::int32_t>, unsigned int> edges;
+  unsigned int n_faces = 0;
+  for (const auto &[key, n] : n_cells_of)
+  {
+    EXPECT_LE(n, 2u);
+    if (n == 1)
+    {
+      ++n_faces;
+      points.insert(key.begin(), key.end());
+      for (unsigned int v = 0; v < 4; ++v)
+        ++edges[{around[key][v], around[key][(v + 1) % 4]}];
+    }
+  }
+  for (const auto &[edge, n] : edges)
+    EXPECT_EQ(n % 2, 0u);
+  EXPECT_EQ(points.size() + n_faces, edges.size());
+}
+
+TEST(Vtu, NeighboursAtTheSameTimeArePartsOfOnePicture)
+{
+  const Scratch scratch;
+  write_pvd(scratch.path("a.pvd"), {{0., "a"}, {0., "b"}, {0.5, "c"}});
+  const std::string record = content_of(scratch.path("a.pvd"));
+  for (const char *entry :
+       {"timestep=\"0\" part=\"0\" file=\"a\"", "timestep=\"0\" part=\"1\" file=\"b\"",
+        "timestep=\"0.5\" part=\"0\" file=\"c\""})
+    EXPECT_NE(record.find(entry), std::string::npos) << record;
 }

@@ -142,6 +142,7 @@ TEST(Reading, NumbersAreShortAndExactInPrint)
   parameters.materials.piezoceramic  = {1. / 3. * 1e11, 0.1 / 3., 7600., 0.};
   parameters.friction.decay_velocity = std::sqrt(2.);
   parameters.loading.values          = {0., 0.05, 1. / 7.};
+  parameters.output.history_points   = {{0., 0.0342}, {100. / 7., 1. / 29.}};
   parameters.modes.nodal_diameters   = {0, 2, 3, 4, 9, 44, 45};
   parameters.effects.rotor_inertia   = EffectChoice::automatic;
   parameters.output.vtu              = false;
@@ -154,6 +155,9 @@ TEST(Reading, NumbersAreShortAndExactInPrint)
   EXPECT_EQ(back.materials.piezoceramic.poisson_ratio, 0.1 / 3.);
   EXPECT_EQ(back.friction.decay_velocity, parameters.friction.decay_velocity);
   EXPECT_EQ(back.loading.values, parameters.loading.values);
+  ASSERT_EQ(back.output.history_points.size(), 2u);
+  EXPECT_EQ(back.output.history_points[1].tooth, 100. / 7.);
+  EXPECT_EQ(back.output.history_points[1].radius, 1. / 29.);
   EXPECT_EQ(back.modes.nodal_diameters, parameters.modes.nodal_diameters);
   EXPECT_EQ(back.effects.rotor_inertia, EffectChoice::automatic);
   EXPECT_FALSE(back.output.vtu);

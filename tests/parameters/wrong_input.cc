@@ -152,6 +152,9 @@ TEST(WrongInput, ValuesOutOfRange)
   expect_refused_override("Accuracy/Polynomial degree = 9", {"from 2 to 8"});
   expect_refused_override("Accuracy/Refinement = 7", {"from 0 to 6"});
   expect_refused_override("Output/Frames per period = 1", {"from 2 to 360"});
+  for (const std::string places : {"0.0342", "0:", "0:34:1", "-1:0.0342", "0:0", "0:0.034 1:0.034"})
+    expect_refused_override("Output/History points = " + places,
+                            {"Output/History points", "outer edge", "TOOTH:RADIUS"});
   expect_refused_override("Modes/Number of modes = 0", {"Modes/Number of modes", "from 1"});
   expect_refused_override("Modes/Frequency target = -1", {"Modes/Frequency target", "from 0"});
 }

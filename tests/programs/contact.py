@@ -7,12 +7,15 @@ Usage: tests/programs/contact.py STATOR CONTACT [unittest arguments]
 What is compared: files with each other and with the loads that were asked for; an independent model of
 the motor turns at 85.3 rpm without load (see tests/quantities/motor.cc).
 """
+import base64
 import json
 import pathlib
 import shutil
+import re
 import sys
 import tempfile
 import unittest
+import zlib
 
 import h5py
 import numpy as np
@@ -26,6 +29,13 @@ PRELOAD = 14.0
 
 def settings(*entries):
     return [part for entry in entries for part in ("--set", entry)]
+
+
+def array(path, name):
+    """Of a VTU file by the name of the array, floats; "" for the positions."""
+    tag = f'Name="{name}"' if name else "<Points>"
+    code = re.search(re.escape(tag) + r'[^\n]*\n?[^\n]*format="binary">\n(\S+)', path.read_text()).group(1)
+    return np.frombuffer(zlib.decompress(base64.b64decode(code[24:])), np.float32)
 
 
 class WithWave(unittest.TestCase):
@@ -58,7 +68,7 @@ class Results(WithWave):
         self.assertEqual(self.done.stderr, "")
         written = {path.name for path in self.folder.iterdir()}
         for name in ("used.prm", "torque_speed.csv", "history.csv", "contact.h5", "summary.json", "contact.pvd",
-                     "contact_000.vtu", "contact_002.vtu"):
+                     "contact_000.vtu", "contact_002.vtu", "motor.pvd", "rotor_002.vtu", "teeth_002.vtu"):
             self.assertIn(name, written)
 
     def test_the_curve_goes_from_no_load_to_stall(self):
@@ -89,6 +99,38 @@ class Results(WithWave):
                 self.assertGreater(gap.min(), -1e-14)
                 self.assertTrue(np.all(np.abs(gap[status > 0]) < 1e-14))
                 self.assertTrue(np.all(force[status == 0] == 0.0))
+
+    def test_whole_bodies_carry_what_happens_at_the_contact_points(self):
+        record = (self.folder / "motor.pvd").read_text()
+        files = re.findall(r'timestep="(\S+)" part="(\d)" file="(\S+)"', record)
+        self.assertEqual([name for _, _, name in files],
+                         [f"{body}_{number:03d}.vtu" for number in range(3) for body in ("rotor", "teeth")])
+        self.assertEqual([part for _, part, _ in files], ["0", "1"] * 3)
+        place = array(self.folder / "teeth_001.vtu", "").reshape(-1, 3)
+        moved = array(self.folder / "teeth_001.vtu", "displacement").reshape(-1, 3)
+        gap = array(self.folder / "teeth_001.vtu", "gap")
+        status = array(self.folder / "teeth_001.vtu", "status")
+        pressure = array(self.folder / "teeth_001.vtu", "pressure")
+        self.assertTrue(np.all((pressure > 0) == (status > 0)))
+        with h5py.File(self.folder / "contact.h5") as file:
+            radius, angle = file["nodes/radius"][()], file["nodes/angle"][()]
+            group = file["points/001"]
+            lift, is_closed = group["tooth"][-1, ..., 0], group["status"][-1] > 0
+            n_teeth = len(lift)
+            where = np.hypot(place[:, 0], place[:, 1]), np.arctan2(place[:, 1], place[:, 0])
+            n_found = 0
+            for point in np.flatnonzero(status > 0):
+                turned = (where[1][point] - angle) * n_teeth / (2 * np.pi)
+                tooth = np.round(turned).astype(int)
+                node = np.argmin(np.abs(where[0][point] - radius) + radius * np.abs(turned - tooth))
+                self.assertTrue(is_closed[tooth[node] % n_teeth, node])
+                self.assertAlmostEqual(moved[point, 2], lift[tooth[node] % n_teeth, node], delta=1e-6 * lift.max())
+                self.assertLess(abs(gap[point]), 1e-14)
+                n_found += 1
+            self.assertGreater(n_found, 20)
+        rise = array(self.folder / "rotor_001.vtu", "displacement").reshape(-1, 3)[:, 2]
+        self.assertTrue(np.all(np.isfinite(rise)))
+        self.assertGreater(lift.max(), rise.min())
 
     def test_the_summary_is_certified(self):
         summary = json.loads((self.folder / "summary.json").read_text())
@@ -125,6 +167,8 @@ class Mistakes(WithWave):
                 (["Effects/Rotor inertia = on"], "Effects/Rotor inertia = on is not available"),
                 (["Contact/Formulation = penalty"], "Contact/Normal penalty"),
                 (["Time/Average to step = 20"], "Time/Average to step"),
+                (["Output/History points = 0:0.031"], "0.0332 to 0.0342 m"),
+                (["Output/History points = 90:0.034"], "from 0 to less than 90"),
                 (["Motor/Number of waves = 6"], "belongs to another motor"),
                 (["Stator/Tooth height = 0.0021"], "Stator/Tooth height = 0.002"),
                 (["Wave/Amplitude = 1e-6"], "Wave/Amplitude")):
@@ -152,6 +196,36 @@ class Mistakes(WithWave):
                             "Loading/Values = 0.05", "Accuracy/Contact target = 0.2")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("warning: Friction/Dynamic coefficient", done.stdout)
+
+
+class Histories(WithWave):
+    def test_teeth_live_alike_one_after_the_other(self):
+        """In the steady state tooth 12 lives as tooth 0 does, 12 n T / N later."""
+        done = self.contact("Output/History points = 0:0.0342, 12:0.0342, 89.75:0.0333", "Output/VTU = false",
+                            "Loading/Values = 0.05", "Accuracy/Mode = fixed")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertFalse((self.case / "contact" / "motor.pvd").exists())
+        with h5py.File(self.case / "contact" / "contact.h5") as file:
+            period = 2e6 * np.pi / file.attrs["angular_frequency_rad_per_s"]
+        histories = {}
+        for row in rows_of(self.case / "contact" / "history.csv"):
+            histories.setdefault((int(row["tooth"]), int(row["node"])), []).append(row)
+        (first, edge), (later, same), (last, inside) = histories
+        self.assertEqual((first, later, last), (0, 12, 0))  # 89.75 belongs to the tooth at 90, which is 0
+        self.assertEqual(edge, same)
+        self.assertAlmostEqual(float(histories[0, edge][0]["theta_deg"]), 0.0)
+        self.assertAlmostEqual(float(histories[0, edge][0]["r_mm"]), 34.2)
+        self.assertLess(float(histories[0, inside][0]["theta_deg"]), -0.5)
+        self.assertLess(float(histories[0, inside][0]["r_mm"]), 34.0)
+        lag = 12 * 7 / 90 * period
+        steps = len(histories[0, edge])
+        for row in histories[12, edge]:
+            at = round((float(row["time_us"]) - lag) / period * steps) % steps
+            twin = histories[0, edge][at]
+            for name in row:
+                if name not in ("tooth", "time_us"):
+                    self.assertEqual(row[name], twin[name], name)
+        self.assertGreater(max(float(row["force_n_N"]) for row in histories[12, edge]), 0.01)
 
 
 class Paper(WithWave):

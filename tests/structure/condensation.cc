@@ -193,6 +193,40 @@ TEST_P(Condensed, EqualsTheSolutionWithAllUnknownsWhenItVibrates)
   }
 }
 
+TEST_P(Condensed, KnowsItsInsideAsTheSolutionWithAllUnknownsDoes)
+{
+  const Rotor rotor(rotor_with(GetParam().flange, GetParam().bar_stiffness));
+  const Condensation condensation(rotor.sector, rotor.forms, {}, rotor.supports, 0., true);
+  for (const unsigned int k : {0u, 1u, 7u, n_teeth / 2})
+  {
+    SCOPED_TRACE(k);
+    DirectSector direct(rotor.sector, k, 0., rotor.held_loads(k));
+    const auto forms = rotor.loads(k);
+    std::vector<CondensationLoad> loads;
+    for (unsigned int l = 0; l < 2; ++l)
+    {
+      loads.emplace_back();
+      for (unsigned int i = 0; i < forms.size(); ++i)
+        loads.back().forces.push_back(std::cos(1. + i * (2. + l)));
+      for (unsigned int s = 0; s < rotor.held(k).size(); ++s)
+        loads.back().supports.push_back(1e-6 * (1. + s + l));
+    }
+    const std::vector<SectorMotion> motions = condensation.inside(k, rotor.held(k), loads);
+    ASSERT_EQ(motions.size(), loads.size());
+    for (unsigned int l = 0; l < loads.size(); ++l)
+    {
+      std::vector<double> given(rotor.sector.n_unknowns(), 0.);
+      for (unsigned int i = 0; i < forms.size(); ++i)
+        for (unsigned int j = 0; j < given.size(); ++j)
+          given[j] += loads[l].forces[i] * forms[i][j];
+      given.insert(given.end(), loads[l].supports.begin(), loads[l].supports.end());
+      std::vector<double> solution = direct.solve(given);
+      solution.resize(rotor.sector.n_unknowns());
+      expect_motion(motions[l], rotor.sector.expand(k, solution), 1e-9);
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Rotors, Condensed,
     testing::Values(RotorCase{ElementKind::solid, 0.}, RotorCase{ElementKind::solid, 1e9},

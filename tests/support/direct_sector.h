@@ -92,6 +92,24 @@ namespace ringmotor::tests
     SparseLDLT factors;
   };
 
+  /** Two motions of all nodes, relative to the largest displacement (and rotation). */
+  inline void expect_motion(const SectorMotion &motion, const SectorMotion &expected,
+                            const double tolerance)
+  {
+    for (const auto part : {&SectorMotion::solid, &SectorMotion::shell})
+      for (const auto field : {&ComplexField::real, &ComplexField::imaginary})
+      {
+        dealii::Vector<double> difference = (motion.*part).*field;
+        if (difference.size() == 0)
+          continue;
+        difference -= (expected.*part).*field;
+        const double largest =
+            std::max((expected.*part).real.linfty_norm(), (expected.*part).imaginary.linfty_norm());
+        EXPECT_GT(largest, 0.);
+        EXPECT_LT(difference.linfty_norm(), tolerance * largest);
+      }
+  }
+
   using Solver = std::function<std::vector<double>(const std::vector<double> &)>;
 
   /** A compliance of these loads against their solutions, relative to its diagonal's entries; it is

@@ -32,7 +32,7 @@ namespace ringmotor
                             const SectorField &field, unsigned int n_frames);
 
   /** Writes a list of VTU files, each with its time (or whatever ParaView's time shall stand for).
-   */
+   * Neighbours in the list with the same time are parts of one picture. */
   void write_pvd(const std::string &path,
                  const std::vector<std::pair<double, std::string>> &times_and_names);
 } // namespace ringmotor

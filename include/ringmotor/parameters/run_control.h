@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace dealii
 {
@@ -57,6 +58,13 @@ namespace ringmotor
     void declare(dealii::ParameterHandler &prm);
   };
 
+  /** A place on the tooth tops. */
+  struct HistoryPoint
+  {
+    double tooth;  ///< angle in pitches of the teeth: 0 is the centre of tooth 0
+    double radius; ///< m
+  };
+
   /** Where results go and which. */
   struct Output
   {
@@ -65,9 +73,10 @@ namespace ringmotor
      * `auto` by output/ and the name of the parameter file.
      */
     std::string directory          = "auto";
-    bool vtu                       = true; ///< write files for ParaView
-    unsigned int frames_per_period = 16;   ///< of the animated wave
-    bool figures                   = true; ///< draw figures at the end of a run
+    bool vtu                       = true;    ///< write files for ParaView
+    unsigned int frames_per_period = 16;      ///< of the animated wave
+    bool figures                   = true;    ///< draw figures at the end of a run
+    std::vector<HistoryPoint> history_points; ///< empty: the outer edge of tooth 0
 
     /** Declares the entries; reading them changes the members. */
     void declare(dealii::ParameterHandler &prm);

@@ -17,8 +17,8 @@ namespace ringmotor
   };
 
   /**
-   * Rotor and teeth of a motor over the whole ring, and how all of them moves, inside too, when
-   * this happens at their contact points. The bodies are condensed again for it. An effect that is
+   * Rotor and teeth of a motor over the whole ring, and how they move, inside too, by what
+   * happens at their contact points. The bodies are condensed again for it. An effect that is
    * off leaves out the forces that it is about: those on the teeth, or friction on the rotor.
    */
   class MotorBodies

@@ -24,15 +24,13 @@ namespace ringmotor
     using Amplitude    = std::vector<std::array<std::complex<double>, 3>>; ///< m, of a sector
 
     /** @param n_subdivisions of a cell per direction
-     *  @param turn of the sectors, rad */
+     *  @param height (m) and @param turn (rad) by which the sectors are put in their place */
     RingBody(const SectorElements &sector, const unsigned int n_subdivisions,
-             const double turn = 0.);
+             const double height = 0., const double turn = 0.);
 
     const std::vector<dealii::Point<3>> &points() const { return ring_points; }
     /** Points of each cell, the first direction fastest. */
     const std::vector<std::array<unsigned int, 8>> &cells() const { return ring_cells; }
-    /** Of each cell, see mesh/ids.h. */
-    const std::vector<dealii::types::material_id> &materials() const { return cell_materials; }
     /** The point at a place, if there is one. */
     std::optional<unsigned int> point_at(const dealii::Point<3> &place) const;
 
@@ -60,9 +58,8 @@ namespace ringmotor
     void sample_shells(const SectorElements &sector, const unsigned int n_subdivisions);
     /** Takes a lattice of points of a cell and divides it into hexahedra. */
     void add_lattice(const std::vector<dealii::Point<3>> &lattice,
-                     const std::vector<Sample> &samples, const unsigned int n_subdivisions,
-                     const dealii::types::material_id material);
-    void number_ring(const double turn);
+                     const std::vector<Sample> &at_points, const unsigned int n_subdivisions);
+    void number_ring(const double height, const double turn);
     std::array<std::complex<double>, 3> value(const Sample &sample,
                                               const SectorMotion &motion) const;
 
@@ -71,11 +68,9 @@ namespace ringmotor
     std::vector<dealii::Point<3>> half_points;
     std::vector<Sample> samples;
     std::vector<std::array<unsigned int, 8>> half_cells;
-    std::vector<dealii::types::material_id> half_materials;
 
     std::vector<dealii::Point<3>> ring_points;
     std::vector<std::array<unsigned int, 8>> ring_cells;
-    std::vector<dealii::types::material_id> cell_materials;
     std::vector<std::array<double, 2>> turns; ///< cosine and sine of each sector's angle
     /** Points of a sector, those of its half first, then their mirror images: numbers in the ring
      * or, where another one has the same place and was first, invalid_unsigned_int. */

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/quantities/motor_bodies.h>
+
+#include <string>
+#include <vector>
+
+namespace ringmotor
+{
+  /**
+   * `contact_000.vtu`, ... and `contact.pvd`, whose time is the torque in mN m: surfaces of teeth
+   * and lip where they touch, for each operating point at its last moment, for ParaView. @p height
+   * (m) is that of the tooth tops. Fields pressure (Pa), friction (Pa), slip velocity (m/s), status
+   * (0 open, 1 stick, 2 slip), gap (m), displacement of tooth and of rotor (m).
+   */
+  void write_contact_surfaces(const std::string &folder, const CondensedMotor &motor,
+                              const std::vector<CurvePoint> &points, const double height);
+
+  /**
+   * `rotor_000.vtu`, `teeth_000.vtu`, ... and `motor.pvd`: the whole bodies at the same moments,
+   * with their displacement (m) and, on the teeth, the same fields. At points that are no contact
+   * points these are zero, and the gap is NaN, for which ParaView has a colour of its own.
+   */
+  void write_motor_bodies(const std::string &folder, const CondensedMotor &motor,
+                          const MotorBodies &bodies, const std::vector<CurvePoint> &points,
+                          const double height);
+} // namespace ringmotor
