@@ -239,6 +239,16 @@ def draw_contact_forces(case):
 
 
 # ----------------------------------------------------------------------------------- friction, Fig. 11
+def history_touches(case):
+    """Whether one of the chosen points is pressed without load; of a marched motor others are drawn."""
+    rows = case.history(case.point_near(0))
+    return not covers_a_period(case, rows) or any(row["force_n_N"] > 0 for row in rows)
+
+
+def covers_a_period(case, rows):
+    return max(row["time_us"] for row in rows) > 0.9 * case.period / MICRO
+
+
 def history_from_table(case, point):
     """Of the chosen point that is pressed most: time in us, force in N, slip in um, status; steady states only."""
     rows = case.history(point)
@@ -299,7 +309,7 @@ def draw_friction_history(case):
     """Fig. 11: one point of the lip's outer line while a crest passes."""
     point = case.point_near(0)
     rows = case.history(point)
-    is_steady = max(row["time_us"] for row in rows) > 0.9 * case.period / MICRO
+    is_steady = covers_a_period(case, rows)
     time, force, slip, status = (history_from_table if is_steady else history_from_fields)(case, point)
     touching = np.flatnonzero(status != OPEN)
     shown = slice(max(0, touching[0] - 2), touching[-1] + 3)

@@ -25,7 +25,7 @@ sys.dont_write_bytecode = True  # a drawing leaves nothing outside the folder of
 from case import Case, CaseError
 from contact_case import ContactCase, has_contact
 from contact_figures import (draw_contact_forces, draw_contact_shape, draw_friction_history, draw_normal_displacement,
-                             draw_warped_displacement)
+                             draw_warped_displacement, history_touches)
 from curve_figures import draw_torque_speed
 from drawing import figures_folder, save
 from stator_figures import draw_dispersion, draw_elliptic_paths, draw_tooth_edge
@@ -56,6 +56,9 @@ def draw_contact(case, others, folder):
     for name, draw in CONTACT_FIGURES.items():
         if draw is draw_warped_displacement and case.warp == 0:
             remove_figure(folder, name)
+        elif draw is draw_friction_history and not history_touches(case):
+            remove_figure(folder, name)
+            print(f"figures: no {name}, as none of Output/History points touches the rotor")
         else:
             save(draw(case, others) if draw is draw_torque_speed else draw(case), folder, name)
 

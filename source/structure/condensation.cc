@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/mesh/ids.h>
-#include <ringmotor/structure/condensation.h>
+#include <ringmotor/structure/condensation_reduced.h>
 #include <ringmotor/structure/dense_ldlt.h>
 #include <ringmotor/structure/sparse_ldlt.h>
 
@@ -23,48 +23,6 @@ namespace ringmotor
   {
     constexpr unsigned int none = numbers::invalid_unsigned_int;
   }
-
-  /** What is left when the cut is eliminated: a dense symmetric matrix of some unknowns. */
-  struct Condensation::Reduced
-  {
-    /** An entry of a real field is the sum of factor * unknown over some of these. */
-    struct Part
-    {
-      unsigned int unknown;
-      double factor;
-    };
-    std::array<std::vector<std::vector<Part>>, 2> rows; ///< by field and row of its matrix
-    std::vector<unsigned int> place,
-        cut_place; ///< of an unknown that stays, and of others, or none
-    unsigned int size = 0, n_cut = 0;
-    std::vector<double> matrix;       ///< by columns, both triangles
-    std::vector<double> cut_response; ///< by columns: minus how the cut follows those that stay
-
-    /** The unknowns that stay, with coefficients, that make up a sum over one field. */
-    std::vector<std::pair<unsigned int, double>>
-    in_places(const unsigned int part, const LinearForm &form, const Field &field) const
-    {
-      std::vector<std::pair<unsigned int, double>> sum;
-      for (const auto &[dof, coefficient] : form)
-        if (field.row_of_dof[dof] != none)
-          for (const Part &entry : rows[part][field.row_of_dof[dof]])
-            sum.emplace_back(place[entry.unknown], coefficient * entry.factor);
-      return sum;
-    }
-
-    /** Holds some unknowns at zero: their rows and columns become those of the unit matrix. */
-    std::vector<double> with_held(const std::vector<unsigned int> &held) const
-    {
-      std::vector<double> result = matrix;
-      for (const std::size_t i : held)
-      {
-        for (std::size_t j = 0; j < size; ++j)
-          result[i * size + j] = result[j * size + i] = 0.;
-        result[i * size + i] = 1.;
-      }
-      return result;
-    }
-  };
 
   Condensation::Condensation(const CyclicSector &sector, const std::vector<LinearForm> &interface,
                              const std::vector<SectorNodes::Dof> &driven,
@@ -253,10 +211,7 @@ namespace ringmotor
     DenseLDLT factors;
     factors.factorise(size, reduced.with_held(driven_places(reduced)));
 
-    std::vector<std::vector<std::pair<unsigned int, double>>> forms;
-    for (const unsigned int part : {0u, 1u})
-      for (const LinearForm &form : interface)
-        forms.push_back(reduced.in_places(part, form, fields[part]));
+    const auto forms = reduced.in_places(interface, fields);
     std::vector<double> solutions(2 * n_forms * size, 0.);
     for (std::size_t column = 0; column < forms.size(); ++column)
       for (const auto &[place, coefficient] : forms[column])
@@ -274,8 +229,8 @@ namespace ringmotor
   std::vector<unsigned int> Condensation::driven_places(const Reduced &reduced) const
   {
     std::vector<unsigned int> places;
-    for (const unsigned int part : {0u, 1u})
-      for (const SectorNodes::Dof dof : driven)
+    for (const SectorNodes::Dof dof : driven)
+      for (const unsigned int part : {0u, 1u})
         for (const auto &entry : reduced.in_places(part, {{dof, 1.}}, fields[part]))
           places.push_back(entry.first);
     return places;
@@ -287,33 +242,27 @@ namespace ringmotor
   {
     const std::size_t size                 = reduced.size;
     const std::vector<unsigned int> places = driven_places(reduced);
+    const auto forms                       = reduced.in_places(interface, fields);
     std::vector<double> solutions(loads.size() * size, 0.);
     for (std::size_t l = 0; l < loads.size(); ++l)
     {
-      double *right_hand_side = solutions.data() + l * size;
-      const auto add          = [&](const std::vector<double> &values, const unsigned int part,
-                           const unsigned int i, const LinearForm &form, double *to)
-      {
-        if (!values.empty())
-          for (const auto &[place, coefficient] : reduced.in_places(part, form, fields[part]))
-            to[place] += coefficient * values[part * values.size() / 2 + i];
-      };
+      double *solution = solutions.data() + l * size;
+      for (std::size_t i = 0; i < loads[l].forces.size(); ++i)
+        for (const auto &[place, coefficient] : forms[i])
+          solution[place] += coefficient * loads[l].forces[i];
       // The given motion of each driven unknown; loads on the others are those that it causes.
       std::vector<double> given(size, 0.);
       for (const unsigned int part : {0u, 1u})
-      {
-        for (unsigned int i = 0; i < driven.size(); ++i)
-          add(loads[l].driven, part, i, {{driven[i], 1.}}, given.data());
-        for (unsigned int i = 0; i < interface.size(); ++i)
-          add(loads[l].forces, part, i, interface[i], right_hand_side);
-      }
+        for (std::size_t i = 0; i < loads[l].driven.size() / 2; ++i)
+          for (const auto &entry : reduced.in_places(part, {{driven[i], 1.}}, fields[part]))
+            given[entry.first] = loads[l].driven[part * driven.size() + i];
       for (const unsigned int column : places)
         for (std::size_t row = 0; row < size; ++row)
-          right_hand_side[row] -= reduced.matrix[column * size + row] * given[column];
+          solution[row] -= reduced.matrix[column * size + row] * given[column];
       for (const unsigned int place : places)
-        right_hand_side[place] = given[place];
+        solution[place] = given[place];
       for (unsigned int i = 0; i < loads[l].supports.size(); ++i)
-        right_hand_side[reduced.place[sector.n_unknowns() + held[i]]] = loads[l].supports[i];
+        solution[reduced.place[sector.n_unknowns() + held[i]]] = loads[l].supports[i];
     }
     DenseLDLT factors;
     factors.factorise(size, reduced.with_held(places));
@@ -332,14 +281,12 @@ namespace ringmotor
                                                      const std::vector<double> &unknowns) const
   {
     std::vector<double> motion;
-    for (const unsigned int part : {0u, 1u})
-      for (const LinearForm &form : interface)
-      {
-        double sum = 0.;
-        for (const auto &[place, coefficient] : reduced.in_places(part, form, fields[part]))
-          sum += coefficient * unknowns[place];
-        motion.push_back(sum);
-      }
+    for (const Reduced::Sum &sum : reduced.in_places(interface, fields))
+    {
+      motion.push_back(0.);
+      for (const auto &[place, coefficient] : sum)
+        motion.back() += coefficient * unknowns[place];
+    }
     return motion;
   }
 
@@ -355,60 +302,5 @@ namespace ringmotor
     // The multiplier of the condition on the displacement is minus the load.
     return {interface_motion(reduced, solution),
             -solution[reduced.place[sector.n_unknowns() + support]]};
-  }
-
-  std::vector<double> Condensation::field_solutions(const Reduced &reduced, const unsigned int part,
-                                                    const std::vector<double> &unknowns) const
-  {
-    const std::size_t n_rows = fields[part].kept.size(), n_loads = unknowns.size() / reduced.size;
-    std::vector<double> kept(n_loads * n_rows, 0.);
-    for (std::size_t l = 0; l < n_loads; ++l)
-    {
-      const double *stays = unknowns.data() + l * reduced.size;
-      std::vector<double> cut(reduced.n_cut, 0.);
-      for (std::size_t column = 0; column < reduced.size; ++column)
-        for (std::size_t i = 0; i < cut.size(); ++i)
-          cut[i] -= reduced.cut_response[column * cut.size() + i] * stays[column];
-      for (std::size_t row = 0; row < n_rows; ++row)
-        for (const Reduced::Part &entry : reduced.rows[part][row])
-          kept[l * n_rows + row] += entry.factor * (reduced.place[entry.unknown] != none
-                                                        ? stays[reduced.place[entry.unknown]]
-                                                        : cut[reduced.cut_place[entry.unknown]]);
-    }
-    SparseLDLT &factors     = *fields[part].factors;
-    const auto n_of_field   = std::count_if(supports.begin(), supports.end(),
-                                            [&](const auto &s) { return s.part == part; });
-    const std::size_t width = sector.field(part).size + n_of_field;
-    factors.condense(std::vector<double>(n_loads * width, 0.));
-    return factors.expand(std::move(kept));
-  }
-
-  std::vector<SectorMotion> Condensation::inside(const unsigned int k,
-                                                 const std::vector<unsigned int> &held,
-                                                 const std::vector<CondensationLoad> &loads) const
-  {
-    AssertThrow(fields[0].factors, ExcMessage("the inside of this body has not been kept"));
-    if (loads.empty())
-      return {};
-    const Reduced reduced              = reduce(k, held);
-    const std::vector<double> unknowns = solutions(reduced, held, loads);
-    const std::array<std::vector<double>, 2> solved{
-        {field_solutions(reduced, 0, unknowns), field_solutions(reduced, 1, unknowns)}};
-    std::vector<SectorMotion> motions;
-    for (std::size_t l = 0; l < loads.size(); ++l)
-    {
-      std::array<Vector<double>, 2> motion;
-      for (const unsigned int part : {0u, 1u})
-      {
-        motion[part].reinit(sector.n_dofs());
-        const std::vector<unsigned int> &number = sector.field(part).number;
-        const std::size_t width                 = solved[part].size() / loads.size();
-        for (SectorNodes::Dof dof = 0; dof < number.size(); ++dof)
-          if (number[dof] != none)
-            motion[part][dof] = solved[part][l * width + number[dof]];
-      }
-      motions.push_back(sector.to_motion(std::move(motion)));
-    }
-    return motions;
   }
 } // namespace ringmotor

@@ -4,6 +4,7 @@
 #include <ringmotor/output/files.h>
 
 #include <deal.II/base/data_out_base.h>
+#include <deal.II/base/geometry_info.h>
 #include <deal.II/base/utilities.h>
 #include <deal.II/grid/reference_cell.h>
 
@@ -64,7 +65,7 @@ namespace ringmotor
       patch.data.reinit(names.size() + 3, n_points);
 
       // The lattice's corners; positions inside follow in the last three rows of the data.
-      for (unsigned int corner = 0; corner < patch.vertices.size(); ++corner)
+      for (unsigned int corner = 0; corner < dealii::GeometryInfo<dim>::vertices_per_cell; ++corner)
       {
         const unsigned int i = corner & 1, j = (corner >> 1) & 1, k = corner >> 2;
         patch.vertices[corner] = points[order * (i + (order + 1) * (j + (order + 1) * k))];
