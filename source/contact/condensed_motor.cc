@@ -4,6 +4,7 @@
 #include <ringmotor/mesh/rotor_sector.h>
 #include <ringmotor/mesh/stator_sector.h>
 #include <ringmotor/parameters/errors.h>
+#include <ringmotor/parameters/relevant.h>
 #include <ringmotor/structure/surface_load.h>
 
 #include <algorithm>
@@ -320,11 +321,12 @@ namespace ringmotor
     }
   } // namespace
 
-  CondensedMotor condense_motor(const Parameters &parameters, const StatorWave &wave,
+  CondensedMotor condense_motor(const Parameters &all_parameters, const StatorWave &wave,
                                 const ContactDiscretisation &discretisation)
   {
-    const CondensedTooth tooth = condense_tooth(parameters, wave, discretisation);
-    CondensedRotor rotor       = condense_rotor(parameters, tooth.surface.surface, discretisation);
+    const Parameters parameters = relevant_for_condensation(all_parameters);
+    const CondensedTooth tooth  = condense_tooth(parameters, wave, discretisation);
+    CondensedRotor rotor        = condense_rotor(parameters, tooth.surface.surface, discretisation);
     CondensedMotor motor;
     motor.n_teeth                 = parameters.motor.n_teeth;
     motor.n_waves                 = wave.n_waves;

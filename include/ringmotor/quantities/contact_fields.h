@@ -17,11 +17,12 @@ namespace ringmotor
     std::vector<PointVector> motion;       ///< m, gap and slip in the step
     std::vector<PointVector> tooth, rotor; ///< m, displacements; the rotor's without its turn
     std::vector<unsigned char> status;     ///< see PointStatus
+    std::vector<double> rigid;             ///< rigid motions of the rotor, see RingContact
 
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &times &n_teeth &time_step &force &motion &tooth &rotor &status;
+      archive &times &n_teeth &time_step &force &motion &tooth &rotor &status &rigid;
     }
   };
 } // namespace ringmotor
