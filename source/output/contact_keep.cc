@@ -109,6 +109,8 @@ namespace ringmotor
       if (!resumes)
         fs::remove_all(points_folder, no_throw);
       prepare_directory(points_folder);
+      if (resumes)
+        log.line("resuming with the operating points in " + points_folder);
     }
     Utilities::MPI::broadcast(communicator, 0); // no rank goes on before the folders are there
   }
@@ -154,7 +156,7 @@ namespace ringmotor
       log.line(std::to_string(n_damaged) + " kept operating points were damaged: computed anew");
     if (resumes)
       log.line("resumed: " + std::to_string(n_recalled) + " operating points, those for error " +
-               "bars included, were there already, " +
+               "bars included, were there already; " +
                (n_found == 0 ? "nothing was left to compute"
                              : std::to_string(n_found) + " were computed"));
   }
