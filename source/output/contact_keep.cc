@@ -33,10 +33,11 @@ namespace ringmotor
       return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
     }
 
-    std::string key_of(const Parameters &relevant, const StatorWave &wave, const unsigned int level)
+    std::string key_of(const std::string &what, const Parameters &relevant, const StatorWave &wave,
+                       const unsigned int level)
     {
-      std::string key = this_build() + "wave " + wave.fingerprint + "\ninterface mesh " +
-                        std::to_string(level) + "\n" + text_of(relevant);
+      std::string key = what + " by " + this_build() + "wave " + wave.fingerprint +
+                        "\ninterface mesh " + std::to_string(level) + "\n" + text_of(relevant);
       for (const std::string &mesh : {relevant.stator.mesh_file, relevant.rotor.mesh_file})
         if (!mesh.empty())
           key += mesh + " " + fingerprint(content_of(mesh)) + "\n";
@@ -47,13 +48,13 @@ namespace ringmotor
   std::string condensation_key(const Parameters &parameters, const StatorWave &wave,
                                const unsigned int level)
   {
-    return key_of(relevant_for_condensation(parameters), wave, level);
+    return key_of("condensed motor", relevant_for_condensation(parameters), wave, level);
   }
 
   std::string points_key(const Parameters &parameters, const StatorWave &wave,
                          const unsigned int level)
   {
-    return key_of(relevant_for_points(parameters), wave, level);
+    return key_of("operating point", relevant_for_points(parameters), wave, level);
   }
 
   /** Points found on one motor, as files. */

@@ -201,7 +201,7 @@ class Resume(WithWave):
             for path in self.finished():
                 path.unlink()
             n_left = self.kill_after(n_killed, "--resume")
-                        self.assertTrue(n_killed <= n_left < n_points, "the run was over before it was killed")
+            self.assertTrue(n_killed <= n_left < n_points, "the run was over before it was killed")
             said = self.resume("--resume")
             self.assertIn("resuming with the operating points in", said)
             self.assertIn(f"; {n_points - n_left} were computed", said)
