@@ -14,6 +14,7 @@ import csv
 import json
 import math
 import pathlib
+import shutil
 import statistics
 import sys
 import tempfile
@@ -53,6 +54,7 @@ def measure(entries, n_ranks, repeat):
     with tempfile.TemporaryDirectory() as folder:
         timed_run("stator", folder, {**PLAIN, **entries})
         for _ in range(repeat):
+            shutil.rmtree(pathlib.Path(folder) / "contact", ignore_errors=True)  # kept condensations
             seconds, memory = timed_run("contact", folder, {**PLAIN, **entries}, n_ranks)
             summary = json.loads((pathlib.Path(folder) / "contact" / "summary.json").read_text())
             with open(pathlib.Path(folder) / "contact" / "torque_speed.csv") as file:

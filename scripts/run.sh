@@ -2,8 +2,9 @@
 # From a parameter file to figures: sets up and builds if needed, runs the programs stator and, on the wave that it
 # finds, contact; draws the figures (unless Output/Figures = false) and prints a one-page summary. Options are those of
 # the programs. Without the motor's wave among the modes, contact is left out.
-# Usage: scripts/run.sh FILE.prm [--set 'Section/Entry = value']... [--output DIR] [--study]
-# With --study: what accuracy costs, a table and a figure; of stator alone.
+# Usage: scripts/run.sh FILE.prm [--set 'Section/Entry = value']... [--output DIR] [--study] [--resume]
+# With --study: what accuracy costs, a table and a figure; of stator alone. With --resume, contact takes over what
+# an interrupted run has found; the stator is computed again, which gives the same wave.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 bin=$root/build/bin
@@ -24,7 +25,11 @@ fi
 
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
-"$bin/stator" "$@" | tee "$log"
+stator_options=()
+for option in "$@"; do
+  [[ $option == --resume ]] || stator_options+=("$option")
+done
+"$bin/stator" "${stator_options[@]}" | tee "$log"
 
 study=$(sed -n 's/^\[ *[0-9.]* s\] study in //p' "$log" | tail -n 1)
 if [[ -n $study ]]; then

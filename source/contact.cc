@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/output/contact_files.h>
+#include <ringmotor/output/contact_keep.h>
 #include <ringmotor/output/contact_summary.h>
 #include <ringmotor/output/contact_vtu.h>
 #include <ringmotor/output/files.h>
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace ringmotor
 {
@@ -34,7 +36,8 @@ namespace ringmotor
     {
     public:
       explicit ContactProgram(const Parameters &parameters);
-      void run();
+      /** @param resumes whether operating points that an earlier run has found are taken over */
+      void run(const bool resumes);
       void study();
 
     private:
@@ -55,6 +58,7 @@ namespace ringmotor
       Log log;
       Phases phases;
       const StatorWave wave;
+      std::optional<ContactKeep> keep; ///< of run(); a study measures what it costs without
       CurveSearch search;
     };
 
@@ -80,10 +84,12 @@ namespace ringmotor
         prepare_directory(folder);
     }
 
-    void ContactProgram::run()
+    void ContactProgram::run(const bool resumes)
     {
+      keep.emplace(folder, wave, resumes, log, MPI_COMM_WORLD);
       search.find();
       report();
+      keep->report();
       write_results();
     }
 
@@ -109,7 +115,9 @@ namespace ringmotor
     CondensedMotor ContactProgram::condense(const unsigned int level)
     {
       const auto scope = phases.measure("condensation, interface mesh " + std::to_string(level));
-      CondensedMotor motor = condense_motor(parameters, wave, ContactDiscretisation::level(level));
+      CondensedMotor motor =
+          keep ? keep->motor(parameters, level)
+               : condense_motor(parameters, wave, ContactDiscretisation::level(level));
       log.line("interface mesh " + std::to_string(level) + ": " +
                std::to_string(motor.nodes.size()) + " contact points on a tooth, " +
                std::to_string(motor.n_dofs) + " dofs condensed");
@@ -124,11 +132,11 @@ namespace ringmotor
       const auto scope =
           phases.measure("operating points, interface mesh " + std::to_string(setting.level) +
                          ", step " + std::to_string(setting.n_parts));
-      unsigned int n_found = 0;
-      return find_points(
-          divided, motor, requests, MPI_COMM_WORLD,
-          [&](const CurvePoint &)
-          { log.progress("operating points", std::min(1., ++n_found / (1. * requests.size()))); });
+      unsigned int n_found   = 0;
+      const auto after_point = [&](const CurvePoint &)
+      { log.progress("operating points", std::min(1., ++n_found / (1. * requests.size()))); };
+      return keep ? keep->points(divided, motor, setting.level, requests, after_point)
+                  : find_points(divided, motor, requests, MPI_COMM_WORLD, after_point);
     }
 
     void ContactProgram::report()
@@ -236,6 +244,7 @@ int main(int argc, char **argv)
       argc, argv, "contact",
       "Computes speed, torque and friction loss of the motor with stick and slip.",
       [](const Parameters &parameters) { check_for_contact(parameters); },
-      [](const Parameters &parameters) { ContactProgram(parameters).run(); },
-      [](const Parameters &parameters) { ContactProgram(parameters).study(); });
+      [](const Parameters &parameters) { ContactProgram(parameters).run(false); },
+      [](const Parameters &parameters) { ContactProgram(parameters).study(); },
+      [](const Parameters &parameters) { ContactProgram(parameters).run(true); });
 }

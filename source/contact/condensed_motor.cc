@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/contact/condensed_motor.h>
 #include <ringmotor/parameters/errors.h>
+#include <ringmotor/parameters/relevant.h>
 
 #include <algorithm>
 #include <cmath>
@@ -227,11 +228,12 @@ namespace ringmotor
     }
   } // namespace
 
-  CondensedMotor condense_motor(const Parameters &parameters, const StatorWave &wave,
+  CondensedMotor condense_motor(const Parameters &all_parameters, const StatorWave &wave,
                                 const ContactDiscretisation &discretisation)
   {
-    const CondensedTooth tooth = condense_tooth(parameters, wave, discretisation);
-    CondensedRotor rotor       = condense_rotor(parameters, tooth.surface.surface, discretisation);
+    const Parameters parameters = relevant_for_condensation(all_parameters);
+    const CondensedTooth tooth  = condense_tooth(parameters, wave, discretisation);
+    CondensedRotor rotor        = condense_rotor(parameters, tooth.surface.surface, discretisation);
     CondensedMotor motor;
     motor.n_teeth                 = parameters.motor.n_teeth;
     motor.n_waves                 = wave.n_waves;

@@ -47,8 +47,8 @@ namespace ringmotor
   }
 
   SteadyDriver::SteadyDriver(const CondensedMotor &motor, const Friction &friction,
-                             const double preload, const unsigned int n_moments)
-      : motor(motor), friction(friction), preload(preload), n_moments(n_moments)
+                             const unsigned int n_moments)
+      : motor(motor), friction(friction), n_moments(n_moments)
   {
   }
 
@@ -94,7 +94,7 @@ namespace ringmotor
                            std::to_string(most_rounds) + " rounds");
   }
 
-  void SteadyDriver::start()
+  void SteadyDriver::start(const double preload)
   {
     // Somewhat below the speed of the wave's crests, where the rotor turns without load.
     double crest = 0.;
@@ -108,11 +108,11 @@ namespace ringmotor
     last = find(load, pressed.state, load.speed);
   }
 
-  OperatingState SteadyDriver::approach(const RotorLoad &load)
+  OperatingState SteadyDriver::at(const RotorLoad &load)
   {
     constexpr unsigned int most_halvings = 6;
     if (!last)
-      start();
+      start(load.preload);
     const double from_speed  = last->contact->speed(last->solution.state);
     const double from_torque = last->contact->torque(last->solution.state);
     double reached = 0., share = 1.;
@@ -120,9 +120,9 @@ namespace ringmotor
     {
       RotorLoad next  = load;
       const double to = std::min(1., reached + share);
-      if (load.torque)
+      if (to < 1. && load.torque)
         next.torque = from_torque + to * (*load.torque - from_torque);
-      else
+      else if (to < 1.)
         next.speed = from_speed + to * (load.speed - from_speed);
       try
       {
@@ -142,13 +142,9 @@ namespace ringmotor
     return *last;
   }
 
-  OperatingState SteadyDriver::at_speed(const double speed)
+  void SteadyDriver::go_on_from(const RotorLoad &load, const ContactState &state)
   {
-    return approach({preload, {}, speed});
-  }
-
-  OperatingState SteadyDriver::at_torque(const double torque)
-  {
-    return approach({preload, torque});
+    last = OperatingState{std::make_shared<const RingContact>(motor, load, n_moments), {}, {}};
+    last->solution.state = state;
   }
 } // namespace ringmotor

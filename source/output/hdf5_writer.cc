@@ -93,6 +93,7 @@ namespace ringmotor
     const Hdf5Handle type(must(Hdf5Type<Number>::type_for(values), action));
     const Hdf5Handle space(must(H5Screate_simple(sizes.size(), sizes.data(), nullptr), action));
     const Hdf5Handle layout(must(H5Pcreate(H5P_DATASET_CREATE), action));
+    must(H5Pset_obj_track_times(layout, false), action); // the same values make the same file
     if (!values.empty() && !dims.empty())
     {
       // One chunk with a checksum, which is where HDF5 notices that values were damaged.

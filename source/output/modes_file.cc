@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/output/hdf5.h>
+#include <ringmotor/output/kept_file.h>
 #include <ringmotor/output/modes_file.h>
 #include <ringmotor/output/stator_files.h>
 #include <ringmotor/parameters/errors.h>
@@ -32,6 +33,7 @@ namespace ringmotor
         const std::vector<double> real = file.read<double>(group + "/displacement_real", any, "m");
         const std::vector<double> imaginary =
             file.read<double>(group + "/displacement_imaginary", any, "m");
+        content = to_bytes(order) + to_bytes(points) + to_bytes(real) + to_bytes(imaginary);
         for (std::size_t i = 0; i < real.size(); ++i)
           values.emplace_back(real[i], imaginary[i]);
         for (std::size_t face = 0; face < points.size() / (3 * n_lattice); ++face)
@@ -82,8 +84,12 @@ namespace ringmotor
         return motion;
       }
 
+      /** All that the motion depends on. */
+      std::string bytes() const { return content; }
+
     private:
       const unsigned int order;
+      std::string content;
       std::vector<std::array<Point<2>, 4>> corners;
       std::vector<Complex> values;
       std::vector<Polynomials::Polynomial<double>> basis;
@@ -123,16 +129,18 @@ namespace ringmotor
     if (parameters.wave.frequency)
       check_same(path, "Wave/Frequency", wave.angular_frequency / (2. * numbers::PI),
                  *parameters.wave.frequency);
-    const auto relative_error = [&](const std::string &group, const std::string &value,
-                                    const std::string &error)
+    const auto relative_error =
+        [&](const std::string &group, const std::string &value, const std::string &error)
     { return file.attribute<double>(group, error) / file.attribute<double>(group, value); };
     wave.relative_error =
         relative_error("/wave", "natural_frequency_Hz", "natural_frequency_error_Hz") +
         relative_error("/wave/shape", "A_t/A_n", "A_t/A_n error");
-    const auto foot = std::make_shared<TraceInterpolation>(file, "/wave/tooth_foot");
-    const auto top  = std::make_shared<TraceInterpolation>(file, "/wave/tooth_top");
-    wave.foot       = [foot](const Point<3> &x) { return (*foot)(x); };
-    wave.top        = [top](const Point<3> &x) { return (*top)(x); };
+    const auto foot  = std::make_shared<TraceInterpolation>(file, "/wave/tooth_foot");
+    const auto top   = std::make_shared<TraceInterpolation>(file, "/wave/tooth_top");
+    wave.foot        = [foot](const Point<3> &x) { return (*foot)(x); };
+    wave.top         = [top](const Point<3> &x) { return (*top)(x); };
+    wave.fingerprint = fingerprint(foot->bytes() + top->bytes() + to_bytes(wave.n_waves) +
+                                   to_bytes(wave.angular_frequency));
     return wave;
   }
 } // namespace ringmotor

@@ -23,19 +23,23 @@ namespace ringmotor
     {
       std::string file;
       std::vector<std::string> overrides;
-      bool study = false, help = false, version = false;
+      bool study = false, resume = false, help = false, version = false;
     };
 
-    CommandLine read_command_line(int argc, char **argv, const std::string &name)
+    CommandLine read_command_line(int argc, char **argv, const std::string &name,
+                                  const bool can_resume)
     {
-      const option options[] = {
-          {"set", required_argument, nullptr, 's'}, {"output", required_argument, nullptr, 'o'},
-          {"study", no_argument, nullptr, 't'},     {"help", no_argument, nullptr, 'h'},
-          {"version", no_argument, nullptr, 'v'},   {nullptr, 0, nullptr, 0}};
+      const option options[] = {{"set", required_argument, nullptr, 's'},
+                                {"output", required_argument, nullptr, 'o'},
+                                {"study", no_argument, nullptr, 't'},
+                                {"resume", no_argument, nullptr, 'r'},
+                                {"help", no_argument, nullptr, 'h'},
+                                {"version", no_argument, nullptr, 'v'},
+                                {nullptr, 0, nullptr, 0}};
       const std::string usage =
           "; usage: " + name +
-          " FILE.prm [--set 'Section/Entry = value']... [--output DIR] [--study], or " + name +
-          " --help for all entries";
+          " FILE.prm [--set 'Section/Entry = value']... [--output DIR] [--study]" +
+          (can_resume ? " [--resume]" : "") + ", or " + name + " --help for all entries";
       CommandLine line;
       opterr = 0;
       for (int found; (found = getopt_long(argc, argv, ":h", options, nullptr)) != -1;)
@@ -50,6 +54,9 @@ namespace ringmotor
         case 't':
           line.study = true;
           break;
+        case 'r':
+          line.resume = true;
+          break;
         case 'h':
           line.help = true;
           break;
@@ -63,6 +70,11 @@ namespace ringmotor
         }
       if (line.help || line.version)
         return line;
+      if (line.resume && !can_resume)
+        throw UserError("--resume is not available for the program " + name +
+                        ", which has nothing to go on from; leave it out");
+      if (line.resume && line.study)
+        throw UserError("--resume does not go with --study; leave one of them out");
       if (argc - optind != 1)
         throw UserError(
             (optind == argc ? "no parameter file given" : "more than one parameter file given") +
@@ -74,9 +86,10 @@ namespace ringmotor
     void work(int argc, char **argv, const std::string &name, const std::string &purpose,
               const std::function<void(const Parameters &)> &check,
               const std::function<void(const Parameters &)> &run,
-              const std::function<void(const Parameters &)> &study)
+              const std::function<void(const Parameters &)> &study,
+              const std::function<void(const Parameters &)> &resume)
     {
-      const CommandLine line = read_command_line(argc, argv, name);
+      const CommandLine line = read_command_line(argc, argv, name, static_cast<bool>(resume));
       const bool speaks      = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
       if (line.version)
       {
@@ -89,10 +102,12 @@ namespace ringmotor
         {
           std::cout << "# " << name
                     << " FILE.prm [--set 'Section/Sub/Entry = value']... [--output DIR] [--study] "
-                       "[--help] [--version]\n# "
-                    << purpose
+                    << (resume ? "[--resume] " : "") << "[--help] [--version]\n# " << purpose
                     << "\n# --study shows what accuracy costs: a ladder of settings, each with its "
                        "errors and seconds."
+                    << (resume ? "\n# --resume goes on after an interruption: finished operating "
+                                 "points are not computed again."
+                               : "")
                     << "\n# A parameter file looks like this; the values are those of the "
                        "reference motor.\n\n";
           print_parameters(std::cout, Parameters());
@@ -102,7 +117,7 @@ namespace ringmotor
       {
         const Parameters parameters = read_parameters(line.file, line.overrides);
         check(parameters);
-        (line.study ? study : run)(parameters);
+        (line.study ? study : line.resume ? resume : run)(parameters);
       }
     }
 
@@ -133,14 +148,15 @@ namespace ringmotor
   int run_program(int argc, char **argv, const std::string &name, const std::string &purpose,
                   const std::function<void(const Parameters &)> &check,
                   const std::function<void(const Parameters &)> &run,
-                  const std::function<void(const Parameters &)> &study)
+                  const std::function<void(const Parameters &)> &study,
+                  const std::function<void(const Parameters &)> &resume)
   {
     spare_the_network_search();
     std::signal(SIGXFSZ, SIG_IGN); // a file grown too large shall be an error that can be told
     const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
     try
     {
-      work(argc, argv, name, purpose, check, run, study);
+      work(argc, argv, name, purpose, check, run, study, resume);
       return 0;
     }
     catch (const UserError &error)

@@ -183,7 +183,7 @@ namespace ringmotor
     const bool of_torque      = requests[middle].control == Control::torque;
     Parameters plain          = with_parts_of_a_step(parameters, reached.n_parts);
     plain.friction.law        = FrictionLaw::coulomb;
-    const CurvePoint dynamic  = OperatingPointFinder(plain, motor()).find(requests[middle]);
+    const CurvePoint dynamic  = sources.points(plain, motor(), reached, {requests[middle]}).front();
     CurveSetting coarse{compared_with(reached.level), reached.n_parts}, half = coarse;
     half.n_parts *= 2;
     const auto change = [&](const CurvePoint &from, const CurvePoint &to) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/parameters/relevant.h>
 #include <ringmotor/quantities/torque_speed.h>
 
 #include <algorithm>
@@ -28,11 +29,21 @@ namespace ringmotor
       append(fields.motion, solution.motion);
       append(fields.tooth, t);
       append(fields.rotor, r);
-      const auto rigid = solution.state.rigid.begin(); // a turn may follow
-      fields.rigid.insert(fields.rigid.end(), rigid,
-                          rigid + contact.n_times() * contact.n_rigid_motions());
+      const auto rigid       = solution.state.rigid.begin(); // a turn may follow
+      const std::size_t size = contact.n_times() * contact.n_rigid_motions();
+      fields.rigid.insert(fields.rigid.end(), rigid, rigid + size);
+      fields.turn = solution.state.rigid.size() > size ? solution.state.rigid.back() : 0.;
       for (const PointStatus status : solution.status)
         fields.status.push_back(static_cast<unsigned char>(status));
+    }
+
+    /** The state that a point of the steady state was found in. */
+    ContactState state_of(const CurvePoint &point)
+    {
+      ContactState state{point.fields.force, point.fields.rigid};
+      if (point.request.control == Control::torque)
+        state.rigid.push_back(point.fields.turn);
+      return state;
     }
 
     void add_certificate(CurvePoint &point, const ContactSolution &solution)
@@ -111,27 +122,43 @@ namespace ringmotor
     return friction;
   }
 
-  OperatingPointFinder::OperatingPointFinder(const Parameters &parameters,
-                                             const CondensedMotor &motor)
-      : parameters(parameters), motor(motor), friction(effective_friction(parameters)),
-        steady(motor, friction, parameters.loading.preload, parameters.time.n_snapshots)
+  OperatingPointFinder::OperatingPointFinder(const Parameters &all_parameters,
+                                             const CondensedMotor &motor, PointMemory *memory)
+      : parameters(relevant_for_points(all_parameters)), motor(motor),
+        friction(effective_friction(parameters)),
+        steady(motor, friction, parameters.time.n_snapshots), memory(memory)
   {
+  }
+
+  RotorLoad OperatingPointFinder::load_of(const PointRequest &request) const
+  {
+    RotorLoad load{parameters.loading.preload, {}, request.value};
+    if (request.control == Control::torque)
+      load.torque = request.value;
+    return load;
   }
 
   CurvePoint OperatingPointFinder::find(const PointRequest &request)
   {
+    if (memory)
+      if (std::optional<CurvePoint> known = memory->recall(request))
+      {
+        if (!is_marched(parameters))
+          steady.go_on_from(load_of(request), state_of(*known));
+        return *known;
+      }
     const auto begin = std::chrono::steady_clock::now();
     CurvePoint point = is_marched(parameters) ? march(request) : find_steady(request);
     point.request    = request;
     point.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    if (memory)
+      memory->keep(point);
     return point;
   }
 
   CurvePoint OperatingPointFinder::find_steady(const PointRequest &request)
   {
-    const OperatingState state = request.control == Control::torque
-                                     ? steady.at_torque(request.value)
-                                     : steady.at_speed(request.value);
+    const OperatingState state = steady.at(load_of(request));
     CurvePoint point;
     point.result = evaluate(state);
     add_certificate(point, state.solution);
@@ -149,9 +176,9 @@ namespace ringmotor
     std::vector<OperatingPoint> averaged;
     for (unsigned int number = 1; number <= time.n_steps; ++number)
     {
-      RotorLoad load{parameters.loading.preload, {}, request.value};
-      if (request.control == Control::torque) // the load comes with the second step
-        load.torque = number == 1 ? 0. : request.value;
+      RotorLoad load = load_of(request);
+      if (load.torque && number == 1) // the load comes with the second step
+        load.torque = 0.;
       OperatingState state = driver.step(load, time.time_step);
       add_certificate(point, state.solution);
       append_fields(point.fields, state, driver.time());
@@ -182,11 +209,12 @@ namespace ringmotor
   std::vector<CurvePoint> find_points(const Parameters &parameters, const CondensedMotor &motor,
                                       const std::vector<PointRequest> &requests,
                                       MPI_Comm communicator,
-                                      const std::function<void(const CurvePoint &)> &after_point)
+                                      const std::function<void(const CurvePoint &)> &after_point,
+                                      PointMemory *memory)
   {
     const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator),
                        n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-    OperatingPointFinder finder(parameters, motor);
+    OperatingPointFinder finder(parameters, motor, memory);
     std::vector<CurvePoint> mine;
     for (unsigned int i = rank; i < requests.size(); i += n_ranks)
     {

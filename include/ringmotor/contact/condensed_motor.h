@@ -5,8 +5,13 @@
 #include <ringmotor/contact/contact_solver.h>
 #include <ringmotor/contact/ring_compliance.h>
 
+#include <boost/serialization/array.hpp>
+#include <boost/serialization/complex.hpp>
+#include <boost/serialization/vector.hpp>
+
 #include <array>
 #include <complex>
+#include <string>
 #include <vector>
 
 namespace ringmotor
@@ -19,6 +24,7 @@ namespace ringmotor
     double relative_error    = 0.; ///< of the speed of its surface
     WaveMotion foot;               ///< between base and tooth
     WaveMotion top;                ///< of the tooth's top
+    std::string fingerprint;       ///< of these motions: tells them from all others
   };
 
   /** What the contact needs to know of a motor: everything elastic in one matrix. */
@@ -32,6 +38,12 @@ namespace ringmotor
       double area;   ///< m^2
       std::array<std::complex<double>, 3>
           free_motion; ///< m, of the tooth without contact forces, see PointVector
+
+      template <class Archive>
+      void serialize(Archive &archive, const unsigned int)
+      {
+        archive &radius &angle &area &free_motion;
+      }
     };
 
     unsigned int n_teeth = 0, n_waves = 0;
@@ -44,6 +56,12 @@ namespace ringmotor
                                                                ///< tooth 0; times exp(-i theta_j)
                                                                ///< for tooth j
       double stiffness; ///< of the whole ring against the real or the imaginary part
+
+      template <class Archive>
+      void serialize(Archive &archive, const unsigned int)
+      {
+        archive &motion &stiffness;
+      }
     };
 
     std::vector<Node> nodes;
@@ -66,10 +84,19 @@ namespace ringmotor
 
     double period() const;
     double pitch() const;
+
+    template <class Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      archive &n_teeth &n_waves &angular_frequency &nodes &loose_motions &compliance &folded;
+      archive &constants.normal &constants.tangential &tooth_compliance &faces &degree &n_dofs;
+      archive &tooth_inertia_indicator;
+    }
   };
 
   /**
-   * Condenses teeth and rotor of a motor to their contact points.
+   * Condenses teeth and rotor of a motor to their contact points. Looks at
+   * relevant_for_condensation() of the parameters only.
    * @throws UserError if the lip misses the teeth
    */
   CondensedMotor condense_motor(const Parameters &parameters, const StatorWave &wave,

@@ -3,6 +3,8 @@
 
 #include <ringmotor/contact/mortar.h>
 
+#include <boost/serialization/vector.hpp>
+
 #include <complex>
 #include <functional>
 #include <vector>
@@ -80,6 +82,12 @@ namespace ringmotor
     /** The same ring seen as one of n_sectors / @p fold sectors, for forces and motions that repeat
      * themselves. */
     RingCompliance folded(const unsigned int fold) const;
+
+    template <class Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      archive &sector_count &node_count &entries;
+    }
 
   private:
     unsigned int sector_count = 0, node_count = 0;

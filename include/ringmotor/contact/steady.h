@@ -26,27 +26,26 @@ namespace ringmotor
   {
   public:
     /** @p motor must outlive this object and all its states. */
-    SteadyDriver(const CondensedMotor &motor, const Friction &friction, const double preload,
+    SteadyDriver(const CondensedMotor &motor, const Friction &friction,
                  const unsigned int n_moments);
 
     /**
-     * The state at this speed (rad/s) or under this load torque (N m).
+     * The state under a load, with states between the last one and this one where it has to.
      * @throws ComputationError if no state is found; the message says what was tried
      */
-    OperatingState at_speed(const double speed);
-    OperatingState at_torque(const double torque);
+    OperatingState at(const RotorLoad &load);
+
+    /** Takes a known state as that from which the next one is to be found. */
+    void go_on_from(const RotorLoad &load, const ContactState &state);
 
   private:
     /** Solves from another state, of this or the other control, in which the rotor turns with
      * @p speed (rad/s). */
     OperatingState find(const RotorLoad &load, const ContactState &begin, const double speed) const;
-    /** Solves at a load from the last state, with states between them where it has to. */
-    OperatingState approach(const RotorLoad &load);
-    void start();
+    void start(const double preload);
 
     const CondensedMotor &motor;
     const Friction friction;
-    const double preload;
     const unsigned int n_moments;
     std::optional<OperatingState> last;
   };

@@ -18,11 +18,12 @@ namespace ringmotor
     std::vector<PointVector> tooth, rotor; ///< m, displacements; the rotor's without its turn
     std::vector<double> rigid;             ///< motions of the rotor by moment, see RingContact
     std::vector<unsigned char> status;     ///< see PointStatus
+    double turn = 0.; ///< rad, of the rotor in the last step, if the torque was given
 
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &times &n_teeth &time_step &force &motion &tooth &rotor &rigid &status;
+      archive &times &n_teeth &time_step &force &motion &tooth &rotor &rigid &turn &status;
     }
   };
 } // namespace ringmotor

@@ -9,6 +9,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -83,25 +84,43 @@ namespace ringmotor
     }
   };
 
+  /** Knows operating points of a motor that have been found already. */
+  class PointMemory
+  {
+  public:
+    virtual ~PointMemory() = default;
+    /** The point that was found for a request, if there is one. */
+    virtual std::optional<CurvePoint> recall(const PointRequest &request) = 0;
+    /** Remembers a point. */
+    virtual void keep(const CurvePoint &point) = 0;
+  };
+
   /** Finds operating points of a motor, in the way (steady or marching) that its parameters ask
-   * for. */
+   * for. Looks at relevant_for_points() of the parameters only. */
   class OperatingPointFinder
   {
   public:
-    /** Both references must outlive this object. */
-    OperatingPointFinder(const Parameters &parameters, const CondensedMotor &motor);
+    /** @p motor and @p memory, which may be left out, must outlive this object. */
+    OperatingPointFinder(const Parameters &parameters, const CondensedMotor &motor,
+                         PointMemory *memory = nullptr);
 
-    /** @throws ComputationError if none is found */
+    /**
+     * Asks the memory first. The next point is found as if this one had been computed, to the last
+     * bit.
+     * @throws ComputationError if none is found
+     */
     CurvePoint find(const PointRequest &request);
 
   private:
+    RotorLoad load_of(const PointRequest &request) const;
     CurvePoint find_steady(const PointRequest &request);
     CurvePoint march(const PointRequest &request) const;
 
-    const Parameters &parameters;
+    const Parameters parameters;
     const CondensedMotor &motor;
     const Friction friction;
     SteadyDriver steady;
+    PointMemory *const memory;
   };
 
   /** How far the teeth stand above the plane of an even ring at rest, m. */
@@ -123,13 +142,13 @@ namespace ringmotor
 
   /**
    * Finds several points, spread over the ranks of @p communicator; all of them end up on each
-   * rank.
-   * @p after_point is called on the rank that has found a point.
+   * rank. @p after_point is called, and @p memory asked, on the rank that finds a point.
    */
   std::vector<CurvePoint> find_points(const Parameters &parameters, const CondensedMotor &motor,
                                       const std::vector<PointRequest> &requests,
                                       MPI_Comm communicator,
-                                      const std::function<void(const CurvePoint &)> &after_point);
+                                      const std::function<void(const CurvePoint &)> &after_point,
+                                      PointMemory *memory = nullptr);
 
   /**
    * Error bars of points from how they change from one discretisation to another: @p factor times

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/output/log.h>
+#include <ringmotor/quantities/torque_speed.h>
+
+#include <string>
+
+namespace ringmotor
+{
+  /** All that the condensation of a motor on an interface mesh depends on: this very build of the
+   * program, the wave and relevant_for_condensation() of the parameters. */
+  std::string condensation_key(const Parameters &parameters, const StatorWave &wave,
+                               const unsigned int level);
+
+  /** All that operating points depend on beside the request. */
+  std::string points_key(const Parameters &parameters, const StatorWave &wave,
+                         const unsigned int level);
+
+  /**
+   * What a run of the program `contact` keeps in `kept/` below its folder for later runs: condensed
+   * motors, which any run uses, and operating points, for a run that resumes. A file that is
+   * damaged or belongs to other parameters, another wave or another build of the program is
+   * computed anew.
+   *
+   * All members are called on all ranks of @p communicator together, unlike most of this room.
+   */
+  class ContactKeep
+  {
+  public:
+    /**
+     * Removes the points of earlier runs unless this one @p resumes.
+     * @param folder of the results, which exists; ends in a slash
+     * @throws UserError if the disk refuses
+     */
+    ContactKeep(const std::string &folder, const StatorWave &wave, const bool resumes, Log &log,
+                MPI_Comm communicator);
+
+    /** The condensed motor with ContactDiscretisation::level(): read or computed. */
+    CondensedMotor motor(const Parameters &parameters, const unsigned int level);
+
+    /** find_points() for that motor: what is not there yet is computed and kept at once. */
+    std::vector<CurvePoint> points(
+        const Parameters &parameters, const CondensedMotor &motor, const unsigned int level,
+        const std::vector<PointRequest> &requests,
+        const std::function<void(const CurvePoint &)> &after_point = [](const CurvePoint &) {});
+
+    /** Says in the log how much of a run that resumed was there already. */
+    void report();
+
+  private:
+    /** How many points a rank has looked for. */
+    struct Counts
+    {
+      unsigned int found = 0, recalled = 0, damaged = 0; // found: computed by this run
+    };
+    class Points;
+
+    const std::string motors, points_folder;
+    const StatorWave &wave;
+    const bool resumes;
+    Log &log;
+    const MPI_Comm communicator;
+    Counts counts;
+  };
+} // namespace ringmotor

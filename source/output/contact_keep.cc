@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/output/contact_keep.h>
+#include <ringmotor/output/files.h>
+#include <ringmotor/output/kept_file.h>
+#include <ringmotor/parameters/relevant.h>
+#include <ringmotor/version.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <iterator>
+#include <limits>
+
+namespace ringmotor
+{
+  using namespace dealii;
+  namespace fs = std::filesystem;
+
+  namespace
+  {
+    /** Version and revision leave open what was changed since or how it was compiled. */
+    std::string this_build()
+    {
+      const fs::path program = "/proc/self/exe";
+      return std::string("ringmotor ") + version + " (" + git_revision + "), executable of " +
+             std::to_string(fs::file_size(program)) + " bytes, linked at " +
+             std::to_string(fs::last_write_time(program).time_since_epoch().count()) + "\n";
+    }
+
+    std::string content_of(const std::string &path)
+    {
+      std::ifstream file(path, std::ios::binary);
+      return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    }
+
+    std::string key_of(const std::string &what, const Parameters &relevant, const StatorWave &wave,
+                       const unsigned int level)
+    {
+      std::string key = what + " by " + this_build() + "wave " + wave.fingerprint +
+                        "\ninterface mesh " + std::to_string(level) + "\n" + text_of(relevant);
+      for (const std::string &mesh : {relevant.stator.mesh_file, relevant.rotor.mesh_file})
+        if (!mesh.empty())
+          key += mesh + " " + fingerprint(content_of(mesh)) + "\n";
+      return key;
+    }
+  } // namespace
+
+  std::string condensation_key(const Parameters &parameters, const StatorWave &wave,
+                               const unsigned int level)
+  {
+    return key_of("condensed motor", relevant_for_condensation(parameters), wave, level);
+  }
+
+  std::string points_key(const Parameters &parameters, const StatorWave &wave,
+                         const unsigned int level)
+  {
+    return key_of("operating point", relevant_for_points(parameters), wave, level);
+  }
+
+  /** Points found on one motor, as files. */
+  class ContactKeep::Points : public PointMemory
+  {
+  public:
+    Points(const std::string &folder, const std::string &key, Counts &counts)
+        : folder(folder), key(key), counts(counts)
+    {
+    }
+
+    std::optional<CurvePoint> recall(const PointRequest &request) override
+    {
+      const std::string its_key = key_for(request);
+      const KeptContent kept    = read_kept_file(path_for(its_key), its_key);
+      if (!kept.problem.empty())
+        ++counts.damaged;
+      if (!kept.bytes)
+        return {};
+      ++counts.recalled;
+      return from_bytes<CurvePoint>(*kept.bytes);
+    }
+
+    void keep(const CurvePoint &point) override
+    {
+      const std::string its_key = key_for(point.request);
+      write_kept_file(path_for(its_key), its_key, to_bytes(point));
+      ++counts.found;
+    }
+
+  private:
+    std::string key_for(const PointRequest &request) const
+    {
+      std::ostringstream text;
+      text << std::setprecision(std::numeric_limits<double>::max_digits10) << key
+           << (request.control == Control::torque ? "torque " : "speed ") << request.value << "\n";
+      return text.str();
+    }
+    std::string path_for(const std::string &its_key) const { return folder + fingerprint(its_key); }
+
+    const std::string folder, key;
+    Counts &counts;
+  };
+
+  ContactKeep::ContactKeep(const std::string &folder, const StatorWave &wave, const bool resumes,
+                           Log &log, const MPI_Comm communicator)
+      : motors(folder + "kept/"), points_folder(motors + "points/"), wave(wave), resumes(resumes),
+        log(log), communicator(communicator)
+  {
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+    {
+      std::error_code no_throw;
+      if (!resumes)
+        fs::remove_all(points_folder, no_throw);
+      prepare_directory(points_folder);
+      if (resumes)
+        log.line("resuming with the operating points in " + points_folder);
+    }
+    Utilities::MPI::broadcast(communicator, 0); // no rank goes on before the folders are there
+  }
+
+  CondensedMotor ContactKeep::motor(const Parameters &parameters, const unsigned int level)
+  {
+    const std::string name = "interface_mesh_" + std::to_string(level), path = motors + name;
+    const bool is_first   = Utilities::MPI::this_mpi_process(communicator) == 0;
+    const std::string key = condensation_key(parameters, wave, level);
+    KeptContent kept;
+    if (is_first)
+      kept = read_kept_file(path, key);
+    const std::string bytes =
+        Utilities::MPI::broadcast(communicator, kept.bytes.value_or(std::string()));
+    if (!bytes.empty())
+    {
+      log.line("condensation of interface mesh " + std::to_string(level) + " read from " + path);
+      return from_bytes<CondensedMotor>(bytes);
+    }
+    if (!kept.problem.empty())
+      log.line("kept condensation " + path + " " + kept.problem + ": computed anew");
+    CondensedMotor motor = condense_motor(parameters, wave, ContactDiscretisation::level(level));
+    if (is_first)
+      write_kept_file(path, key, to_bytes(motor));
+    return motor;
+  }
+
+  std::vector<CurvePoint>
+  ContactKeep::points(const Parameters &parameters, const CondensedMotor &motor,
+                      const unsigned int level, const std::vector<PointRequest> &requests,
+                      const std::function<void(const CurvePoint &)> &after_point)
+  {
+    Points memory(points_folder, points_key(parameters, wave, level), counts);
+    return find_points(parameters, motor, requests, communicator, after_point, &memory);
+  }
+
+  void ContactKeep::report()
+  {
+    const unsigned int n_found    = Utilities::MPI::sum(counts.found, communicator),
+                       n_recalled = Utilities::MPI::sum(counts.recalled, communicator),
+                       n_damaged  = Utilities::MPI::sum(counts.damaged, communicator);
+    if (n_damaged > 0)
+      log.line(std::to_string(n_damaged) + " kept operating points were damaged: computed anew");
+    if (resumes)
+      log.line("resumed: " + std::to_string(n_recalled) + " operating points, those for error " +
+               "bars included, were there already; " +
+               (n_found == 0 ? "nothing was left to compute"
+                             : std::to_string(n_found) + " were computed"));
+  }
+} // namespace ringmotor

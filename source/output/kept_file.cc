@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/output/files.h>
+#include <ringmotor/output/kept_file.h>
+
+#include <boost/uuid/name_generator_sha1.hpp>
+#include <boost/uuid/uuid_io.hpp>
+
+#include <fstream>
+
+namespace ringmotor
+{
+  namespace
+  {
+    // The file: this line, a line with the fingerprint of all that follows it, the key with its
+    // length before it, and the content.
+    const std::string first_line = "ringmotor, kept for a later run\n";
+
+    std::string head_of(const std::string &key)
+    {
+      return std::to_string(key.size()) + "\n" + key;
+    }
+  } // namespace
+
+  std::string fingerprint(const std::string_view bytes)
+  {
+    const boost::uuids::name_generator_sha1 generator(boost::uuids::ns::oid());
+    return boost::uuids::to_string(generator(bytes.data(), bytes.size()));
+  }
+
+  void write_kept_file(const std::string &path, const std::string &key, const std::string &bytes)
+  {
+    std::string file = head_of(key);
+    file += bytes;
+    file.insert(0, first_line + fingerprint(file) + "\n");
+    write_file(path, file);
+  }
+
+  KeptContent read_kept_file(const std::string &path, const std::string &key)
+  {
+    std::ifstream file(path, std::ios::binary);
+    if (!file.is_open())
+      return {};
+    std::string line(first_line.size(), '\0'), stored_fingerprint;
+    file.read(line.data(), line.size());
+    std::getline(file, stored_fingerprint);
+    std::ostringstream read;
+    read << file.rdbuf();
+    std::string rest = read.str();
+    if (line != first_line || stored_fingerprint != fingerprint(rest))
+      return {{}, "is damaged"};
+    const std::string head = head_of(key);
+    if (rest.compare(0, head.size(), head) != 0)
+      return {{}, "belongs to other parameters or another version"};
+    return {rest.erase(0, head.size()), ""};
+  }
+} // namespace ringmotor

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/parameter_handler.h>
+
+#include <ringmotor/parameters/relevant.h>
+
+#include <sstream>
+
+namespace ringmotor
+{
+  using namespace dealii;
+
+  Parameters relevant_for_points(const Parameters &parameters)
+  {
+    const Parameters defaults;
+    Parameters relevant                    = parameters;
+    relevant.motor.name                    = defaults.motor.name;
+    relevant.loading.control               = defaults.loading.control;
+    relevant.loading.values                = defaults.loading.values;
+    relevant.loading.n_curve_points        = defaults.loading.n_curve_points;
+    relevant.accuracy.contact_target       = defaults.accuracy.contact_target;
+    relevant.accuracy.mode                 = defaults.accuracy.mode;
+    relevant.accuracy.interface_refinement = defaults.accuracy.interface_refinement;
+    relevant.output                        = defaults.output;
+    return relevant;
+  }
+
+  Parameters relevant_for_condensation(const Parameters &parameters)
+  {
+    const Parameters defaults;
+    Parameters relevant                   = relevant_for_points(parameters);
+    relevant.loading                      = defaults.loading;
+    relevant.friction.law                 = defaults.friction.law;
+    relevant.friction.static_coefficient  = defaults.friction.static_coefficient;
+    relevant.friction.dynamic_coefficient = defaults.friction.dynamic_coefficient;
+    relevant.friction.decay_velocity      = defaults.friction.decay_velocity;
+    relevant.friction.weakening_length    = defaults.friction.weakening_length;
+    relevant.initial_deformation          = defaults.initial_deformation;
+    relevant.time                         = defaults.time;
+    return relevant;
+  }
+
+  std::string text_of(const Parameters &parameters)
+  {
+    Parameters copy = parameters;
+    ParameterHandler prm;
+    copy.declare(prm);
+    std::ostringstream text;
+    prm.print_parameters(text, ParameterHandler::ShortPRM | ParameterHandler::KeepDeclarationOrder);
+    return text.str();
+  }
+} // namespace ringmotor

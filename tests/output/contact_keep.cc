@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// What the program contact keeps for later runs: it is found again under the same circumstances
+// only, and then it is the same to the last bit.
+
+#include "parameters/sample.h"
+#include "support/motor_model.h"
+
+#include <ringmotor/output/contact_keep.h>
+#include <ringmotor/output/kept_file.h>
+#include <ringmotor/parameters/prm_file.h>
+#include <ringmotor/parameters/relevant.h>
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+using namespace ringmotor;
+using namespace ringmotor::tests;
+using ringmotor::sample::with;
+
+namespace
+{
+  /** `Section/Entry = value` with another value than that of the reference motor. */
+  std::string changed(const std::string &entry)
+  {
+    const std::string reference = text_of(with({}));
+    for (const std::string value :
+         {"3",       "4",      "0.31",   "1e-5",     "off",    "on",    "true",   "false",
+          "solid",   "shell",  "stator", "rotor",    "torque", "speed", "mortar", "penalty",
+          "coulomb", "steady", "auto",   "adaptive", "fixed",  "text"})
+      try
+      {
+        const std::string change = entry + " = " + value;
+        if (text_of(with({change})) != reference)
+          return change;
+      }
+      catch (const UserError &)
+      {
+        // not a value of this entry
+      }
+    return "";
+  }
+
+  StatorWave some_wave()
+  {
+    StatorWave wave;
+    wave.fingerprint = "wave";
+    return wave;
+  }
+
+  // Entries that change no operating point by itself, and those that change no condensed motor:
+  // this list is a promise to the user, who may change them and still resume.
+  const std::set<std::string> not_of_points{"Motor/Name",
+                                            "Loading/Control",
+                                            "Loading/Values",
+                                            "Loading/Number of curve points",
+                                            "Accuracy/Contact target",
+                                            "Accuracy/Mode",
+                                            "Accuracy/Interface refinement",
+                                            "Output/Directory",
+                                            "Output/VTU",
+                                            "Output/Frames per period",
+                                            "Output/Figures"};
+  const std::set<std::string> not_of_condensation{"Loading/Preload",
+                                                  "Friction/Law",
+                                                  "Friction/Static coefficient",
+                                                  "Friction/Dynamic coefficient",
+                                                  "Friction/Decay velocity",
+                                                  "Friction/Weakening length",
+                                                  "Initial deformation/Amplitude",
+                                                  "Initial deformation/Number of waves",
+                                                  "Time/Scheme",
+                                                  "Time/Time step",
+                                                  "Time/Number of steps",
+                                                  "Time/Average from step",
+                                                  "Time/Average to step",
+                                                  "Time/Snapshots"};
+} // namespace
+
+TEST(ContactKeepKeys, HoldEveryEntryButThoseThatMakeNoDifference)
+{
+  const StatorWave wave      = some_wave();
+  const Parameters reference = with({});
+  const auto assignments     = parse_prm(text_of(reference), "reference").assignments;
+  EXPECT_GT(assignments.size(), 80u);
+  for (const PrmFile::Assignment &assignment : assignments)
+  {
+    const std::string change = changed(assignment.path);
+    ASSERT_NE(change, "") << assignment.path << ": the test knows no other value";
+    const bool of_points       = not_of_points.count(assignment.path) == 0,
+               of_condensation = of_points && not_of_condensation.count(assignment.path) == 0;
+    const Parameters other     = with({change});
+    EXPECT_EQ(points_key(other, wave, 1) != points_key(reference, wave, 1), of_points) << change;
+    EXPECT_EQ(condensation_key(other, wave, 1) != condensation_key(reference, wave, 1),
+              of_condensation)
+        << change;
+  }
+}
+
+TEST(ContactKeepKeys, HoldWaveAndInterfaceMesh)
+{
+  const Parameters parameters = with({});
+  const StatorWave wave       = some_wave();
+  StatorWave other_wave       = wave;
+  other_wave.fingerprint      = "other";
+  const std::set<std::string> keys{condensation_key(parameters, wave, 1),
+                                   condensation_key(parameters, wave, 2),
+                                   condensation_key(parameters, other_wave, 1),
+                                   points_key(parameters, wave, 1),
+                                   points_key(parameters, wave, 2),
+                                   points_key(parameters, other_wave, 1)};
+  EXPECT_EQ(keys.size(), 6u);
+}
+
+TEST(ContactKeepKeys, HoldTheContentOfMeshFiles)
+{
+  const Scratch scratch;
+  const std::string mesh = scratch.path("sector.msh");
+  const auto key         = [&](const std::string &content)
+  {
+    std::ofstream(mesh) << content;
+    return condensation_key(with({"Rotor/Mesh file = " + mesh}), some_wave(), 1);
+  };
+  const std::string first = key("one mesh");
+  EXPECT_NE(key("two mesh"), first);
+  EXPECT_EQ(key("one mesh"), first);
+}
+
+namespace
+{
+  class ContactKeepFiles : public testing::Test
+  {
+  protected:
+    static void SetUpTestSuite()
+    {
+      Parameters stator      = reference_motor();
+      stator.accuracy.target = 1e-2;
+      wave                   = std::make_unique<StatorWave>(stator_wave(stator));
+    }
+    static void TearDownTestSuite() { wave.reset(); }
+
+    ContactKeepFiles()
+    {
+      parameters                 = reference_motor();
+      parameters.accuracy.target = 1e-2;
+    }
+
+    ContactKeep keep(const bool resumes)
+    {
+      return ContactKeep(scratch.path(""), *wave, resumes, log, MPI_COMM_SELF);
+    }
+
+    /** The bytes of a motor, and what the log said. */
+    std::pair<std::string, std::string> motor()
+    {
+      said.str("");
+      const CondensedMotor motor = keep(false).motor(parameters, 0);
+      return {to_bytes(motor), said.str()};
+    }
+
+    static std::string without_seconds(std::vector<CurvePoint> points)
+    {
+      for (CurvePoint &point : points)
+        point.seconds = 0.;
+      return to_bytes(points);
+    }
+
+    static std::unique_ptr<StatorWave> wave;
+    const Scratch scratch;
+    Parameters parameters;
+    std::ostringstream said;
+    Log log{true, said, false};
+    const std::vector<PointRequest> requests{
+        {Control::torque, 0.}, {Control::torque, 0.1}, {Control::speed, 0.}};
+  };
+
+  std::unique_ptr<StatorWave> ContactKeepFiles::wave;
+
+  void damage(const std::string &path, const double place)
+  {
+    std::string content = content_of(path);
+    content[static_cast<std::size_t>(place * (content.size() - 1))] ^= 0x10;
+    std::ofstream(path, std::ios::binary) << content;
+  }
+} // namespace
+
+TEST_F(ContactKeepFiles, GiveBackTheSameMotor)
+{
+  const auto [computed, said_first] = motor();
+  EXPECT_EQ(said_first, "");
+  EXPECT_EQ(computed, to_bytes(condense_motor(parameters, *wave, ContactDiscretisation::level(0))));
+  const auto [read, said_then] = motor();
+  EXPECT_TRUE(read == computed);
+  EXPECT_NE(said_then.find("condensation of interface mesh 0 read from"), std::string::npos);
+}
+
+TEST_F(ContactKeepFiles, NeverGiveADamagedMotorOrThatOfAnother)
+{
+  const std::string path = scratch.path("/kept/interface_mesh_0"), computed = motor().first;
+  for (const double place : {0., 0.5, 1.})
+  {
+    damage(path, place);
+    const auto [bytes, said] = motor();
+    EXPECT_TRUE(bytes == computed) << place;
+    EXPECT_NE(said.find("is damaged: computed anew"), std::string::npos) << said;
+  }
+  parameters.rotor.flange_thickness *= 1.01;
+  const auto [bytes, said] = motor();
+  EXPECT_FALSE(bytes == computed);
+  EXPECT_NE(said.find("belongs to other parameters or another version: computed anew"),
+            std::string::npos)
+      << said;
+  EXPECT_NE(motor().second.find("read from"), std::string::npos) << "the new one is kept";
+}
+
+// The points that are left start from the last one that is there, as if it had just been computed.
+TEST_F(ContactKeepFiles, PointsThatAreMissingComeOutTheSameToTheLastBit)
+{
+  parameters.friction.law                = FrictionLaw::static_dynamic;
+  parameters.friction.static_coefficient = 0.48;
+  const CondensedMotor motor             = keep(false).motor(parameters, 0);
+  for (const unsigned int n_left : {1u, 2u, 3u})
+  {
+    const auto points = [&](ContactKeep store, const unsigned int n)
+    {
+      return without_seconds(
+          store.points(parameters, motor, 0, {requests.begin(), requests.begin() + n}));
+    };
+    const std::string whole = points(keep(false), 3);
+    points(keep(false), n_left);
+    EXPECT_TRUE(points(keep(true), 3) == whole) << n_left;
+  }
+}
+
+TEST_F(ContactKeepFiles, PointsAreThereUnlessDamagedOrOfAnotherLoad)
+{
+  const CondensedMotor motor = keep(false).motor(parameters, 0);
+  const auto report          = [&]()
+  {
+    said.str("");
+    ContactKeep store = keep(true);
+    store.points(parameters, motor, 0, requests);
+    store.report();
+    return said.str().substr(said.str().find('\n'));
+  };
+  keep(false).points(parameters, motor, 0, requests);
+  EXPECT_NE(report().find("3 operating points, those for error bars included, were there already; "
+                          "nothing was left to compute"),
+            std::string::npos);
+  for (const auto &entry : std::filesystem::directory_iterator(scratch.path("/kept/points")))
+    damage(entry.path(), 0.7);
+  EXPECT_NE(report().find("3 kept operating points were damaged: computed anew"),
+            std::string::npos);
+  EXPECT_NE(report().find("nothing was left"), std::string::npos);
+  parameters.loading.preload = 15.;
+  EXPECT_NE(report().find(" 0 operating points, those for error bars included, were there already; "
+                          "3 were computed"),
+            std::string::npos);
+  keep(false);
+  EXPECT_NE(report().find("3 were computed"), std::string::npos) << "a new start forgets them";
+}
