@@ -106,41 +106,101 @@ namespace ringmotor
            << "; run the program stator with these parameters first";
       throw UserError(text.str());
     }
+    void check_motor(const Hdf5Reader &file, const std::string &path, const Parameters &parameters)
+    {
+      check_same(path, "Motor/Number of waves", file.attribute<unsigned int>("/", "n_waves"),
+                 parameters.motor.n_waves);
+      check_same(path, "Motor/Number of teeth", file.attribute<unsigned int>("/", "n_teeth"),
+                 parameters.motor.n_teeth);
+      for (const StatorEntry &entry : stator_fingerprint(parameters))
+        check_same(path, entry.entry, file.attribute<double>(entry.group, entry.attribute),
+                   entry.value);
+      check_same(path, "Wave/Amplitude", file.attribute<double>("/wave", "amplitude_m"),
+                 parameters.wave.amplitude);
+      if (parameters.wave.frequency)
+        check_same(path, "Wave/Frequency",
+                   file.attribute<double>("/wave", "angular_frequency_rad_per_s") /
+                       (2. * numbers::PI),
+                   *parameters.wave.frequency);
+    }
+
+    const std::string &existing(const std::string &path)
+    {
+      if (!std::filesystem::exists(path))
+        throw UserError(path + " does not exist: the stator's wave is needed; run the program "
+                               "stator with the same parameter file first");
+      return path;
+    }
+
+    /** The file of the motor of some parameters. */
+    class ModesFile : public Hdf5Reader
+    {
+    public:
+      ModesFile(const std::string &path, const Parameters &parameters)
+          : Hdf5Reader(existing(path), "ringmotor modes", modes_format_version)
+      {
+        check_motor(*this, path, parameters);
+      }
+    };
+
+    Estimate shape_number(const Hdf5Reader &file, const std::string &name)
+    {
+      return {file.attribute<double>("/wave/shape", name),
+              file.attribute<double>("/wave/shape", name + " error")};
+    }
+
+    /** Relative error of the frequency. */
+    double frequency_error(const Hdf5Reader &file)
+    {
+      return file.attribute<double>("/wave", "natural_frequency_error_Hz") /
+             file.attribute<double>("/wave", "natural_frequency_Hz");
+    }
+
+    std::shared_ptr<const TraceInterpolation> trace_of(const Hdf5Reader &file,
+                                                       const std::string &surface)
+    {
+      return std::make_shared<const TraceInterpolation>(file, "/wave/" + surface);
+    }
+
+    WaveMotion motion_of(const std::shared_ptr<const TraceInterpolation> &trace)
+    {
+      return [trace](const Point<3> &x) { return (*trace)(x); };
+    }
   } // namespace
 
   StatorWave read_stator_wave(const std::string &path, const Parameters &parameters)
   {
-    if (!std::filesystem::exists(path))
-      throw UserError(path + " does not exist: the contact needs the stator's wave; run the "
-                             "program stator with the same parameter file first");
-    const Hdf5Reader file(path, "ringmotor modes", modes_format_version);
-    check_same(path, "Motor/Number of waves", file.attribute<unsigned int>("/", "n_waves"),
-               parameters.motor.n_waves);
-    check_same(path, "Motor/Number of teeth", file.attribute<unsigned int>("/", "n_teeth"),
-               parameters.motor.n_teeth);
-    for (const StatorEntry &entry : stator_fingerprint(parameters))
-      check_same(path, entry.entry, file.attribute<double>(entry.group, entry.attribute),
-                 entry.value);
+    const ModesFile file(path, parameters);
+    const Estimate tangential = shape_number(file, "A_t/A_n");
     StatorWave wave;
-    wave.n_waves = file.attribute<unsigned int>("/wave", "nodal_diameter");
-    check_same(path, "Wave/Amplitude", file.attribute<double>("/wave", "amplitude_m"),
-               parameters.wave.amplitude);
+    wave.n_waves           = file.attribute<unsigned int>("/wave", "nodal_diameter");
     wave.angular_frequency = file.attribute<double>("/wave", "angular_frequency_rad_per_s");
-    if (parameters.wave.frequency)
-      check_same(path, "Wave/Frequency", wave.angular_frequency / (2. * numbers::PI),
-                 *parameters.wave.frequency);
-    const auto relative_error =
-        [&](const std::string &group, const std::string &value, const std::string &error)
-    { return file.attribute<double>(group, error) / file.attribute<double>(group, value); };
-    wave.relative_error =
-        relative_error("/wave", "natural_frequency_Hz", "natural_frequency_error_Hz") +
-        relative_error("/wave/shape", "A_t/A_n", "A_t/A_n error");
-    const auto foot  = std::make_shared<TraceInterpolation>(file, "/wave/tooth_foot");
-    const auto top   = std::make_shared<TraceInterpolation>(file, "/wave/tooth_top");
-    wave.foot        = [foot](const Point<3> &x) { return (*foot)(x); };
-    wave.top         = [top](const Point<3> &x) { return (*top)(x); };
-    wave.fingerprint = fingerprint(foot->bytes() + top->bytes() + to_bytes(wave.n_waves) +
-                                   to_bytes(wave.angular_frequency));
+    const auto foot = trace_of(file, "tooth_foot"), top = trace_of(file, "tooth_top");
+    wave.relative_error = frequency_error(file) + tangential.error / tangential.value;
+    wave.foot           = motion_of(foot);
+    wave.top            = motion_of(top);
+    wave.fingerprint    = fingerprint(foot->bytes() + top->bytes() + to_bytes(wave.n_waves) +
+                                      to_bytes(wave.angular_frequency));
     return wave;
+  }
+
+  WaveEnergies read_wave_energies(const std::string &path, const Parameters &parameters)
+  {
+    const ModesFile file(path, parameters);
+    const Estimate base  = shape_number(file, "strain_energy_base"),
+                   tooth = shape_number(file, "strain_energy_tooth"),
+                   total = shape_number(file, "strain_energy");
+    WaveEnergies energies;
+    energies.angular_frequency = file.attribute<double>("/wave", "angular_frequency_rad_per_s");
+    energies.metal             = {base.value + tooth.value, base.error + tooth.error};
+    energies.piezoceramic      = shape_number(file, "strain_energy_piezoceramic");
+    energies.felt.value =
+        felt_energy(parameters.support, parameters.stator, parameters.motor.n_teeth,
+                    motion_of(trace_of(file, "bottom")));
+    // The lower side moves as the rest of the wave does: known as well as its energy.
+    energies.felt.error = energies.felt.value * total.error / total.value;
+    for (Estimate *energy : {&energies.metal, &energies.piezoceramic, &energies.felt})
+      energy->error += energy->value * frequency_error(file); // losses go with the frequency
+    return energies;
   }
 } // namespace ringmotor

@@ -23,11 +23,6 @@ namespace ringmotor
       return number;
     }
 
-    bool holds(const Summary::Check &check)
-    {
-      return check.value <= check.limit;
-    }
-
     Json to_json(const Summary::Quantity &quantity)
     {
       const std::string owner = "the quantity '" + quantity.name + "'";
@@ -59,7 +54,7 @@ namespace ringmotor
       return {{"name", check.name},
               {"value", finite(check.value, "the check '" + check.name + "'")},
               {"limit", finite(check.limit, "the limit of the check '" + check.name + "'")},
-              {"holds", holds(check)}};
+              {"holds", check.holds()}};
     }
 
     template <typename Item>
@@ -75,7 +70,8 @@ namespace ringmotor
   bool is_certified(const Summary &summary)
   {
     return !summary.certificate.empty() &&
-           std::all_of(summary.certificate.begin(), summary.certificate.end(), holds);
+           std::all_of(summary.certificate.begin(), summary.certificate.end(),
+                       [](const Summary::Check &check) { return check.holds(); });
   }
 
   void write_summary(const std::string &path, const Summary &summary)

@@ -371,4 +371,25 @@ namespace ringmotor
                          "unusual, but computed as it is");
     return warnings;
   }
+
+  std::vector<std::string> check_for_losses(const Parameters &parameters)
+  {
+    std::vector<std::string> warnings = check_for_contact(parameters);
+    const Support &felt               = parameters.support;
+    const StatorGeometry &stator      = parameters.stator;
+    if (felt.felt_inner_radius >= felt.felt_outer_radius)
+      throw UserError(entry("Support/Felt inner radius", felt.felt_inner_radius) +
+                      " is not below " +
+                      entry("Support/Felt outer radius", felt.felt_outer_radius) +
+                      "; allowed: inner radius < outer radius");
+    if (felt.felt_inner_radius >= stator.base_outer_radius ||
+        felt.felt_outer_radius <= stator.base_inner_radius)
+      warnings.push_back("the felt (Support/Felt inner radius to Felt outer radius) lies nowhere "
+                         "under the stator: it loses nothing");
+    else if (felt.felt_inner_radius < stator.base_inner_radius ||
+             felt.felt_outer_radius > stator.base_outer_radius)
+      warnings.push_back("the felt (Support/Felt inner radius to Felt outer radius) reaches beyond "
+                         "the stator: that part is left out");
+    return warnings;
+  }
 } // namespace ringmotor

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/output/files.h>
+#include <ringmotor/output/text.h>
+#include <ringmotor/parameters/errors.h>
 #include <ringmotor/programs/run_results.h>
 #include <ringmotor/version.h>
 
@@ -28,6 +30,15 @@ namespace ringmotor
                      << git_revision << ")\n";
                  print_parameters(out, parameters);
                });
+  }
+
+  void require_certified(const Summary &summary)
+  {
+    for (const Summary::Check &check : summary.certificate)
+      if (!check.holds())
+        throw ComputationError("the results are not certified and not written: " + check.name +
+                               " is " + scientific(check.value) + ", allowed: at most " +
+                               scientific(check.limit));
   }
 
   Summary begin_summary(const std::string &program, const Parameters &parameters,

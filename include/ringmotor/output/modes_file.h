@@ -2,6 +2,7 @@
 #pragma once
 
 #include <ringmotor/contact/condensed_motor.h>
+#include <ringmotor/quantities/loss_budget.h>
 
 #include <string>
 
@@ -14,4 +15,8 @@ namespace ringmotor
    *         another version or of another motor; it names the entry that differs
    */
   StatorWave read_stator_wave(const std::string &path, const Parameters &parameters);
+
+  /** Reads what the wave stores, from the same file and with the same errors; see felt_energy() for
+   * the felt. */
+  WaveEnergies read_wave_energies(const std::string &path, const Parameters &parameters);
 } // namespace ringmotor

@@ -42,6 +42,8 @@ namespace ringmotor
       std::string name;
       double value = 0.;
       double limit = 0.;
+
+      bool holds() const { return value <= limit; } ///< what is not a number does not
     };
 
     std::string program, version, git;

@@ -76,4 +76,7 @@ namespace ringmotor
    * @throws UserError naming the entries that clash and the way out.
    */
   std::vector<std::string> check_for_contact(const Parameters &parameters);
+
+  /** The same for the program `losses`. */
+  std::vector<std::string> check_for_losses(const Parameters &parameters);
 } // namespace ringmotor

@@ -18,6 +18,10 @@ namespace ringmotor
   void write_used_prm(const std::string &path, const std::string &program,
                       const Parameters &parameters);
 
+  /** Lets no uncertified number out.
+   * @throws ComputationError that names the first check which does not hold */
+  void require_certified(const Summary &summary);
+
   /** A summary with all that any program can say of its run. */
   Summary begin_summary(const std::string &program, const Parameters &parameters,
                         const Phases &phases);

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/quantities/torque_speed.h>
+
+#include <string>
+#include <vector>
+
+namespace ringmotor
+{
+  constexpr unsigned int contact_format_version = 2;
+
+  /** `contact.h5`: the operating points, with all forces and displacements at the contact points.
+   * See doc/files.md. */
+  void write_contact_h5(const std::string &path, const Parameters &parameters,
+                        const CondensedMotor &motor, const std::vector<CurvePoint> &points);
+
+  /**
+   * Reads the operating points, without their fields, from a file `contact.h5` that the program
+   * `contact` has written with @p parameters; loss factors and the felt may be others.
+   * @throws UserError in one line if the file is missing, damaged, of another version or from other
+   *         parameters; it names the first entry that differs
+   */
+  std::vector<CurvePoint> read_contact_points(const std::string &path,
+                                              const Parameters &parameters);
+} // namespace ringmotor

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/output/summary.h>
+#include <ringmotor/quantities/loss_budget.h>
+
+#include <string>
+#include <vector>
+
+namespace ringmotor
+{
+  /** An operating point and where its energy goes. */
+  struct PointLosses
+  {
+    CurvePoint point;
+    LossBudget budget;
+
+    /** Power that numbers lose at the contact, over all power put into the motor. */
+    double imbalance() const;
+  };
+
+  /** `50.00 mN m: output 432.1 +- 2.6 mW, losses ..., efficiency 39.9 +- 0.4 %` */
+  std::string describe(const PointLosses &losses);
+
+  /** `losses.csv`: the parts of the loss at each operating point, in mW. */
+  void write_losses(const std::string &path, const std::vector<PointLosses> &points);
+
+  /** `efficiency.csv`: power that goes in and out at each operating point. */
+  void write_efficiency(const std::string &path, const std::vector<PointLosses> &points);
+
+  /** Adds the quantities of the points to a summary, and the certificates of their balance. */
+  void add_losses(Summary &summary, const std::vector<PointLosses> &points);
+} // namespace ringmotor

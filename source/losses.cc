@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/output/contact_h5.h>
+#include <ringmotor/output/files.h>
+#include <ringmotor/output/log.h>
+#include <ringmotor/output/losses_files.h>
+#include <ringmotor/output/modes_file.h>
+#include <ringmotor/output/text.h>
+#include <ringmotor/parameters/errors.h>
+#include <ringmotor/programs/run_program.h>
+#include <ringmotor/programs/run_results.h>
+
+#include <deal.II/base/mpi.h>
+
+namespace ringmotor
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /**
+     * The program `losses`: from the stator's wave and the operating points that `stator` and
+     * `contact` have found, where the power goes: friction, inside stator, rotor and felt, and out
+     * of the motor.
+     */
+    class LossesProgram
+    {
+    public:
+      explicit LossesProgram(const Parameters &parameters);
+      void run();
+
+    private:
+      void find_losses();
+      void report();
+      void write_results();
+
+      const Parameters &parameters;
+      const std::string folder; ///< of the results, ends in a slash
+      const bool speaks;
+      Log log;
+      Phases phases;
+      WaveEnergies wave;
+      std::vector<PointLosses> points;
+    };
+
+    LossesProgram::LossesProgram(const Parameters &parameters)
+        : parameters(parameters), folder(parameters.output.directory + "/losses/"),
+          speaks(Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0), log(speaks)
+    {
+      for (const std::string &warning : check_for_losses(parameters))
+        log.line("warning: " + warning);
+    }
+
+    void LossesProgram::run()
+    {
+      find_losses();
+      report();
+      write_results();
+    }
+
+    void LossesProgram::find_losses()
+    {
+      const auto scope        = phases.measure("losses");
+      const std::string &from = parameters.output.directory;
+      wave                    = read_wave_energies(from + "/stator/modes.h5", parameters);
+      for (const CurvePoint &point : read_contact_points(from + "/contact/contact.h5", parameters))
+        points.push_back(
+            {point, loss_budget(point, wave, parameters.materials, parameters.support)});
+    }
+
+    void LossesProgram::report()
+    {
+      for (const PointLosses &losses : points)
+        log.line(describe(losses));
+      const auto best =
+          std::max_element(points.begin(), points.end(),
+                           [](const PointLosses &a, const PointLosses &b)
+                           { return a.budget.efficiency().value < b.budget.efficiency().value; });
+      log.line("best: " + describe(*best));
+    }
+
+    void LossesProgram::write_results()
+    {
+      if (!speaks)
+        return;
+      Summary summary = begin_summary("losses", parameters, phases);
+      add_losses(summary, points);
+      // A foundation that stores the energy E raises the frequency by E over twice the wave's.
+      const double stored = wave.metal.value + wave.piezoceramic.value;
+      summary.effects.push_back({"Felt support", 0.5 * wave.felt.value / stored, "off", 0., 0});
+      require_certified(summary);
+      prepare_results(folder, "used\\.prm|losses\\.csv|efficiency\\.csv|summary\\.json");
+      write_used_prm(folder + "used.prm", "losses", parameters);
+      write_losses(folder + "losses.csv", points);
+      write_efficiency(folder + "efficiency.csv", points);
+      write_summary(folder + "summary.json", summary);
+      log.line("results in " + folder);
+    }
+  } // namespace
+} // namespace ringmotor
+
+int main(int argc, char **argv)
+{
+  using namespace ringmotor;
+  return run_program(
+      argc, argv, "losses", "Computes losses and efficiency of the motor at its operating points.",
+      [](const Parameters &parameters) { check_for_losses(parameters); },
+      [](const Parameters &parameters) { LossesProgram(parameters).run(); },
+      [](const Parameters &)
+      {
+        throw UserError("--study has nothing to show for the program losses, which takes over the "
+                        "errors of stator and contact; leave it out");
+      });
+}
