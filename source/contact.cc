@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/output/contact_files.h>
+#include <ringmotor/output/contact_h5.h>
 #include <ringmotor/output/contact_keep.h>
 #include <ringmotor/output/contact_summary.h>
 #include <ringmotor/output/contact_vtu.h>
@@ -50,7 +51,7 @@ namespace ringmotor
       void warn_of_long_steps();
       void write_results();
       void write_fields();
-      void write_summary_file();
+      Summary make_summary() const;
 
       const Parameters &parameters;
       const std::string folder; ///< of the results, ends in a slash
@@ -189,6 +190,7 @@ namespace ringmotor
 
     void ContactProgram::write_results()
     {
+      require_certified(make_summary());
       if (!speaks)
         return;
       {
@@ -204,7 +206,7 @@ namespace ringmotor
       }
       if (parameters.output.vtu)
         write_fields();
-      write_summary_file();
+      write_summary(folder + "summary.json", make_summary());
       log.line("results in " + folder);
     }
 
@@ -218,7 +220,7 @@ namespace ringmotor
       write_motor_bodies(folder, search.motor(), bodies, search.points(), height);
     }
 
-    void ContactProgram::write_summary_file()
+    Summary ContactProgram::make_summary() const
     {
       Summary summary             = begin_summary("contact", parameters, phases);
       const CondensedMotor &motor = search.motor();
@@ -232,7 +234,7 @@ namespace ringmotor
       if (parameters.accuracy.mode == AccuracyMode::adaptive)
         summary.certificate.push_back({"largest relative error of speeds and torques",
                                        search.worst_error(), parameters.accuracy.contact_target});
-      write_summary(folder + "summary.json", summary);
+      return summary;
     }
   } // namespace
 } // namespace ringmotor

@@ -11,6 +11,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
+
 namespace ringmotor
 {
   using namespace dealii;

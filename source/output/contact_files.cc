@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/output/contact_files.h>
-#include <ringmotor/output/hdf5.h>
 #include <ringmotor/output/table.h>
 
 #include <algorithm>
@@ -87,39 +86,6 @@ namespace ringmotor
                 [](const Sight &a, const Sight &b) { return a.time < b.time; });
       return sights;
     }
-
-    std::vector<double> flat(const std::vector<PointVector> &vectors)
-    {
-      std::vector<double> numbers;
-      for (const PointVector &vector : vectors)
-        numbers.insert(numbers.end(), {vector[0], vector[1], vector[2]});
-      return numbers;
-    }
-
-    void write_point(Hdf5Writer &file, const std::string &group, const CurvePoint &point,
-                     const std::size_t n_nodes)
-    {
-      const ContactFields &fields = point.fields;
-      file.set_attribute(group, "speed_rad_per_s", point.result.speed);
-      file.set_attribute(group, "torque_Nm", point.result.torque);
-      file.set_attribute(group, "friction_loss_W", point.result.friction_loss());
-      file.set_attribute(group, "time_step_s", fields.time_step);
-      file.write(group + "/time", fields.times, {fields.times.size()}, "s", "moments");
-      const std::vector<std::size_t> dims{fields.times.size(), fields.n_teeth, n_nodes, 3};
-      const std::string components = "; components: normal (up), along -theta, radial";
-      file.write(group + "/force", flat(fields.force), dims, "N",
-                 "force on the rotor by moment, tooth, node" + components);
-      file.write(group + "/gap_and_slip", flat(fields.motion), dims, "m",
-                 "gap, and slip of the rotor over the stator in the step" + components);
-      file.write(group + "/tooth", flat(fields.tooth), dims, "m",
-                 "displacement of the teeth" + components);
-      file.write(group + "/rotor", flat(fields.rotor), dims, "m",
-                 "displacement of the rotor without its turn" + components);
-      file.write(group + "/status",
-                 std::vector<unsigned int>(fields.status.begin(), fields.status.end()),
-                 {fields.times.size(), fields.n_teeth, n_nodes}, "1",
-                 "0 open, 1 stick, 2 slip, by moment, tooth, node");
-    }
   } // namespace
 
   void write_torque_speed(const std::string &path, const std::vector<CurvePoint> &points)
@@ -170,34 +136,5 @@ namespace ringmotor
           table.add_row(row);
         }
     table.write(path);
-  }
-
-  void write_contact_h5(const std::string &path, const Parameters &parameters,
-                        const CondensedMotor &motor, const std::vector<CurvePoint> &points)
-  {
-    Hdf5Writer file("ringmotor contact", contact_format_version);
-    file.set_attribute("/", "motor", parameters.motor.name);
-    file.set_attribute("/", "n_waves", motor.n_waves);
-    file.set_attribute("/", "n_teeth", motor.n_teeth);
-    file.set_attribute("/", "angular_frequency_rad_per_s", motor.angular_frequency);
-    std::vector<double> radius, angle, area;
-    for (const CondensedMotor::Node &node : motor.nodes)
-    {
-      radius.push_back(node.radius);
-      angle.push_back(node.angle);
-      area.push_back(node.area);
-    }
-    const std::vector<std::size_t> dims{motor.nodes.size()};
-    file.write("nodes/radius", radius, dims, "m", "radius of the contact points of a tooth");
-    file.write("nodes/angle", angle, dims, "rad", "their angle from the tooth's centre");
-    file.write("nodes/area", area, dims, "m^2", "their share of the tooth's top");
-    for (unsigned int p = 0; p < points.size(); ++p)
-    {
-      const std::string number = std::to_string(p);
-      write_point(
-          file, "points/" + std::string(3 - std::min<std::size_t>(3, number.size()), '0') + number,
-          points[p], motor.nodes.size());
-    }
-    file.save(path);
   }
 } // namespace ringmotor

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/parameter_handler.h>
 
+#include <ringmotor/parameters/prm_file.h>
 #include <ringmotor/parameters/relevant.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace ringmotor
@@ -21,6 +23,11 @@ namespace ringmotor
     relevant.accuracy.mode                 = defaults.accuracy.mode;
     relevant.accuracy.interface_refinement = defaults.accuracy.interface_refinement;
     relevant.output                        = defaults.output;
+    relevant.modes                         = defaults.modes;
+    relevant.support                       = defaults.support;
+    for (Material Materials::*material : {&Materials::stator_metal, &Materials::piezoceramic,
+                                          &Materials::rotor_metal, &Materials::target_plate})
+      (relevant.materials.*material).loss_factor = (defaults.materials.*material).loss_factor;
     return relevant;
   }
 
@@ -47,5 +54,18 @@ namespace ringmotor
     std::ostringstream text;
     prm.print_parameters(text, ParameterHandler::ShortPRM | ParameterHandler::KeepDeclarationOrder);
     return text.str();
+  }
+
+  std::string difference(const std::string &text, const Parameters &parameters)
+  {
+    const std::vector<PrmFile::Assignment> there = parse_prm(text, "stored").assignments,
+                                           here =
+                                               parse_prm(text_of(parameters), "given").assignments;
+    for (unsigned int i = 0; i < std::max(there.size(), here.size()); ++i)
+      if (i >= there.size() || i >= here.size() || there[i].path != here[i].path)
+        return "other entries there than here";
+      else if (there[i].value != here[i].value)
+        return here[i].path + " = " + there[i].value + " there, " + here[i].value + " here";
+    return "";
   }
 } // namespace ringmotor

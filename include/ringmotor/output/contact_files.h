@@ -8,8 +8,6 @@
 
 namespace ringmotor
 {
-  constexpr unsigned int contact_format_version = 1;
-
   /** `torque_speed.csv`: one row for each operating point. */
   void write_torque_speed(const std::string &path, const std::vector<CurvePoint> &points);
 
@@ -19,8 +17,4 @@ namespace ringmotor
   void write_history(const std::string &path, const CondensedMotor &motor,
                      const std::vector<CurvePoint> &points,
                      const std::vector<HistoryPoint> &places);
-
-  /** `contact.h5`: all forces and displacements at the contact points. See doc/files.md. */
-  void write_contact_h5(const std::string &path, const Parameters &parameters,
-                        const CondensedMotor &motor, const std::vector<CurvePoint> &points);
 } // namespace ringmotor

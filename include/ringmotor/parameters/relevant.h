@@ -12,7 +12,8 @@
 namespace ringmotor
 {
   /** @p parameters with those entries at their defaults that change nothing in a single operating
-   * point: the list of points, the output, and what the program decides by when it refines. */
+   * point: the list of points, the output, what the program decides by when it refines, and what
+   * only the programs before and after look at. */
   Parameters relevant_for_points(const Parameters &parameters);
 
   /** The same for the condensation of a motor, see condense_motor(): without load, friction, warp
@@ -21,4 +22,8 @@ namespace ringmotor
 
   /** All entries and their values as text, without comments, one on each line. */
   std::string text_of(const Parameters &parameters);
+
+  /** The first entry in which a text of text_of() differs from parameters, as `Section/Entry = 1
+   * there, 2 here`; empty if none does. */
+  std::string difference(const std::string &text, const Parameters &parameters);
 } // namespace ringmotor

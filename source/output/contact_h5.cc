@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/output/contact_h5.h>
+#include <ringmotor/output/hdf5.h>
+#include <ringmotor/parameters/errors.h>
+#include <ringmotor/parameters/relevant.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <filesystem>
+
+namespace ringmotor
+{
+  using namespace dealii;
+
+  namespace
+  {
+    std::string group_of(const unsigned int point)
+    {
+      return "points/" + Utilities::int_to_string(point, 3);
+    }
+
+    /** The plain numbers of a point by the names they have in the file. */
+    std::vector<std::pair<std::string, double *>> attributes_of(CurvePoint &point)
+    {
+      OperatingPoint &result = point.result;
+      return {{"speed_rad_per_s", &result.speed},
+              {"torque_Nm", &result.torque},
+              {"tangential_loss_W", &result.tangential_loss},
+              {"radial_loss_W", &result.radial_loss},
+              {"input_power_W", &result.input_power},
+              {"closing_work_W", &result.closing_work},
+              {"teeth_in_contact_per_wave", &result.teeth_in_contact},
+              {"stick_fraction", &result.stick_fraction},
+              {"rotor_power_per_loss_factor_W", &point.rotor_power}};
+    }
+
+    std::vector<double> flat(const std::vector<PointVector> &vectors)
+    {
+      std::vector<double> numbers;
+      for (const PointVector &vector : vectors)
+        numbers.insert(numbers.end(), {vector[0], vector[1], vector[2]});
+      return numbers;
+    }
+
+    void write_point(Hdf5Writer &file, const std::string &group, const CurvePoint &point,
+                     const std::size_t n_nodes)
+    {
+      const ContactFields &fields = point.fields;
+      file.set_attribute(
+          group, "control",
+          std::string(point.request.control == Control::torque ? "torque" : "speed"));
+      file.set_attribute(group, "asked_for", point.request.value);
+      CurvePoint numbers = point;
+      for (const auto &[name, number] : attributes_of(numbers))
+        file.set_attribute(group, name, *number);
+      std::vector<double> errors;
+      for (const PointError &error :
+           {point.errors.mesh, point.errors.time, point.errors.wave, point.errors.algebra})
+        errors.insert(errors.end(), {error.speed, error.torque, error.loss, error.rotor_power});
+      file.write(group + "/errors", errors, {4, 4}, "SI",
+                 "error bars by cause (meshes, time step, wave of the stator, algebra) of speed "
+                 "(rad/s), torque (N m), friction loss (W), rotor power per loss factor (W)");
+      file.write(group + "/rotor_energy", point.rotor_energies, {point.rotor_energies.size()}, "J",
+                 "strain energy of the rotor by multiple of the wave's frequency");
+      file.set_attribute(group, "time_step_s", fields.time_step);
+      file.write(group + "/time", fields.times, {fields.times.size()}, "s", "moments");
+      const std::vector<std::size_t> dims{fields.times.size(), fields.n_teeth, n_nodes, 3};
+      const std::string components = "; components: normal (up), along -theta, radial";
+      file.write(group + "/force", flat(fields.force), dims, "N",
+                 "force on the rotor by moment, tooth, node" + components);
+      file.write(group + "/gap_and_slip", flat(fields.motion), dims, "m",
+                 "gap, and slip of the rotor over the stator in the step" + components);
+      file.write(group + "/tooth", flat(fields.tooth), dims, "m",
+                 "displacement of the teeth" + components);
+      file.write(group + "/rotor", flat(fields.rotor), dims, "m",
+                 "displacement of the rotor without its turn" + components);
+      file.write(group + "/status",
+                 std::vector<unsigned int>(fields.status.begin(), fields.status.end()),
+                 {fields.times.size(), fields.n_teeth, n_nodes}, "1",
+                 "0 open, 1 stick, 2 slip, by moment, tooth, node");
+    }
+
+    CurvePoint read_point(const Hdf5Reader &file, const std::string &group)
+    {
+      CurvePoint point;
+      const bool of_torque = file.attribute<std::string>(group, "control") == "torque";
+      point.request        = {of_torque ? Control::torque : Control::speed,
+                       file.attribute<double>(group, "asked_for")};
+      for (const auto &[name, number] : attributes_of(point))
+        *number = file.attribute<double>(group, name);
+      point.rotor_energies =
+          file.read<double>(group + "/rotor_energy", {Hdf5Reader::any_size}, "J");
+      const std::vector<double> errors = file.read<double>(group + "/errors", {4, 4}, "SI");
+      const double *error              = errors.data();
+      for (PointError *of_cause :
+           {&point.errors.mesh, &point.errors.time, &point.errors.wave, &point.errors.algebra})
+      {
+        *of_cause = {error[0], error[1], error[2], error[3]};
+        error += 4;
+      }
+      return point;
+    }
+  } // namespace
+
+  void write_contact_h5(const std::string &path, const Parameters &parameters,
+                        const CondensedMotor &motor, const std::vector<CurvePoint> &points)
+  {
+    Hdf5Writer file("ringmotor contact", contact_format_version);
+    file.set_attribute("/", "motor", parameters.motor.name);
+    file.set_attribute("/", "n_waves", motor.n_waves);
+    file.set_attribute("/", "n_teeth", motor.n_teeth);
+    file.set_attribute("/", "angular_frequency_rad_per_s", motor.angular_frequency);
+    file.set_attribute("/", "n_points", static_cast<unsigned int>(points.size()));
+    file.set_attribute("/", "parameters", text_of(relevant_for_points(parameters)));
+    std::vector<double> radius, angle, area;
+    for (const CondensedMotor::Node &node : motor.nodes)
+    {
+      radius.push_back(node.radius);
+      angle.push_back(node.angle);
+      area.push_back(node.area);
+    }
+    const std::vector<std::size_t> dims{motor.nodes.size()};
+    file.write("nodes/radius", radius, dims, "m", "radius of the contact points of a tooth");
+    file.write("nodes/angle", angle, dims, "rad", "their angle from the tooth's centre");
+    file.write("nodes/area", area, dims, "m^2", "their share of the tooth's top");
+    for (unsigned int p = 0; p < points.size(); ++p)
+      write_point(file, group_of(p), points[p], motor.nodes.size());
+    file.save(path);
+  }
+
+  std::vector<CurvePoint> read_contact_points(const std::string &path, const Parameters &parameters)
+  {
+    if (!std::filesystem::exists(path))
+      throw UserError(path + " does not exist: the operating points are needed; run the program "
+                             "contact with the same parameter file first");
+    const Hdf5Reader file(path, "ringmotor contact", contact_format_version);
+    const std::string other =
+        difference(file.attribute<std::string>("/", "parameters"), relevant_for_points(parameters));
+    if (!other.empty())
+      throw UserError(path + " belongs to other parameters: " + other +
+                      "; run the program contact with these parameters first");
+    std::vector<CurvePoint> points;
+    for (unsigned int p = 0; p < file.attribute<unsigned int>("/", "n_points"); ++p)
+      points.push_back(read_point(file, group_of(p)));
+    return points;
+  }
+} // namespace ringmotor
