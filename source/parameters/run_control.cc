@@ -37,7 +37,8 @@ namespace ringmotor
         }
         return points.empty() ? std::nullopt : std::make_optional(points);
       };
-      return {write, read, edge + ", or places TOOTH:RADIUS separated by commas"};
+      return {write, read,
+              edge + ", or places TOOTH:RADIUS separated by commas, such as 0:0.0342, 12.25:0.034"};
     }
   } // namespace
 

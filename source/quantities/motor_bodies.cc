@@ -105,8 +105,9 @@ namespace ringmotor
         // How far supports move, see RingContact: rise, then cosine and sine parts of each loose
         // motion. The turn is left out.
         const std::vector<double> &rigid = moments[m].fields.rigid;
-        const std::size_t n_rigid        = rigid.size() / moments[m].fields.times.size(),
-                          first          = moments[m].moment * n_rigid;
+        AssertThrow(!rigid.empty(), ExcMessage("the rigid motions of the rotor are missing"));
+        const std::size_t n_rigid = rigid.size() / moments[m].fields.times.size(),
+                          first   = moments[m].moment * n_rigid;
         for (unsigned int part = 0; part < 2; ++part)
         {
           std::vector<double> &supports = of_moment[part].supports;
