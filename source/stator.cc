@@ -69,7 +69,8 @@ namespace ringmotor
       Mode scaled(Mode mode) const;
       void write_results();
       void write_fields();
-      void write_summary_file(const double plate_shift);
+      /** @param plate_shift relative, of the frequency by target plates */
+      Summary make_summary(const double plate_shift) const;
       /** The numbers of the wave's shape with their error bars, from the last two passes. */
       void estimate_shape();
       void add_wave_quantities(Summary &summary, const double seconds) const;
@@ -291,6 +292,7 @@ namespace ringmotor
           of_stator
               ? target_plate_shift(body.search().sector(), shown().mode, target_plates(parameters))
               : 0.;
+      require_certified(make_summary(plate_shift));
       if (speaks)
       {
         const auto scope = phases.measure("output");
@@ -305,7 +307,7 @@ namespace ringmotor
       if (speaks && parameters.output.vtu && (wave || !of_stator))
         write_fields();
       if (speaks)
-        write_summary_file(plate_shift);
+        write_summary(folder + "summary.json", make_summary(plate_shift));
       log.line("results in " + folder);
     }
 
@@ -324,7 +326,7 @@ namespace ringmotor
                            parameters.output.frames_per_period);
     }
 
-    void StatorProgram::write_summary_file(const double plate_shift)
+    Summary StatorProgram::make_summary(const double plate_shift) const
     {
       Summary summary = begin_summary("stator", parameters, phases);
       summary.seconds.insert(summary.seconds.begin(), pass_seconds.begin(), pass_seconds.end());
@@ -363,7 +365,7 @@ namespace ringmotor
         summary.certificate.push_back({"largest relative error bar of a frequency",
                                        body.search().worst_relative_error(),
                                        parameters.accuracy.target});
-      write_summary(folder + "summary.json", summary);
+      return summary;
     }
 
     void StatorProgram::estimate_shape()

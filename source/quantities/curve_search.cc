@@ -225,8 +225,11 @@ namespace ringmotor
   CurveSearch::climb(const std::function<void(const Rung &)> &after_rung)
   {
     std::vector<Rung> rungs;
-    const unsigned int first = parts_to_start_with();
-    for (unsigned int level = 1; level <= finest_level; ++level)
+    const unsigned int first  = parts_to_start_with();
+    const unsigned int finest = parameters.accuracy.mode == AccuracyMode::fixed
+                                    ? std::max(1u, parameters.accuracy.interface_refinement)
+                                    : finest_level;
+    for (unsigned int level = 1; level <= finest; ++level)
     {
       motors.erase(motors.begin(), motors.lower_bound(compared_with(level)));
       for (unsigned int n_parts = first; n_parts <= 2 * first; n_parts *= 2)

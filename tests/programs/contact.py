@@ -23,7 +23,7 @@ import h5py
 import numpy as np
 
 sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
-from program import QUICK, rows_of, run  # noqa: E402
+from program import QUICK, ROOT, rows_of, run  # noqa: E402
 
 STATOR, CONTACT = sys.argv.pop(1), sys.argv.pop(1)
 PRELOAD = 14.0
@@ -330,6 +330,27 @@ class Paper(WithWave):
             self.assertEqual(len(times), 15)
         self.assertAlmostEqual(speeds[0], 82.7, delta=0.02 * 82.7)
         self.assertLess(speeds[1], speeds[0] - 3.0)
+
+
+class Study(WithWave):
+    def test_shows_what_accuracy_costs(self):
+        done = run(CONTACT, QUICK, "--output", self.case, "--study",
+                   *settings("Loading/Values = 0.05", "Accuracy/Mode = fixed", "Accuracy/Interface refinement = 1"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        rows = [{key: float(value) for key, value in row.items()}
+                for row in rows_of(self.case / "contact" / "study.csv")]
+        self.assertEqual([row["steps_per_period"] for row in rows], [90, 180])
+        for row in rows:
+            self.assertGreater(row["seconds_with_error_bar"], row["seconds"])
+            # A setting is as far from the best one as both bars let it be.
+            self.assertLessEqual(row["distance_from_best"],
+                                 row["largest_relative_error"] + rows[-1]["largest_relative_error"])
+        line = next(line for line in done.stdout.splitlines() if "cheapest for 1.0e-02" in line)
+        best = min((row for row in rows if row["largest_relative_error"] <= 1e-2), key=lambda row: row["seconds"])
+        self.assertIn(f"interface mesh {best['interface_mesh']:.0f}, {best['steps_per_period']:.0f} steps", line)
+        figure = run(ROOT / "scripts" / "study_figure.py", self.case)
+        self.assertEqual(figure.returncode, 0, figure.stderr)
+        self.assertTrue((self.case / "figures" / "contact_study.png").exists())
 
 
 if __name__ == "__main__":

@@ -82,8 +82,9 @@ namespace ringmotor
       double seconds;                ///< of the motor and all its points
       double seconds_with_error_bar; ///< with those that the error bars take
     };
-    /** Computes a ladder of settings, the finest one last. @p after_rung is called after each, when
-     * its distance is not known yet. */
+    /** Computes a ladder of settings, the finest one last: all interface meshes or, `Accuracy/Mode
+     * = fixed`, those up to `Accuracy/Interface refinement`. @p after_rung is called after each,
+     * when its distance is not known yet. */
     std::vector<Rung> climb(const std::function<void(const Rung &)> &after_rung);
 
   private:

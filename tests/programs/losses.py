@@ -1,0 +1,127 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The program losses as its user meets it: files, messages, exit status.
+
+Usage: tests/programs/losses.py STATOR CONTACT LOSSES [unittest arguments]
+
+What is compared: files with each other; losses that a change of a loss factor must scale.
+"""
+import json
+import pathlib
+import shutil
+import sys
+import tempfile
+import unittest
+
+import h5py
+
+sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
+from program import QUICK, rows_of, run  # noqa: E402
+
+STATOR, CONTACT, LOSSES = sys.argv.pop(1), sys.argv.pop(1), sys.argv.pop(1)
+PARTS = ("friction_loss", "internal_loss_stator_metal", "internal_loss_piezoceramic", "internal_loss_rotor",
+         "support_loss")
+
+
+def numbers(path):
+    return [{key: float(value) for key, value in row.items()} for row in rows_of(path)]
+
+
+class Losses(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.case = pathlib.Path(tempfile.mkdtemp())
+        for program in (STATOR, CONTACT):
+            done = run(program, QUICK, "--output", cls.case, "--set", "Output/VTU = false")
+            assert done.returncode == 0, done.stderr
+
+    @classmethod
+    def tearDownClass(cls):
+        shutil.rmtree(cls.case)
+
+    def losses(self, *entries):
+        return run(LOSSES, QUICK, "--output", self.case,
+                   *[part for entry in entries for part in ("--set", entry)])
+
+    def results(self, *entries):
+        """losses.csv, efficiency.csv, summary.json"""
+        done = self.losses(*entries)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        folder = self.case / "losses"
+        return numbers(folder / "losses.csv"), numbers(folder / "efficiency.csv"), \
+            json.loads((folder / "summary.json").read_text())
+
+    def refused(self, *entries):
+        done = self.losses(*entries)
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+        return done.stderr
+
+    def test_the_power_adds_up(self):
+        losses, efficiency, summary = self.results()
+        self.assertTrue(summary["certificate"]["holds"])
+        curve = numbers(self.case / "contact" / "torque_speed.csv")
+        self.assertEqual(len(losses), len(curve))
+        for loss, power, point in zip(losses, efficiency, curve):
+            total = sum(loss[part + "_mW"] for part in PARTS)
+            self.assertAlmostEqual(total, loss["total_loss_mW"], delta=1e-6 * total)
+            self.assertAlmostEqual(sum(loss[part + "_error_mW"] for part in PARTS), loss["total_loss_error_mW"],
+                                   delta=1e-6 * total)
+            self.assertAlmostEqual(loss["friction_loss_mW"], point["friction_loss_mW"], delta=1e-6 * total)
+            self.assertAlmostEqual(loss["friction_loss_error_mW"], point["friction_loss_error_mW"], delta=1e-6 * total)
+            self.assertAlmostEqual(power["output_power_mW"], point["output_power_mW"], delta=1e-6 * total)
+            self.assertAlmostEqual(power["input_power_mW"], total + power["output_power_mW"], delta=1e-6 * total)
+            self.assertAlmostEqual(power["efficiency"], power["output_power_mW"] / power["input_power_mW"], places=9)
+            self.assertTrue(0 <= power["efficiency"] < 1)
+        # Between no load and stall the motor does work.
+        self.assertGreater(efficiency[1]["efficiency"], 0.1)
+
+    def test_the_wave_loses_twice_omega_times_its_energy(self):
+        losses, _, _ = self.results("Materials/Stator metal/Loss factor = 0.003",
+                                    "Materials/Piezoceramic/Loss factor = 0.004")
+        with h5py.File(self.case / "stator" / "modes.h5") as file:
+            shape = file["wave/shape"].attrs
+            twice_omega = 2 * file["wave"].attrs["angular_frequency_rad_per_s"]
+            metal = shape["strain_energy_base"] + shape["strain_energy_tooth"]
+            piezoceramic = shape["strain_energy_piezoceramic"]
+        for loss in losses:
+            self.assertAlmostEqual(loss["internal_loss_stator_metal_mW"], 1e3 * 0.003 * twice_omega * metal, places=6)
+            self.assertAlmostEqual(loss["internal_loss_piezoceramic_mW"], 1e3 * 0.004 * twice_omega * piezoceramic,
+                                   places=6)
+
+    def test_each_loss_factor_scales_its_part(self):
+        before, _, _ = self.results()
+        after, _, _ = self.results("Materials/Rotor metal/Loss factor = 0.002", "Support/Felt loss factor = 0.15",
+                                   "Materials/Piezoceramic/Loss factor = 0")
+        for old, new in zip(before, after):
+            self.assertAlmostEqual(new["internal_loss_rotor_mW"], 2 * old["internal_loss_rotor_mW"], places=9)
+            self.assertAlmostEqual(new["support_loss_mW"], 0.5 * old["support_loss_mW"], places=9)
+            self.assertEqual(new["internal_loss_piezoceramic_mW"], 0)
+            self.assertEqual(new["friction_loss_mW"], old["friction_loss_mW"])
+
+    def test_results_of_other_parameters_are_refused(self):
+        self.assertIn("Loading/Preload = 14 there, 12 here", self.refused("Loading/Preload = 12"))
+        self.assertIn("Friction/Dynamic coefficient", self.refused("Friction/Dynamic coefficient = 0.35"))
+        self.assertIn("Wave/Amplitude", self.refused("Wave/Amplitude = 1e-6"))
+        self.assertIn("Support/Felt outer radius", self.refused("Support/Felt outer radius = 0.029"))
+        self.assertIn("--study", run(LOSSES, QUICK, "--output", self.case, "--study").stderr)
+
+    def test_files_that_are_missing_or_damaged(self):
+        for file in (self.case / "contact" / "contact.h5", self.case / "stator" / "modes.h5"):
+            content = file.read_bytes()
+            try:
+                file.write_bytes(content[:len(content) // 2])
+                self.assertIn(file.name, self.refused())
+                file.unlink()
+                self.assertIn("does not exist", self.refused())
+            finally:
+                file.write_bytes(content)
+
+    def test_a_felt_beside_the_stator_is_warned_of(self):
+        done = self.losses("Support/Felt inner radius = 0.028")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("warning: the felt", done.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()
