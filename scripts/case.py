@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the programs stator and contact left in the folder of a case, for the scripts that draw or print it."""
+"""What the programs left in the folder of a case, for the scripts that draw or print it: of all, and of stator."""
 import csv
 import json
 import math
@@ -11,6 +11,10 @@ try:
     import h5py
 except ImportError as error:
     sys.exit(f"{error}; scripts/setup.sh installs what is missing, run with /usr/bin/python3")
+
+
+SUMMARY_KEYS = ("program", "version", "git", "prm", "seconds", "peak_memory_MB", "dofs", "quantities", "effects",
+                "certificate")
 
 
 class CaseError(Exception):
@@ -35,6 +39,36 @@ class Results:
             reason = " ".join(f"{type(error).__name__} {error}".split())
             raise CaseError(f"{path} cannot be read ({reason}); run the program {self.program} again") from None
 
+    def read_summary(self, path):
+        with open(path) as file:
+            self.summary = json.load(file)
+        for key in SUMMARY_KEYS:
+            self.summary[key]  # what is missing is told here, not in the middle of a page
+
+    def read_parameters(self, path):
+        """"Section/Entry" -> text."""
+        self.parameters = {}
+        sections = []
+        with open(path) as file:
+            for line in file:
+                if found := re.match(r"\s*subsection (.*\S)", line):
+                    sections.append(found[1])
+                elif line.strip() == "end":
+                    sections.pop()
+                elif found := re.match(r"\s*set (.*?)\s*=\s*(.*?)\s*$", line):
+                    self.parameters["/".join([*sections, found[1]])] = found[2]
+        self.motor = self.parameters["Motor/Name"]
+
+
+def read_table(path, texts=()):
+    """Rows of a CSV file as list of dict, numbers but for the columns `texts`."""
+    with open(path, newline="") as file:
+        rows = [{key: text if key in texts else float(text) for key, text in row.items()}
+                for row in csv.DictReader(file)]
+    if not rows:
+        raise ValueError("no row in it")
+    return rows
+
 
 class Case(Results):
     """What the program stator left in a folder.
@@ -58,8 +92,7 @@ class Case(Results):
             self.load("ellipses.csv", self.read_ellipses)
 
     def read_summary(self, path):
-        with open(path) as file:
-            self.summary = json.load(file)
+        super().read_summary(path)
         self.errors = {quantity["name"]: quantity["error"] for quantity in self.summary["quantities"]
                        if quantity["name"] != "frequency"}
         checks = {check["name"]: check["limit"] for check in self.summary["certificate"]["checks"]}

@@ -1,13 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the program contact left in the folder of a case, for the scripts that draw or print it."""
 import csv
-import json
 import os
-import re
 
 import h5py
 import numpy as np
-from case import Results
+from case import Results, read_table
 
 NORMAL, TANGENTIAL, RADIAL = 0, 1, 2  # components of forces and displacements: up, along -theta, outwards
 OPEN, STICK, SLIP = 0, 1, 2
@@ -36,33 +34,15 @@ class ContactCase(Results):
         self.load("torque_speed.csv", self.read_curve)
         self.load("contact.h5", self.read_contact_points)
 
-    def read_summary(self, path):
-        with open(path) as file:
-            self.summary = json.load(file)
-
     def read_parameters(self, path):
-        self.parameters = {}
-        sections = []
-        with open(path) as file:
-            for line in file:
-                if found := re.match(r"\s*subsection (.*\S)", line):
-                    sections.append(found[1])
-                elif line.strip() == "end":
-                    sections.pop()
-                elif found := re.match(r"\s*set (.*?)\s*=\s*(.*?)\s*$", line):
-                    self.parameters["/".join([*sections, found[1]])] = found[2]
-        self.motor = self.parameters["Motor/Name"]
+        super().read_parameters(path)
         self.friction_coefficient = float(self.parameters["Friction/Dynamic coefficient"])
         is_left_out = self.parameters["Effects/Initial deformation"] == "off"
         self.warp = 0.0 if is_left_out else float(self.parameters["Initial deformation/Amplitude"])
         self.warp_waves = int(self.parameters["Initial deformation/Number of waves"])
 
     def read_curve(self, path):
-        with open(path, newline="") as file:
-            self.curve = [{key: text if key == "control" else float(text) for key, text in row.items()}
-                          for row in csv.DictReader(file)]
-        if not self.curve:
-            raise ValueError("no operating point in it")
+        self.curve = read_table(path, texts=["control"])
 
     def read_contact_points(self, path):
         with h5py.File(path, "r") as file:

@@ -8,22 +8,34 @@ PARTS = {"friction_loss_mW": ("total", "-"), "tangential_loss_mW": ("along the r
          "radial_loss_mW": ("across the ring", ":")}
 
 
-def sorted_columns(case):
-    rows = sorted(case.curve, key=lambda row: row["torque_mNm"])
+def sorted_columns(points):
+    """Of the rows of a table of operating points, by name of a column, in the order of their torques."""
+    rows = sorted(points, key=lambda row: row["torque_mNm"])
     return {key: np.array([row[key] for row in rows]) for key in rows[0]}
 
 
+def is_fall(curve):
+    """Of each step from point to point: whether the speed breaks down in it, as at stall."""
+    return abs(np.diff(curve["speed_rpm"])) > 0.4 * abs(curve["speed_rpm"]).max()
+
+
 def draw_steps(axes, curve, key, color, style, width):
-    """Lines from point to point; a thin one where the speed breaks down, as at stall: nothing is known between."""
+    """Lines from point to point; a thin one where the speed breaks down: nothing is known between."""
     values = np.where(curve[key] > 0, curve[key], np.nan) if "loss" in key else curve[key]
-    fall = abs(np.diff(curve["speed_rpm"])) > 0.4 * abs(curve["speed_rpm"]).max()
-    for i, is_gap in enumerate(fall):
+    for i, is_gap in enumerate(is_fall(curve)):
         axes.plot(curve["torque_mNm"][i:i + 2], values[i:i + 2], color=color, ls=style, lw=0.5 if is_gap else width)
 
 
 def draw_points(axes, curve, key, error, color, marker, name=None):
-    axes.errorbar(curve["torque_mNm"], curve[key], curve[error], curve["torque_error_mNm"], color=color, marker=marker,
+    bars = [np.where(curve[name] > 0, curve[name], np.nan) for name in (error, "torque_error_mNm")]
+    axes.errorbar(curve["torque_mNm"], curve[key], *bars, color=color, marker=marker,
                   ms=4, ls="", capsize=2.5, elinewidth=0.9, label=name)
+
+
+def finish_axes(axes):
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.grid(color="#DDDDDD", lw=0.5)
+    axes.set_axisbelow(True)
 
 
 def draw_torque_speed(case, others=()):
@@ -33,7 +45,7 @@ def draw_torque_speed(case, others=()):
     upper, lower = figure.subplots(nrows=2, sharex=True, height_ratios=(1.3, 1))
     for number, one in enumerate(cases):
         color, marker = CASE_STYLE[number % len(CASE_STYLE)]
-        curve = sorted_columns(one)
+        curve = sorted_columns(one.curve)
         draw_points(upper, curve, "speed_rpm", "speed_error_rpm", color, marker, one.motor.replace("$", r"\$"))
         draw_points(lower, curve, "friction_loss_mW", "friction_loss_error_mW", color, marker)
         draw_steps(upper, curve, "speed_rpm", color, "-", 1.4)
@@ -48,7 +60,5 @@ def draw_torque_speed(case, others=()):
     lower.set(xlabel="torque in mN m", ylabel="friction loss in mW", yscale="log")
     lower.yaxis.set_major_formatter("{x:g}")
     for axes in (upper, lower):
-        axes.spines[["top", "right"]].set_visible(False)
-        axes.grid(color="#DDDDDD", lw=0.5)
-        axes.set_axisbelow(True)
+        finish_axes(axes)
     return figure

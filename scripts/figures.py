@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Draws the figures of a case from the result files of the programs stator and contact.
+"""Draws the figures of a case from the result files of the programs stator, contact and losses.
 
 Usage: scripts/figures.py CASE_DIR [OTHER_CASE_DIR]...      e.g. scripts/figures.py output/canon_ring
 
@@ -16,6 +16,10 @@ From CASE_DIR/contact, where it exists:
   friction_history     forces at a point while a crest passes, with stick and slip (Fig. 11)
   torque_speed         speed and friction loss against torque (Fig. 12), with the curves of the other cases
   warped_displacement  normal displacement on the whole ring (Fig. 13), if it is warped at rest
+From CASE_DIR/losses, where it exists:
+  losses               friction, inside stator and rotor, support and total against torque (Fig. 14)
+  efficiency           against torque (Fig. 15)
+  energy               where the power goes against torque: output and each loss, stacked
 """
 import glob
 import os
@@ -28,6 +32,8 @@ from contact_figures import (draw_contact_forces, draw_contact_shape, draw_frict
                              draw_warped_displacement, history_touches)
 from curve_figures import draw_torque_speed
 from drawing import figures_folder, save
+from loss_figures import draw_efficiency, draw_energy, draw_losses
+from losses_case import LossesCase, has_losses
 from stator_figures import draw_dispersion, draw_elliptic_paths, draw_tooth_edge
 
 STATOR_FIGURES = {"elliptic_paths": draw_elliptic_paths, "tooth_edge": draw_tooth_edge, "dispersion": draw_dispersion}
@@ -35,6 +41,7 @@ NEED_WAVE = (draw_elliptic_paths, draw_tooth_edge)
 CONTACT_FIGURES = {"contact_shape": draw_contact_shape, "normal_displacement": draw_normal_displacement,
                    "contact_forces": draw_contact_forces, "friction_history": draw_friction_history,
                    "warped_displacement": draw_warped_displacement, "torque_speed": draw_torque_speed}
+LOSSES_FIGURES = {"losses": draw_losses, "efficiency": draw_efficiency, "energy": draw_energy}
 
 
 def remove_figure(folder, name):
@@ -63,24 +70,41 @@ def draw_contact(case, others, folder):
             save(draw(case, others) if draw is draw_torque_speed else draw(case), folder, name)
 
 
+def remove_figures(folder, names, reason=None):
+    for name in names:
+        remove_figure(folder, name)
+    if reason:
+        print(f"figures: {reason}")
+
+
+def draw_all(case_folder, others, folder):
+    case = Case(case_folder)
+    draw_stator(case, folder)
+    contact = ContactCase(case_folder) if has_contact(case_folder) else None
+    if not (contact and contact.belongs_to(case)):
+        reason = "none of the contact, as it was computed with another wave; run contact again"
+        remove_figures(folder, [*CONTACT_FIGURES, *LOSSES_FIGURES], reason if contact else None)
+        return
+    draw_contact(contact, others, folder)
+    losses = LossesCase(case_folder) if has_losses(case_folder) else None
+    if not (losses and losses.belongs_to(contact)):
+        reason = "none of the losses, as they are those of other operating points; run losses again"
+        remove_figures(folder, LOSSES_FIGURES, reason if losses else None)
+        return
+    for name, draw in LOSSES_FIGURES.items():
+        save(draw(losses, contact), folder, name)
+
+
 def main(arguments):
     if arguments in (["-h"], ["--help"]):
         print(__doc__)
         return
     if not arguments:
         raise CaseError("expected a folder; usage: scripts/figures.py CASE_DIR [OTHER_CASE_DIR]...")
-    case = Case(arguments[0])
-    others = [ContactCase(folder) for folder in arguments[1:]]
-    with figures_folder(arguments[0]) as folder:
-        draw_stator(case, folder)
-        contact = ContactCase(arguments[0]) if has_contact(arguments[0]) else None
-        if contact and contact.belongs_to(case):
-            draw_contact(contact, others, folder)
-        else:
-            for name in CONTACT_FIGURES:
-                remove_figure(folder, name)
-            if contact:
-                print("figures: none of the contact, as it was computed with another wave; run contact again")
+    case_folder, *other_folders = arguments
+    others = [ContactCase(folder) for folder in other_folders]
+    with figures_folder(case_folder) as folder:
+        draw_all(case_folder, others, folder)
     print(f"figures in {folder}/")
 
 

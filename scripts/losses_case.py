@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the program losses left in the folder of a case, for the scripts that draw or print it."""
+import math
+import os
+
+from case import Results, read_table
+
+PARTS = ("friction_loss", "internal_loss_stator_metal", "internal_loss_piezoceramic", "internal_loss_rotor",
+         "support_loss")
+NUMBERS = {"losses.csv": [f"{name}{end}" for name in (*PARTS, "total_loss") for end in ("_mW", "_error_mW")],
+           "efficiency.csv": ["input_power_mW", "output_power_mW", "output_power_error_mW", "efficiency",
+                              "efficiency_error"]}
+
+
+def has_losses(case_folder):
+    """summary.json is written last: without it the run did not come to its end."""
+    return os.path.exists(os.path.join(case_folder, "losses", "summary.json"))
+
+
+class LossesCase(Results):
+    """What the program losses left in a folder.
+
+    summary     content of summary.json
+    parameters  "Section/Entry" -> text, from used.prm
+    points      list of dict, one for each operating point: the columns of losses.csv and efficiency.csv
+    """
+
+    program = "losses"
+
+    def __init__(self, folder):
+        super().__init__(folder)
+        self.points = []
+        self.load("summary.json", self.read_summary)
+        self.load("used.prm", self.read_parameters)
+        self.load("losses.csv", self.read_points)
+        self.load("efficiency.csv", self.read_points)
+
+    def read_points(self, path):
+        rows = read_table(path)
+        for key in NUMBERS[os.path.basename(path)]:
+            if not all(math.isfinite(row[key]) for row in rows):
+                raise ValueError(f"{key} is not finite")
+        self.points = self.points or [{} for _ in rows]
+        if len(rows) != len(self.points):
+            raise ValueError(f"{len(rows)} rows, but {len(self.points)} in losses.csv")
+        for point, row in zip(self.points, rows):
+            point.update(row)
+
+    def belongs_to(self, contact):
+        """Whether the operating points are those which the program contact has left in the folder."""
+        columns = ("torque_mNm", "speed_rpm", "friction_loss_mW", "friction_loss_error_mW")
+        return len(self.points) == len(contact.curve) and all(
+            math.isclose(point[key], row[key], rel_tol=1e-9, abs_tol=1e-9)
+            for point, row in zip(self.points, contact.curve) for key in columns)
+
+    def points_with(self, contact):
+        """The operating points with the columns of torque_speed.csv as well."""
+        return [{**row, **point} for row, point in zip(contact.curve, self.points)]
