@@ -74,6 +74,7 @@ class Case(Results):
     """What the program stator left in a folder.
 
     summary  content of summary.json
+    parameters  "Section/Entry" -> text, from used.prm
     modes    list of dict: n, family, frequency_Hz, error_Hz
     wave     attributes and surface traces of the motor's wave, None if it is not among the modes
     points   with a wave: name of a point of the tooth -> dict of the columns of ellipses.csv
@@ -86,6 +87,7 @@ class Case(Results):
         super().__init__(folder)
         self.wave = None
         self.load("summary.json", self.read_summary)
+        self.load("used.prm", self.read_parameters)
         self.load("frequencies.csv", self.read_frequencies)
         self.load("modes.h5", self.read_modes)
         if self.wave:
@@ -128,5 +130,12 @@ def read_trace(group):
 
 def with_error(value, error):
     """Both with the two leading digits of the error: '29.988 ± 0.026'."""
-    digits = 3 if error <= 0 else max(0, 1 - math.floor(math.log10(error)))
+    digits = 3 if error <= 0 else max(0, 1 - math.floor(math.log10(float(f"{error:.1e}"))))
     return f"{value:.{digits}f} ± {error:.{digits}f}"
+
+
+def known(value, error):
+    """A result with its error, or without one if it has none: what is prescribed, and nothing at all."""
+    if max(abs(value), error or 0) < 1e-9:
+        return "0"
+    return with_error(value, error) if error else f"{value:.4g}"

@@ -27,7 +27,8 @@ def draw_steps(axes, curve, key, color, style, width):
 
 
 def draw_points(axes, curve, key, error, color, marker, name=None):
-    bars = [np.where(curve[name] > 0, curve[name], np.nan) for name in (error, "torque_error_mNm")]
+    bars = [np.where(curve[name] > 0, curve[name], np.nan) if any(curve[name] > 0) else None
+            for name in (error, "torque_error_mNm")]
     axes.errorbar(curve["torque_mNm"], curve[key], *bars, color=color, marker=marker,
                   ms=4, ls="", capsize=2.5, elinewidth=0.9, label=name)
 

@@ -53,12 +53,13 @@ def draw_efficiency(losses, contact):
     columns = loss_columns(losses, contact)
     draw_steps(axes, columns, "efficiency_percent", BLUE, "-", 1.4)
     draw_points(axes, columns, "efficiency_percent", "efficiency_error_percent", BLUE, "o")
-    axes.set(ylabel="efficiency in %", ylim=(-0.03 * axes.dataLim.ymax, 1.1 * axes.dataLim.ymax))
+    axes.set(ylabel="efficiency in %", ylim=np.array([-0.03, 1.1]) * max(1, axes.dataLim.ymax))
     return figure
 
 
 def range_text(values):
-    low, high = (f"{value:.3g}" if value < 100 else f"{value:.0f}" for value in (values.min(), values.max()))
+    low, high = (f"{value:.0f}" if value > 100 or value < 1e-3 else f"{value:.3g}"
+                 for value in (values.min(), values.max()))
     return f"{low} mW" if low == high else f"{low} to {high} mW"
 
 
@@ -98,4 +99,6 @@ def draw_energy(losses, contact):
     axes.legend(handles[::-1], names[::-1], frameon=False, fontsize=8, loc="center left", bbox_to_anchor=(1.01, 0.5),
                 labelspacing=0.9, title="bars: error of the\nlayer below them", title_fontsize=8, alignment="left")
     axes.set(ylabel="power in mW", ylim=(0, None), xlim=(torque[0], torque[-1]))
+    if len(losses.points) == 1:
+        axes.set_xticks([losses.points[0]["torque_mNm"]])
     return figure
