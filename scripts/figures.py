@@ -26,14 +26,14 @@ import os
 import sys
 
 sys.dont_write_bytecode = True  # a drawing leaves nothing outside the folder of its case
-from case import Case, CaseError
-from contact_case import ContactCase, has_contact
+from case import CaseError
+from contact_case import ContactCase
 from contact_figures import (draw_contact_forces, draw_contact_shape, draw_friction_history, draw_normal_displacement,
                              draw_warped_displacement, history_touches)
 from curve_figures import draw_torque_speed
 from drawing import figures_folder, save
 from loss_figures import draw_efficiency, draw_energy, draw_losses
-from losses_case import LossesCase, has_losses
+from losses_case import read_case
 from stator_figures import draw_dispersion, draw_elliptic_paths, draw_tooth_edge
 
 STATOR_FIGURES = {"elliptic_paths": draw_elliptic_paths, "tooth_edge": draw_tooth_edge, "dispersion": draw_dispersion}
@@ -70,27 +70,12 @@ def draw_contact(case, others, folder):
             save(draw(case, others) if draw is draw_torque_speed else draw(case), folder, name)
 
 
-def remove_figures(folder, names, reason=None):
+def remove_figures(folder, names):
     for name in names:
         remove_figure(folder, name)
-    if reason:
-        print(f"figures: {reason}")
 
 
-def draw_all(case_folder, others, folder):
-    case = Case(case_folder)
-    draw_stator(case, folder)
-    contact = ContactCase(case_folder) if has_contact(case_folder) else None
-    if not (contact and contact.belongs_to(case)):
-        reason = "none of the contact, as it was computed with another wave; run contact again"
-        remove_figures(folder, [*CONTACT_FIGURES, *LOSSES_FIGURES], reason if contact else None)
-        return
-    draw_contact(contact, others, folder)
-    losses = LossesCase(case_folder) if has_losses(case_folder) else None
-    if not (losses and losses.belongs_to(contact)):
-        reason = "none of the losses, as they are those of other operating points; run losses again"
-        remove_figures(folder, LOSSES_FIGURES, reason if losses else None)
-        return
+def draw_losses_figures(losses, contact, folder):
     for name, draw in LOSSES_FIGURES.items():
         save(draw(losses, contact), folder, name)
 
@@ -102,9 +87,20 @@ def main(arguments):
     if not arguments:
         raise CaseError("expected a folder; usage: scripts/figures.py CASE_DIR [OTHER_CASE_DIR]...")
     case_folder, *other_folders = arguments
+    case, contact, losses, left_out = read_case(case_folder)
+    for reason in left_out:
+        print(f"figures: {reason}")
     others = [ContactCase(folder) for folder in other_folders]
     with figures_folder(case_folder) as folder:
-        draw_all(case_folder, others, folder)
+        draw_stator(case, folder)
+        if contact:
+            draw_contact(contact, others, folder)
+        else:
+            remove_figures(folder, CONTACT_FIGURES)
+        if losses:
+            draw_losses_figures(losses, contact, folder)
+        else:
+            remove_figures(folder, LOSSES_FIGURES)
     print(f"figures in {folder}/")
 
 

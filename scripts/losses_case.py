@@ -3,7 +3,8 @@
 import math
 import os
 
-from case import Results, read_table
+from case import Case, Results, read_table
+from contact_case import ContactCase, has_contact
 
 PARTS = ("friction_loss", "internal_loss_stator_metal", "internal_loss_piezoceramic", "internal_loss_rotor",
          "support_loss")
@@ -56,3 +57,16 @@ class LossesCase(Results):
     def points_with(self, contact):
         """The operating points with the columns of torque_speed.csv as well."""
         return [{**row, **point} for row, point in zip(contact.curve, self.points)]
+
+
+def read_case(folder):
+    """Results of the three programs, and list of what is left out: None for one that is not there, or that does not
+    belong to those before it."""
+    case = Case(folder)
+    contact = ContactCase(folder) if has_contact(folder) else None
+    if contact and not contact.belongs_to(case):
+        return case, None, None, ["The contact was computed with another wave; run contact again"]
+    losses = LossesCase(folder) if contact and has_losses(folder) else None
+    if losses and not losses.belongs_to(contact):
+        return case, contact, None, ["The losses are those of other operating points; run losses again"]
+    return case, contact, losses, []

@@ -3,9 +3,8 @@
 import os
 from dataclasses import dataclass, field
 
-from case import Case, known
-from contact_case import ContactCase, has_contact
-from losses_case import PARTS, LossesCase, has_losses
+from case import known
+from losses_case import PARTS, read_case
 
 MOST_MODES = 12
 
@@ -55,8 +54,7 @@ class Page:
     """
 
     def __init__(self, folder, most_points):
-        self.case, self.contact, self.losses, self.notes = Case(folder), None, None, []
-        self.read_contact(folder)
+        self.case, self.contact, self.losses, self.notes = read_case(folder)
         self.folder, self.most_points = folder, most_points
         self.programs = [part for part in (self.case, self.contact, self.losses) if part]
         summary = self.case.summary
@@ -73,22 +71,9 @@ class Page:
         self.tables = {**tables, "effects": self.effects(), "certificates": self.certificates(), "cost": self.cost(),
                        "files": self.files()}
 
-    def read_contact(self, folder):
-        """Contact and losses, each only if it belongs to what is before it."""
-        if not has_contact(folder):
-            return
-        contact = ContactCase(folder)
-        if not contact.belongs_to(self.case):
-            self.notes.append("The contact was computed with another wave; run contact again")
-            return
-        self.contact = contact
-        if not has_losses(folder):
-            return
-        losses = LossesCase(folder)
-        if losses.belongs_to(contact):
-            self.losses = losses
-        else:
-            self.notes.append("The losses are those of other operating points; run losses again")
+    def newest_result(self):
+        """Seconds; pictures and pages that are older show other results."""
+        return max(os.path.getmtime(os.path.join(part.folder, "summary.json")) for part in self.programs)
 
     @property
     def points(self):
@@ -209,8 +194,12 @@ class Page:
         return Table("Cost", "lrrr", [("program", ""), ("time", "s"), ("memory", "MB"), ("unknowns", "")], rows)
 
     def files(self):
-        rows = [[path, said] for path, said in FILES.items() if os.path.exists(os.path.join(self.folder, path))]
+        rows = [[path, said] for path, said in FILES.items() if self.has_file(path)]
         return Table(f"Files in {self.folder} (described in doc/files.md)", "ll", rows=rows)
+
+    def has_file(self, path):
+        whole = os.path.join(self.folder, path)
+        return os.path.exists(whole) and (path != "report.html" or os.path.getmtime(whole) >= self.newest_result())
 
 
 def seconds(part):

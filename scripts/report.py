@@ -106,10 +106,6 @@ def html_of_files(table):
     return f"<h2>{html.escape(table.title)}</h2>\n<table><tbody>\n{rows}</tbody></table>\n"
 
 
-def newest_result(page):
-    return max(os.path.getmtime(os.path.join(part.folder, "summary.json")) for part in page.programs)
-
-
 def html_of_figures(page, names):
     """Those that have been drawn; an image of its own each, so that names inside them do not meet."""
     figures = []
@@ -117,7 +113,7 @@ def html_of_figures(page, names):
         path = os.path.join(page.folder, "figures", f"{name}.svg")
         if not os.path.exists(path):
             continue
-        if os.path.getmtime(path) < newest_result(page):
+        if os.path.getmtime(path) < page.newest_result():
             raise CaseError(f"{path} is older than the results; run scripts/figures.py first")
         with open(path, "rb") as file:
             code = base64.b64encode(file.read()).decode()
