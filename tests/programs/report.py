@@ -119,7 +119,8 @@ class Report(WithMotor):
         self.assertFalse([name for name in os.listdir(self.case) if name.endswith(".part")])
 
     def test_losses_on_the_page_are_those_of_the_files(self):
-        rows = self.page_table("Where the power is lost")[2:2 + len(self.losses)]
+        head, _, *rows = self.page_table("Where the power is lost")[:2 + len(self.losses)]
+        self.assertEqual(head, ["torque", "friction", "stator metal", "piezoceramic", "rotor", "support", "total"])
         parts = ("friction_loss", "internal_loss_stator_metal", "internal_loss_piezoceramic", "internal_loss_rotor",
                  "support_loss", "total_loss")
         for cells, row, point in zip(rows, self.losses, self.curve, strict=True):
@@ -128,7 +129,8 @@ class Report(WithMotor):
                 self.assert_shown(cell, row[f"{part}_mW"], row[f"{part}_error_mW"])
 
     def test_curve_and_efficiency_on_the_page_are_those_of_the_files(self):
-        rows = self.page_table("Torque and speed")[2:2 + len(self.curve)]
+        head, _, *rows = self.page_table("Torque and speed")[:2 + len(self.curve)]
+        self.assertEqual(head[:5], ["torque", "speed", "output", "losses", "efficiency"])
         for cells, point, row, losses in zip(rows, self.curve, self.efficiency, self.losses, strict=True):
             self.assert_shown(cells[1], point["speed_rpm"], point["speed_error_rpm"])
             self.assert_shown(cells[2], row["output_power_mW"], row["output_power_error_mW"])
