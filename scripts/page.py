@@ -180,7 +180,7 @@ class Page:
                      if entry.startswith("Effects/") and text == choice and entry.split("/")[1] not in told]
             if names:
                 notes.append(f"{choice}, without an estimate: {', '.join(names)}")
-        return Table("Effects", "lrrl", [("effect", ""), ("choice", ""), ("it changes results by", ""), ("program", "")],
+        return Table("Effects", "llrl", [("effect", ""), ("choice", ""), ("it changes results by", ""), ("program", "")],
                      rows, notes)
 
     def certificates(self):

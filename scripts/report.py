@@ -61,6 +61,7 @@ td { border-bottom: 1px solid #E3E3E3; }
 figure { margin: 0; }
 figure img { width: 100%; height: auto; }
 code { font-family: "DejaVu Sans Mono", Menlo, Consolas, monospace; font-size: 0.9em; overflow-wrap: anywhere; }
+details { margin-top: 2rem; }
 pre { font-size: 0.8rem; overflow-x: auto; }
 @media (max-width: 40rem) { .figures { grid-template-columns: 1fr; } }
 @media print {
@@ -69,7 +70,7 @@ pre { font-size: 0.8rem; overflow-x: auto; }
   h2 { break-after: avoid; margin-top: 1.2rem; }
   tr, figure { break-inside: avoid; }
   .figures { display: block; }
-  figure { width: 150mm; margin: 0 auto 6mm; }
+  figure { width: 135mm; margin: 0 auto 6mm; }
   .wide { overflow: visible; }
   table { font-size: 8.5pt; }
   th, td { padding-right: 0.6rem; }
@@ -102,7 +103,7 @@ def html_of_table(table):
 def html_of_files(table):
     """Each a link, which works as long as the report is in the folder of its case."""
     rows = "".join(f'<tr><td><a href="{urllib.parse.quote(path)}"><code>{html.escape(path)}</code></a></td>'
-                   f"<td>{html.escape(said)}</td></tr>\n" for path, said in table.rows)
+                   f"<td>{html.escape(said)}</td></tr>\n" for path, said in table.rows if path != "report.html")
     return f"<h2>{html.escape(table.title)}</h2>\n<table><tbody>\n{rows}</tbody></table>\n"
 
 
