@@ -71,7 +71,8 @@ def runs_and_falls(columns):
 
 
 def draw_layer(axes, columns, below, name, color):
-    torque, above = columns["torque_mNm"], below + columns[name + "_mW"]
+    torque = columns["torque_mNm"]
+    above = below + np.maximum(0, columns[name + "_mW"])  # a load that drives the motor puts power in: no output
     for points, alpha in runs_and_falls(columns):
         for paint, strength in (("white", 1), (color, alpha)):  # white keeps the grid from showing through
             axes.fill_between(torque[points], below[points], above[points], color=paint, lw=0, alpha=strength)
