@@ -20,10 +20,12 @@ MOST_POINTS = 60
 
 # table of the page -> figures below it and what they show
 FIGURES = {
+    "modes": {
+        "dispersion": "Natural frequency against the number of waves around the ring.",
+    },
     "wave": {
         "elliptic_paths": "Paths of 18 points of a tooth in the travelling wave.",
         "tooth_edge": "Amplitudes and phase along the outer edge of the teeth.",
-        "dispersion": "Natural frequency against the number of waves around the ring.",
     },
     "curve": {
         "torque_speed": "Speed and friction loss against torque. Thin lines: the speed breaks down, nothing is known "
