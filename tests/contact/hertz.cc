@@ -156,6 +156,10 @@ TEST_P(Hertz, IsApproachedAsFastAsItsSmoothnessAllows)
     {
       const Found found         = press(degree, level, phase);
       const PressureError error = pressure_error(found, width);
+      const std::string at =
+          "_" + std::to_string(level) + "_phase_" + std::to_string(std::lround(3. * phase));
+      record("peak_error" + at, found.largest / peak - 1.);
+      record("half_width_error_in_cells" + at, (found.touching - 1.) / found.cell);
       energy[level] += found.energy / 3.;
       in_l2[level] += error.in_l2 / 3.;
       by_energy[level] += error.by_energy / 3.;

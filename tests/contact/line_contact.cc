@@ -8,6 +8,7 @@
 // The answer must not depend on the constants of the method or the units.
 
 #include "support/half_planes.h"
+#include "support/record.h"
 
 #include <ringmotor/parameters/errors.h>
 
@@ -47,6 +48,10 @@ TEST(LineContact, IsHertz)
     const LineContact line      = cylinders(n);
     const ContactSolution found = solve(line, line.shift(load, 0.));
     const double touching       = line.width * (line.n_strips - count(found, PointStatus::open));
+    record("half_width_" + std::to_string(n), 0.5 * touching);
+    record("peak_error_" + std::to_string(n),
+           found.state.force[line.n_strips / 2][0] * M_PI * half_width / (2. * load * line.width) -
+               1.);
     EXPECT_NEAR(0.5 * touching, half_width, line.width);
     const double p0 = 2. * load / (M_PI * half_width);
     for (unsigned int i = 0; i < line.n_strips; ++i)
@@ -68,6 +73,8 @@ TEST(LineContact, IsCattaneoMindlin)
     const LineContact line      = cylinders(100);
     const ContactSolution found = solve(line, line.shift(load, -part * mu * load));
     const double stuck          = half_width * std::sqrt(1. - part);
+    record("stuck_" + std::to_string(std::lround(100. * part)),
+           0.5 * line.width * count(found, PointStatus::stick));
     EXPECT_NEAR(0.5 * line.width * count(found, PointStatus::stick), stuck, line.width) << part;
     EXPECT_NEAR(total(found.state, 1), part * mu * load, 1e-9 * load);
     EXPECT_LT(found.state.rigid[1], 0.); // friction along t on the upper body: it went back

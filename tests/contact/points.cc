@@ -9,6 +9,7 @@
 //   sticks (p = 1, r_t = -0.55) and where it slips (u_t = 0.25, p = 0.5).
 
 #include "support/contact_laws.h"
+#include "support/record.h"
 
 #include <ringmotor/parameters/errors.h>
 
@@ -91,7 +92,9 @@ TEST(Wedge, Slides)
     const DenseContact problem  = block(nullptr);
     const ContactSolution found = solve_contact(problem, coulomb(mu), of_block, problem.nothing());
     const double c = 1. / std::sqrt(1. + slope * slope), s = slope * c;
-    EXPECT_NEAR((s * total(found.state, 0) - c * total(found.state, 1)) / weight, force, 1e-8);
+    const double pushed = (s * total(found.state, 0) - c * total(found.state, 1)) / weight;
+    record("error_" + std::to_string(std::lround(10. * mu)), pushed - force);
+    EXPECT_NEAR(pushed, force, 1e-8);
     EXPECT_EQ(count(found, PointStatus::slip), 3u);
   }
 }

@@ -8,6 +8,7 @@
 
 #include "support/materials.h"
 #include "support/plain_problem.h"
+#include "support/record.h"
 
 #include <deal.II/grid/grid_generator.h>
 
@@ -57,6 +58,7 @@ TEST(ThickPlate, HasTheExactFrequencies)
   const std::vector<double> found = frequencies(4, 1, 5);
   for (unsigned int i = 0; i < exact.size(); ++i)
   {
+    record("error_" + std::to_string(i), found[i] / exact[i] - 1.);
     EXPECT_NEAR(found[i] / exact[i], 1., 2e-5) << "mode " << i;
     // from above, but for the digits of the target
     EXPECT_GT(found[i] / exact[i], 1. - 4e-7) << "mode " << i;
@@ -69,6 +71,7 @@ TEST(ThickPlate, ConvergesAtTheExpectedOrder)
   for (const unsigned int i : {0u, 1u, 3u, 5u, 6u})
   {
     const double order = std::log2((coarse[i] / exact[i] - 1.) / (fine[i] / exact[i] - 1.));
+    record("order_" + std::to_string(i), order);
     EXPECT_GT(order, 3.5) << "mode " << i;
     EXPECT_LT(order, 4.7) << "mode " << i;
   }

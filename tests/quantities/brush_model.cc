@@ -4,7 +4,8 @@
 // Winkler foundation with Coulomb friction and no tangential compliance (n 7, R 35.25 mm, A 2 um,
 // A_t 1.44 um, 30 kHz, 14 N, mu 0.40, 5.5e8 N/m per metre of circumference).
 
-#include "../support/motor_model.h"
+#include "support/motor_model.h"
+#include "support/record.h"
 
 #include <ringmotor/quantities/torque_speed.h>
 
@@ -72,6 +73,9 @@ TEST(BrushModel, SpeedAndFrictionLoss)
   for (const auto &point : expected)
   {
     const OperatingPoint found = finder.find({Control::torque, 1e-3 * point.torque}).result;
+    const std::string at       = "_at_" + std::to_string(std::lround(point.torque));
+    record("speed" + at, found.speed / rpm);
+    record("loss" + at, 1e3 * found.friction_loss());
     EXPECT_NEAR(found.speed / rpm, point.speed, 0.005 * point.speed) << point.torque;
     EXPECT_NEAR(1e3 * found.friction_loss(), point.loss, 0.02 * point.loss) << point.torque;
     EXPECT_LT(found.radial_loss, 1e-9 * found.friction_loss());

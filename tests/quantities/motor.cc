@@ -9,6 +9,7 @@
 // hold exactly: what the teeth put in is what the rotor gives out and friction takes.
 
 #include "support/motor_model.h"
+#include "support/record.h"
 
 #include <ringmotor/quantities/torque_speed.h>
 
@@ -59,8 +60,8 @@ TEST_F(ReferenceMotor, TurnsAsFastAsAnIndependentModel)
                                       std::make_pair(0.1, 79.0), std::make_pair(0.15, 73.4)})
   {
     const CurvePoint point = finder.find({Control::torque, torque});
-    RecordProperty("speed_at_" + std::to_string(static_cast<int>(1e3 * torque)) + "_mNm",
-                   std::to_string(point.result.speed / rpm));
+    record("speed_at_" + std::to_string(static_cast<int>(1e3 * torque)) + "_mNm",
+           point.result.speed / rpm);
     EXPECT_NEAR(point.result.speed / rpm, speed, 0.02 * speed) << torque;
     EXPECT_NEAR(point.result.torque, torque, 1e-9);
     EXPECT_LE(point.largest_violation, ContactCertificate::limit);
@@ -70,6 +71,7 @@ TEST_F(ReferenceMotor, TurnsAsFastAsAnIndependentModel)
 TEST_F(ReferenceMotor, StallsWhereAllFrictionPointsOneWay)
 {
   const CurvePoint point = OperatingPointFinder(parameters, motor).find({Control::speed, 0.});
+  record("stall_mNm", 1e3 * point.result.torque);
   // The contact lies along the outer line; radial sliding takes a small share of the friction.
   EXPECT_NEAR(point.result.torque, 0.40 * 14. * 34.2e-3, 0.002 * 0.40 * 14. * 34.2e-3);
   EXPECT_LT(point.result.stick_fraction, 1e-6);
@@ -90,12 +92,14 @@ TEST_F(ReferenceMotor, SpeedAndTorqueControlAreTwoWaysToOnePoint)
 TEST_F(ReferenceMotor, TouchesAtTheCrestsAlongTheOuterLine)
 {
   const CurvePoint point = at_torque(0.);
+  record("teeth", point.result.teeth_in_contact);
   EXPECT_GT(point.result.teeth_in_contact, 3.);
   EXPECT_LT(point.result.teeth_in_contact, 4.);
   double inside = 0.;
   for (unsigned int i = 0; i < point.fields.force.size(); ++i)
     if (motor.nodes[i % motor.nodes.size()].radius < 34.0e-3)
       inside += point.fields.force[i][0];
+  record("share_inside", inside / 14.);
   EXPECT_LT(inside, 0.02 * 14.);
   for (unsigned int i = 0; i < point.fields.force.size(); ++i)
     if (point.fields.force[i][0] > 0.)
@@ -109,6 +113,8 @@ TEST_F(ReferenceMotor, HasFrictionOfBothSignsWithoutLoad)
   const CurvePoint point = at_torque(0.);
   const double forwards  = force_sum(point.fields, 1, 1.),
                backwards = force_sum(point.fields, 1, -1.);
+  record("forwards_N", forwards);
+  record("backwards_N", backwards);
   EXPECT_NEAR(forwards, backwards, 1e-3 * forwards); // torques cancel, at nearly one radius
   EXPECT_GT(forwards, 0.1 * 0.40 * 14.);
 }
@@ -136,6 +142,7 @@ TEST_F(ReferenceMotor, LetsAPointSlipBackwardsStickAndSlipForwards)
     if (story.empty() || story.back() != letter)
       story += letter;
   }
+  RecordProperty("story", story);
   EXPECT_NE((story + story).find("obsf"), std::string::npos)
       << story << " should be: open, slip backwards, stick, slip forwards";
 }
@@ -145,7 +152,11 @@ TEST_F(ReferenceMotor, BalancesItsPower)
   // The wave's feet put in what the rotor gives out and friction takes, but for the work that gaps
   // take as they close within a step: it falls with the square of the step.
   for (const double torque : {0.05, 0.1, 0.15})
-    EXPECT_LT(at_torque(torque).result.power_imbalance(), 1e-3) << torque;
+  {
+    const double imbalance = at_torque(torque).result.power_imbalance();
+    record("imbalance_" + std::to_string(std::lround(1e3 * torque)), imbalance);
+    EXPECT_LT(imbalance, 1e-3) << torque;
+  }
   // Without load little power is left to compare with.
   const CondensedMotor coarse =
       condense_motor(parameters, stator_wave(parameters), ContactDiscretisation::level(0));
@@ -154,6 +165,7 @@ TEST_F(ReferenceMotor, BalancesItsPower)
     imbalance.push_back(OperatingPointFinder(with_parts_of_a_step(parameters, n_moments), coarse)
                             .find({Control::torque, 0.})
                             .result.power_imbalance());
+  record("imbalance_without_load", imbalance[1]);
   EXPECT_LT(imbalance[1], 1e-3);
   EXPECT_LT(imbalance[1], 0.5 * imbalance[0]);
   const OperatingPoint result = at_torque(0.1).result;
@@ -172,9 +184,11 @@ TEST_F(ReferenceMotor, IsSteadyAfterFiveOfThePapersSteps)
   {
     const OperatingState state = driver.step(load, 5e-7);
     torque.push_back(state.contact->torque(state.solution.state));
+    record("torque_" + std::to_string(step + 1), 1e3 * torque.back());
   }
   const double steady =
       OperatingPointFinder(parameters, motor).find({Control::speed, 60. * rpm}).result.torque;
+  record("torque_steady", 1e3 * steady);
   EXPECT_LT(torque[0], 0.95 * steady);
   for (unsigned int step = 5; step < 15; ++step)
     EXPECT_NEAR(torque[step], steady, 0.01 * steady) << step;
@@ -191,7 +205,9 @@ TEST_F(ReferenceMotor, MarchesToItsSteadyState)
     const OperatingState state = driver.step(load, motor.period() / 90.);
     speed                      = state.contact->speed(state.solution.state);
   }
-  EXPECT_NEAR(speed, at_torque(0.08).result.speed, 1e-5 * speed);
+  const double steady = at_torque(0.08).result.speed;
+  record("difference", speed / steady - 1.);
+  EXPECT_NEAR(speed, steady, 1e-5 * speed);
 }
 
 TEST_F(ReferenceMotor, IsSlowerWhenWarped)
@@ -200,7 +216,8 @@ TEST_F(ReferenceMotor, IsSlowerWhenWarped)
   warped.initial_deformation.amplitude = 4e-6;
   const CurvePoint slow = OperatingPointFinder(warped, motor).find({Control::torque, 0.05});
   const double even     = at_torque(0.05).result.speed;
-  RecordProperty("warped_speed_rpm", std::to_string(slow.result.speed / rpm));
+  record("warped_speed_rpm", slow.result.speed / rpm);
+  record("even_speed_rpm", even / rpm);
   EXPECT_LT(slow.result.speed, even - 3. * rpm);
   EXPECT_GT(slow.result.speed, 0.8 * even);
 }

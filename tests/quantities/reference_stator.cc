@@ -8,6 +8,7 @@
 // amplitude at the outer centre of the tooth top.
 
 #include "support/materials.h"
+#include "support/record.h"
 
 #include <ringmotor/mesh/stator_sector.h>
 #include <ringmotor/quantities/body_modes.h>
@@ -110,6 +111,9 @@ TEST(ReferenceStatorLong, HasTheFrequenciesOfTheOtherProgram)
         const FoundMode &mode  = lowest_of(modes.search(), row.n_waves, row.family);
         const double converged = row.value / (1. + row.excess);
         const double found     = mode.frequency.value;
+        const std::string of   = std::to_string(row.n_waves) + "_" + to_string(row.family);
+        record("difference_" + of, found / converged - 1.);
+        record("error_bar_" + of, mode.frequency.error / found);
         EXPECT_NEAR(found / converged, 1., 5e-4) << row.n_waves << " " << to_string(row.family);
         // inside the error bar, but for the uncertainty of the excess
         EXPECT_NEAR(found, converged, mode.frequency.error + 0.7 * row.excess * converged)
@@ -127,6 +131,8 @@ TEST_P(ReferenceStator, ReachesTheTargetInItsWorkingMode)
   const FoundMode *working = modes.search().working_mode(7);
   ASSERT_NE(working, nullptr);
   EXPECT_EQ(working->content.nodal_circles, 0u);
+  record("difference", working->frequency.value / 30004. - 1.);
+  record("error_bar", working->frequency.error / working->frequency.value);
   EXPECT_NEAR(working->frequency.value, 30004., target * 30004.);
   EXPECT_LE(working->frequency.error, target * working->frequency.value);
   EXPECT_NEAR(working->frequency.value, 30004., working->frequency.error + 3.);
@@ -149,6 +155,11 @@ TEST(ReferenceStatorWave, HasTheEllipsesOfTheOtherProgram)
   const auto expect_amplitudes = [&](const Ellipse &row, const double tolerance)
   {
     const EllipticMotion motion = elliptic_motion(named(points, row.point), mode);
+    const std::string name      = row.point;
+    record(name + "_normal", motion.normal * 1e6);
+    record(name + "_tangential", motion.tangential * 1e6);
+    record(name + "_radial", motion.radial * 1e6);
+    record(name + "_phi", motion.phi / degree_angle);
     EXPECT_NEAR(motion.normal * 1e6 / row.normal, 1., tolerance) << row.point;
     EXPECT_NEAR(motion.tangential * 1e6 / row.tangential, 1., tolerance) << row.point;
     // The small radial motion of the foot is known to 5e-4 of the whole motion.

@@ -7,6 +7,7 @@
 // spin in k = 0, in-plane shift and tilt in k = 1 (each a pair of standing motions), none beyond.
 
 #include "support/materials.h"
+#include "support/record.h"
 
 #include <ringmotor/mesh/stator_sector.h>
 #include <ringmotor/structure/modes.h>
@@ -50,8 +51,13 @@ namespace
                     const double relative_tolerance)
   {
     ASSERT_EQ(found.size(), expected.size());
+    double largest = 0.;
     for (unsigned int i = 0; i < found.size(); ++i)
+    {
+      largest = std::max(largest, std::abs(found[i] / expected[i] - 1.));
       EXPECT_NEAR(found[i], expected[i], relative_tolerance * expected[i]) << "mode " << i;
+    }
+    record("largest_difference", largest);
   }
 
   class SectorForms : public testing::TestWithParam<unsigned int>
