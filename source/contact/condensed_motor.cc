@@ -223,9 +223,9 @@ namespace ringmotor
       SurfaceCompliance of_lip = sector_compliance(interface, whole.origin);
       if (!gives_way_along)
         leave_normal_compliance(of_lip);
-      rotor.compliance =
-          RingCompliance(n_teeth, of_lip, rotor.mortar, [&](const unsigned int k)
-                         { return interface.through_cut(k, body.held(k)); });
+      rotor.compliance                     = RingCompliance(n_teeth, of_lip, rotor.mortar,
+                                                            [&](const unsigned int k)
+                                                            { return interface.through_cut(k, body.held(k)); });
       const std::vector<unsigned int> held = body.held(1);
       for (const unsigned int support : held)
         rotor.loose_motions.push_back(loose_motion(condensation.support_motion(1, held, support),

@@ -74,8 +74,9 @@ namespace ringmotor
       {
         Law law = Law::stick;
         FrictionBound bound;
-        Tangential direction; ///< tau / |tau|
-        double ratio = 1.;    ///< bound / |tau|
+        Tangential direction;    ///< tau / |tau|
+        double ratio    = 1.;    ///< bound / |tau|
+        bool stays_zero = false; ///< no friction now, none before
       };
 
       /** Opens and closes points, lets them stick or slip; open points lose their forces. */
@@ -120,6 +121,8 @@ namespace ringmotor
           return law;
         law.law   = Law::slip;
         law.ratio = 0.;
+        law.stays_zero =
+            tangential(force).norm() == 0. && law.bound.value == 0. && law.bound.by_pressure == 0.;
         if (size > 0.)
         {
           law.direction = tau / size;
@@ -157,17 +160,38 @@ namespace ringmotor
 
       bool solve_linear()
       {
-        if (size == 0) // nothing touches, nothing moves: LAPACK does not take empty matrices
+        // Forces that are zero and stay zero, as all friction of surfaces without it, are no
+        // unknowns.
+        std::vector<unsigned int> unknowns;
+        for (unsigned int row = 0; row < size; ++row)
+          if (row >= 3 * touching.size() || row % 3 == 0 || !friction[row / 3].stays_zero)
+            unknowns.push_back(row);
+        if (unknowns.empty()) // LAPACK does not take empty matrices
           return true;
+        LAPACKFullMatrix<double> part;
+        Vector<double> solution(unknowns.size());
+        const bool is_part                = unknowns.size() < size;
+        LAPACKFullMatrix<double> &factors = is_part ? part : matrix;
+        if (is_part)
+          part.reinit(unknowns.size());
+        for (unsigned int i = 0; i < unknowns.size(); ++i)
+        {
+          solution[i] = right_hand_side[unknowns[i]];
+          for (unsigned int j = 0; is_part && j < unknowns.size(); ++j)
+            part(j, i) = matrix(unknowns[j], unknowns[i]);
+        }
         try
         {
-          matrix.compute_lu_factorization();
-          matrix.solve(right_hand_side);
+          factors.compute_lu_factorization();
+          factors.solve(solution);
         }
         catch (const LACExceptions::ExcSingular &)
         {
           return false;
         }
+        right_hand_side = 0.;
+        for (unsigned int i = 0; i < unknowns.size(); ++i)
+          right_hand_side[unknowns[i]] = solution[i];
         return std::isfinite(right_hand_side.l1_norm());
       }
 

@@ -138,9 +138,7 @@ namespace ringmotor
     // U(-theta) = S conj(U(theta)) of the half sector's real and imaginary fields. (On a whole
     // sector nothing is mirrored and both fields are alike.)
     const auto sign = [&](const unsigned int row, const unsigned int part)
-    {
-      return origin[row / 3].mirrored ? mirror_sign(row % 3) * (part == 0 ? 1. : -1.) : 1.;
-    };
+    { return origin[row / 3].mirrored ? mirror_sign(row % 3) * (part == 0 ? 1. : -1.) : 1.; };
     const auto form = [&](const unsigned int row) { return 3 * origin[row / 3].node + row % 3; };
     const unsigned int n = 3 * origin.size();
     SurfaceCompliance body;
@@ -178,9 +176,9 @@ namespace ringmotor
     return motions;
   }
 
-  RingCompliance::RingCompliance(
-      const unsigned int n_sectors, const SurfaceCompliance &body, const MortarCoupling &coupling,
-      const std::function<FullMatrix<double>(unsigned int)> &through_cut)
+  RingCompliance::RingCompliance(const unsigned int n_sectors, const SurfaceCompliance &body,
+                                 const MortarCoupling &coupling,
+                                 const std::function<FullMatrix<double>(unsigned int)> &through_cut)
       : node_count(coupling.nodes.size()), near(n_sectors)
   {
     const Shares shares(coupling);
@@ -201,7 +199,7 @@ namespace ringmotor
     for (unsigned int distance = 0; distance < (has_shapes ? n_sectors : 1); ++distance)
     {
       const FullMatrix<double> of_shapes = shapes.at(distance);
-      const FullMatrix<double> of_far = product(far, product(of_shapes, far), true);
+      const FullMatrix<double> of_far    = product(far, product(of_shapes, far), true);
       for (unsigned int a = 0; a < seen.size(); ++a)
         for (unsigned int b = 0; b < seen.size(); ++b)
         {
@@ -214,8 +212,8 @@ namespace ringmotor
           }
           FullMatrix<double> by_surface(body.at_rest.m(), 3 * node_count);
           if (has_shapes)
-            by_surface = product(
-                body.shapes, transposed(product(shares.of(seen[a], body.shapes), of_shapes)));
+            by_surface = product(body.shapes,
+                                 transposed(product(shares.of(seen[a], body.shapes), of_shapes)));
           if (distance == 0)
             by_surface.add(1., transposed(shares.of(seen[a], body.at_rest)));
           if (near[d].empty())
@@ -234,8 +232,7 @@ namespace ringmotor
   {
     const std::size_t width = 3 * node_count, n_far = basis.n();
     const unsigned int n = n_sectors();
-    const auto add       = [](double *to, const double factor, const double *from,
-                        const std::size_t size)
+    const auto add = [](double *to, const double factor, const double *from, const std::size_t size)
     {
       for (std::size_t i = 0; i < size; ++i)
         to[i] += factor * from[i];

@@ -74,8 +74,7 @@ namespace ringmotor
       for (std::size_t j = 0; j < n_inner; ++j)
         matrix[j * n_inner + i] = stiffness(rows.inner[i], rows.inner[j]);
       for (std::size_t j = 0; j < n_cut; ++j)
-        motions[(n_forms + j) * n_inner + i] = across(i, j) =
-            stiffness(rows.inner[i], rows.cut[j]);
+        motions[(n_forms + j) * n_inner + i] = across(i, j) = stiffness(rows.inner[i], rows.cut[j]);
     }
     for (std::size_t f = 0; f < n_forms; ++f)
       for (const auto &[place, coefficient] : rows.forms[f])
@@ -130,9 +129,8 @@ namespace ringmotor
     scale_columns(field.loads, 1);
   }
 
-  FullMatrix<double>
-  InterfaceCompliance::through_cut(const unsigned int k,
-                                   const std::vector<unsigned int> &held) const
+  FullMatrix<double> InterfaceCompliance::through_cut(const unsigned int k,
+                                                      const std::vector<unsigned int> &held) const
   {
     const CyclicSector &sector  = condensation.sector;
     const unsigned int n_shapes = shapes(0).n() + shapes(1).n();
@@ -184,8 +182,8 @@ namespace ringmotor
     return response;
   }
 
-  FullMatrix<double>
-  InterfaceCompliance::compliance(const unsigned int k, const std::vector<unsigned int> &held) const
+  FullMatrix<double> InterfaceCompliance::compliance(const unsigned int k,
+                                                     const std::vector<unsigned int> &held) const
   {
     const unsigned int n_forms = condensation.interface.size();
     FullMatrix<double> compliance(2 * n_forms, 2 * n_forms);

@@ -261,7 +261,7 @@ class RingOfSectors : public testing::TestWithParam<SectorForm>
 TEST_P(RingOfSectors, MovesAsTheWholeRing)
 {
   const BlockSector body(GetParam());
-  const auto &nodes = body.surface.surface.nodes;
+  const auto &nodes         = body.surface.surface.nodes;
   const RingCompliance ring = body.ring(same_nodes(nodes.size())), table = ring.tabulated();
   const ByComponent forces = some_forces(nodes.size());
   DirectRing direct;
@@ -293,7 +293,7 @@ TEST_P(RingOfSectors, MovesTeethThatDoNotMatchItsMesh)
     const MortarCoupling coupling = couple(tooth, rotor, pitch, shift);
     ASSERT_EQ(coupling.nodes.size(), tooth.nodes.size());
     const RingCompliance ring = body.ring(coupling);
-    const ByComponent forces = some_forces(tooth.nodes.size());
+    const ByComponent forces  = some_forces(tooth.nodes.size());
 
     // Shares of the forces on the rotor's nodes, and the same shares of their motions
     const auto for_each_share = [&](const auto &visit)

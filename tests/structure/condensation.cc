@@ -127,8 +127,9 @@ TEST_P(Condensed, EqualsTheSolutionWithAllUnknowns)
   {
     SCOPED_TRACE(k);
     DirectSector direct(rotor.sector, k, 0., rotor.held_loads(k));
-    const dealii::FullMatrix<double> compliance = InterfaceCompliance(condensation).compliance(k, rotor.held(k));
-    const auto loads                            = rotor.loads(k);
+    const dealii::FullMatrix<double> compliance =
+        InterfaceCompliance(condensation).compliance(k, rotor.held(k));
+    const auto loads = rotor.loads(k);
     expect_solutions(
         compliance, loads, [&](const std::vector<double> &load) { return direct.solve(load); },
         1e-9);

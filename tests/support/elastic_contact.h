@@ -27,7 +27,7 @@ namespace ringmotor::tests
       for (unsigned int i = 0; i < 3 * n_points(); ++i)
         for (unsigned int j = 0; j < 3 * n_points(); ++j)
         {
-          of_lower(i, j)   = lower.compliance.at_rest(index_of_lower(i), index_of_lower(j));
+          of_lower(i, j) = lower.compliance.at_rest(index_of_lower(i), index_of_lower(j));
           compliance(i, j) += of_lower(i, j);
         }
       for (unsigned int i = 0; i < 3 * n_points(); ++i)

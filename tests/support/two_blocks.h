@@ -54,8 +54,8 @@ namespace ringmotor::tests
         for (unsigned int i = 0; i < by_side_load.size(); ++i)
         {
           const MirroredNode &origin = whole.origin[i / 3];
-          by_side_load[i] =
-              (origin.mirrored && i % 3 == 1 ? -1. : 1.) * of_forms.at_rest(0)(3 * origin.node + i % 3, n);
+          by_side_load[i]            = (origin.mirrored && i % 3 == 1 ? -1. : 1.) *
+                            of_forms.at_rest(0)(3 * origin.node + i % 3, n);
         }
     }
 

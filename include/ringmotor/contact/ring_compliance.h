@@ -13,9 +13,9 @@
 namespace ringmotor
 {
   /**
-   * How the nodes of a surface over a whole sector move under forces on them (m/N, three cylindrical
-   * components for each node). For a wave with nodal diameter k, motions and forces of sector j are
-   * exp(-i k j alpha) times those of sector 0, and the compliance is
+   * How the nodes of a surface over a whole sector move under forces on them (m/N, three
+   * cylindrical components for each node). For a wave with nodal diameter k, motions and forces of
+   * sector j are exp(-i k j alpha) times those of sector 0, and the compliance is
    *
    *   at_rest + shapes D B_k D^H shapes^T
    *
