@@ -46,8 +46,9 @@ namespace ringmotor
 
   /**
    * Static condensation of a cyclic sector: an elastic body (vibrating at one frequency) as seen
-   * from its interface, see InterfaceCompliance. The two real fields of the sector are condensed to their interface and
-   * their cut once; each nodal diameter then only ties the cut and eliminates it.
+   * from its interface, see InterfaceCompliance. The two real fields of the sector are condensed to
+   * their interface and their cut once; each nodal diameter then only ties the cut and eliminates
+   * it.
    *
    * Exact linear algebra: what comes out is what a solution with all unknowns gives.
    */
