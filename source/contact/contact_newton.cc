@@ -27,6 +27,8 @@ namespace ringmotor
 
     constexpr double converged          = 1e-10; ///< of certificates
     constexpr double smoothed_converged = 1e-3;  ///< of changes of forces
+    /** Points up to which a dense matrix of all of them is affordable. */
+    constexpr unsigned int most_sticking = 1000;
 
     /** One linear problem of Newton's method. */
     class LinearStep
@@ -46,11 +48,18 @@ namespace ringmotor
         solve(iterate);
       }
 
-      /** Replaces @p iterate by the state in which all points stick, if there is one. */
-      void stick_everywhere(ContactIterate &iterate)
+      /** Replaces @p iterate by the state in which all points stick, if there is one; of very many
+       * only those that touch at the beginning. */
+      void stick_everywhere(ContactIterate &iterate, const ContactState &start)
       {
-        touching.resize(problem.n_points());
-        std::iota(touching.begin(), touching.end(), 0u);
+        iterate.state  = start;
+        iterate.motion = problem.relative_motion(start);
+        choose_status(iterate);
+        if (touching.empty() || problem.n_points() <= most_sticking)
+        {
+          touching.resize(problem.n_points());
+          std::iota(touching.begin(), touching.end(), 0u);
+        }
         friction.assign(touching.size(), Friction());
         iterate.state  = {std::vector<PointVector>(problem.n_points()),
                           std::vector<double>(problem.n_rigid())};
@@ -328,7 +337,7 @@ namespace ringmotor
         step.take(iterate);
         if (iterate.failed && may_stick)
         {
-          step.stick_everywhere(iterate);
+          step.stick_everywhere(iterate, start);
           may_stick = false;
         }
       } while (!iterate.failed && !ended(iterate) && iterate.n_iterations < most_iterations);
@@ -364,11 +373,12 @@ namespace ringmotor
   }
 
   ContactIterate stick_everywhere(const ContactProblem &problem, const FrictionBoundOf &bound_of,
-                                  const ComplementarityConstants &constants)
+                                  const ComplementarityConstants &constants,
+                                  const ContactState &start)
   {
     LinearStep step(problem, bound_of, constants, 0.);
     ContactIterate iterate;
-    step.stick_everywhere(iterate);
+    step.stick_everywhere(iterate, start);
     return iterate;
   }
 } // namespace ringmotor
