@@ -42,9 +42,15 @@ def teeth(number):
             "Accuracy/Interface refinement": "1", "Loading/Values": "0, 0.05"}
 
 
+FINEST_GROWTH = 4  # interface mesh; each is three times as dear as the one before
 GROWTH_OF_TEETH = [(number, teeth(number)) for number in (30, 60, 90, 180, 360)]
 GROWTH_OF_INTERFACE = [(level, {"Accuracy/Interface refinement": str(level), "Loading/Values": "0, 0.05"})
-                       for level in (0, 1, 2, 3)]
+                       for level in range(FINEST_GROWTH + 1)]
+
+
+def points_on_a_tooth(level):
+    """Of an interface mesh: quadratic cells, see ContactDiscretisation::level()."""
+    return (2 * (1 + level) + 1) * (4 * max(1, level) + 1)
 
 
 def measure(entries, n_ranks, repeat):
@@ -110,8 +116,7 @@ def main():
     options = parser.parse_args()
     program("contact")
     if options.growth:
-        nodes = {0: 15, 1: 25, 2: 63, 3: 117}  # contact points of a tooth
-        lines = growth("points on a tooth", GROWTH_OF_INTERFACE, nodes.get, options.repeat)
+        lines = growth("points on a tooth", GROWTH_OF_INTERFACE, points_on_a_tooth, options.repeat)
         lines += growth("teeth", GROWTH_OF_TEETH, int, options.repeat)
     else:
         lines = table(CASES, options.repeat)

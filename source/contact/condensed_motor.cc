@@ -15,11 +15,14 @@ namespace ringmotor
   {
     using Complex = std::complex<double>;
 
+    /** Numbers up to which a table of the compliance is faster than its parts. */
+    constexpr std::size_t largest_table = 1u << 22;
+
     /** A tooth alone: its compliance, and how its top follows the motion of its foot. */
     struct CondensedTooth
     {
       SectorSurface surface;
-      ComplexMatrix compliance;
+      FullMatrix<double> compliance;
       std::vector<std::array<Complex, 3>> free_motion; ///< by node of the surface
       unsigned int n_dofs;
       double inertia_indicator; ///< relative change of the tangential motion by inertia
@@ -33,7 +36,7 @@ namespace ringmotor
       CondensedTooth tooth;
       tooth.surface = body.whole_top;
       tooth.compliance =
-          sector_compliance(condensation.compliance(0, {}), tooth.surface.origin, body.mesh.form);
+          sector_compliance(InterfaceCompliance(condensation), tooth.surface.origin).at_rest;
       tooth.n_dofs = body.sector.n_dofs();
       tooth.free_motion =
           sector_motion(condensation.follow(0, body.foot_motion(wave.foot)), tooth.surface.origin);
@@ -52,12 +55,16 @@ namespace ringmotor
 
     /** Makes a body stiff against tangential forces, and normal forces without tangential effect.
      */
-    void leave_normal_compliance(ComplexMatrix &compliance)
+    void leave_normal_compliance(SurfaceCompliance &compliance)
     {
-      for (unsigned int i = 0; i < compliance.size; ++i)
-        for (unsigned int j = 0; j < compliance.size; ++j)
+      for (unsigned int i = 0; i < compliance.at_rest.m(); ++i)
+      {
+        for (unsigned int j = 0; j < compliance.at_rest.n(); ++j)
           if (i % 3 != 0 || j % 3 != 0)
-            compliance(i, j) = 0.;
+            compliance.at_rest(i, j) = 0.;
+        for (unsigned int shape = 0; i % 3 != 0 && shape < compliance.shapes.n(); ++shape)
+          compliance.shapes(i, shape) = 0.;
+      }
     }
 
     CondensedMotor::LooseMotion loose_motion(const SupportMotion &support,
@@ -118,7 +125,7 @@ namespace ringmotor
             for (unsigned int c = 0; c < 3; ++c)
               for (unsigned int d = 0; d < 3; ++d)
                 motor.tooth_compliance(3 * a + c, 3 * b + d) =
-                    tooth.compliance(3 * i + c, 3 * mortar.nodes[b].tooth_node + d).real();
+                    tooth.compliance(3 * i + c, 3 * mortar.nodes[b].tooth_node + d);
         for (unsigned int c = 0; c < 3; ++c)
           between(3 * a + c, 3 * a + c) = spring_compliance(parameters, c, mortar.nodes[a].area);
       }
@@ -140,27 +147,29 @@ namespace ringmotor
     {
       const unsigned int n = compliance.n_nodes();
       std::vector<double> normal;
+      FullMatrix<double> of_node(3, 3);
       for (unsigned int a = 0; a < n; ++a)
-        normal.push_back(compliance.motion_by(0, a, 0)[3 * a]);
+      {
+        of_node = 0.;
+        compliance.add_entries(0, {a}, {a}, 1., 0, of_node, 0, 0);
+        normal.push_back(of_node(0, 0));
+      }
       std::nth_element(normal.begin(), normal.begin() + n / 2, normal.end());
 
-      std::vector<double> vector(2 * n, 1.), product(2 * n);
-      double eigenvalue = 0.;
+      const std::size_t n_all = 3 * n * compliance.n_sectors();
+      std::vector<double> force(n_all, 0.), motion;
+      double eigenvalue = std::sqrt(2. * n);
+      motion.assign(3 * n, 1.);
       for (unsigned int step = 0; step < 50; ++step) // the size is all that matters
       {
-        for (unsigned int i = 0; i < 2 * n; ++i)
-        {
-          product[i] = 0.;
-          for (unsigned int j = 0; j < 2 * n; ++j)
-            product[i] +=
-                compliance.motion_by(0, j / 2, 1 + j % 2)[i / 2 * 3 + 1 + i % 2] * vector[j];
-        }
+        for (unsigned int i = 0; i < 3 * n; ++i)
+          force[i] = i % 3 == 0 ? 0. : motion[i] / eigenvalue;
+        motion.assign(n_all, 0.);
+        compliance.add_motions(force.data(), motion.data());
         double square = 0.;
-        for (const double entry : product)
-          square += entry * entry;
+        for (unsigned int i = 0; i < 3 * n; ++i)
+          square += i % 3 == 0 ? 0. : motion[i] * motion[i];
         eigenvalue = std::sqrt(square);
-        for (unsigned int i = 0; i < 2 * n; ++i)
-          vector[i] = product[i] / eigenvalue;
       }
       return {1. / normal[n / 2], 1. / eigenvalue};
     }
@@ -210,16 +219,13 @@ namespace ringmotor
       const Condensation condensation = body.condensed();
       const bool gives_way_along =
           parameters.effects.rotor_tangential_compliance != EffectChoice::off;
-      rotor.compliance                     = RingCompliance(n_teeth, rotor.mortar.nodes.size(),
+      const InterfaceCompliance interface(condensation);
+      SurfaceCompliance of_lip = sector_compliance(interface, whole.origin);
+      if (!gives_way_along)
+        leave_normal_compliance(of_lip);
+      rotor.compliance                     = RingCompliance(n_teeth, of_lip, rotor.mortar,
                                                             [&](const unsigned int k)
-                                                            {
-                                          ComplexMatrix of_lip = sector_compliance(
-                                                                  condensation.compliance(k, body.held(k)),
-                                                                  whole.origin, body.mesh.form);
-                                          if (!gives_way_along)
-                                            leave_normal_compliance(of_lip);
-                                          return coupled_compliance(of_lip, rotor.mortar, k, pitch);
-                                        });
+                                                            { return interface.through_cut(k, body.held(k)); });
       const std::vector<unsigned int> held = body.held(1);
       for (const unsigned int support : held)
         rotor.loose_motions.push_back(loose_motion(condensation.support_motion(1, held, support),
@@ -244,6 +250,8 @@ namespace ringmotor
     motor.n_dofs                  = tooth.n_dofs + rotor.n_dofs;
     motor.tooth_inertia_indicator = tooth.inertia_indicator;
     add_teeth(motor, tooth, rotor.mortar, parameters);
+    if (motor.compliance.table_size() <= largest_table)
+      motor.compliance = motor.compliance.tabulated();
     if (motor.n_repeats() > 1)
       motor.folded = motor.compliance.folded(motor.n_repeats());
     motor.constants = constants_for(motor.compliance);

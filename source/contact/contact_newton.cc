@@ -27,6 +27,8 @@ namespace ringmotor
 
     constexpr double converged          = 1e-10; ///< of certificates
     constexpr double smoothed_converged = 1e-3;  ///< of changes of forces
+    /** Points up to which a dense matrix of all of them is affordable. */
+    constexpr unsigned int most_sticking = 1000;
 
     /** One linear problem of Newton's method. */
     class LinearStep
@@ -46,11 +48,18 @@ namespace ringmotor
         solve(iterate);
       }
 
-      /** Replaces @p iterate by the state in which all points stick, if there is one. */
-      void stick_everywhere(ContactIterate &iterate)
+      /** Replaces @p iterate by the state in which all points stick, if there is one; of very many
+       * only those that touch at the beginning. */
+      void stick_everywhere(ContactIterate &iterate, const ContactState &start)
       {
-        touching.resize(problem.n_points());
-        std::iota(touching.begin(), touching.end(), 0u);
+        iterate.state  = start;
+        iterate.motion = problem.relative_motion(start);
+        choose_status(iterate);
+        if (touching.empty() || problem.n_points() <= most_sticking)
+        {
+          touching.resize(problem.n_points());
+          std::iota(touching.begin(), touching.end(), 0u);
+        }
         friction.assign(touching.size(), Friction());
         iterate.state  = {std::vector<PointVector>(problem.n_points()),
                           std::vector<double>(problem.n_rigid())};
@@ -74,8 +83,9 @@ namespace ringmotor
       {
         Law law = Law::stick;
         FrictionBound bound;
-        Tangential direction; ///< tau / |tau|
-        double ratio = 1.;    ///< bound / |tau|
+        Tangential direction;    ///< tau / |tau|
+        double ratio    = 1.;    ///< bound / |tau|
+        bool stays_zero = false; ///< no friction now, none before
       };
 
       /** Opens and closes points, lets them stick or slip; open points lose their forces. */
@@ -120,6 +130,8 @@ namespace ringmotor
           return law;
         law.law   = Law::slip;
         law.ratio = 0.;
+        law.stays_zero =
+            tangential(force).norm() == 0. && law.bound.value == 0. && law.bound.by_pressure == 0.;
         if (size > 0.)
         {
           law.direction = tau / size;
@@ -157,17 +169,38 @@ namespace ringmotor
 
       bool solve_linear()
       {
-        if (size == 0) // nothing touches, nothing moves: LAPACK does not take empty matrices
+        // Forces that are zero and stay zero, as all friction of surfaces without it, are no
+        // unknowns.
+        std::vector<unsigned int> unknowns;
+        for (unsigned int row = 0; row < size; ++row)
+          if (row >= 3 * touching.size() || row % 3 == 0 || !friction[row / 3].stays_zero)
+            unknowns.push_back(row);
+        if (unknowns.empty()) // LAPACK does not take empty matrices
           return true;
+        LAPACKFullMatrix<double> part;
+        Vector<double> solution(unknowns.size());
+        const bool is_part                = unknowns.size() < size;
+        LAPACKFullMatrix<double> &factors = is_part ? part : matrix;
+        if (is_part)
+          part.reinit(unknowns.size());
+        for (unsigned int i = 0; i < unknowns.size(); ++i)
+        {
+          solution[i] = right_hand_side[unknowns[i]];
+          for (unsigned int j = 0; is_part && j < unknowns.size(); ++j)
+            part(j, i) = matrix(unknowns[j], unknowns[i]);
+        }
         try
         {
-          matrix.compute_lu_factorization();
-          matrix.solve(right_hand_side);
+          factors.compute_lu_factorization();
+          factors.solve(solution);
         }
         catch (const LACExceptions::ExcSingular &)
         {
           return false;
         }
+        right_hand_side = 0.;
+        for (unsigned int i = 0; i < unknowns.size(); ++i)
+          right_hand_side[unknowns[i]] = solution[i];
         return std::isfinite(right_hand_side.l1_norm());
       }
 
@@ -304,7 +337,7 @@ namespace ringmotor
         step.take(iterate);
         if (iterate.failed && may_stick)
         {
-          step.stick_everywhere(iterate);
+          step.stick_everywhere(iterate, start);
           may_stick = false;
         }
       } while (!iterate.failed && !ended(iterate) && iterate.n_iterations < most_iterations);
@@ -340,11 +373,12 @@ namespace ringmotor
   }
 
   ContactIterate stick_everywhere(const ContactProblem &problem, const FrictionBoundOf &bound_of,
-                                  const ComplementarityConstants &constants)
+                                  const ComplementarityConstants &constants,
+                                  const ContactState &start)
   {
     LinearStep step(problem, bound_of, constants, 0.);
     ContactIterate iterate;
-    step.stick_everywhere(iterate);
+    step.stick_everywhere(iterate, start);
     return iterate;
   }
 } // namespace ringmotor

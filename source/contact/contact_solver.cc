@@ -19,9 +19,10 @@ namespace ringmotor
      * friction that is smoothed less and less.
      */
     ContactIterate continuation(const ContactProblem &problem, const FrictionBoundOf &bound_of,
-                                const ComplementarityConstants &constants)
+                                const ComplementarityConstants &constants,
+                                const ContactState &start)
     {
-      ContactIterate smooth   = stick_everywhere(problem, bound_of, constants);
+      ContactIterate smooth   = stick_everywhere(problem, bound_of, constants, start);
       unsigned int n_problems = smooth.n_iterations;
       double smoothing        = 0.;
       for (const PointVector &force : smooth.state.force)
@@ -100,7 +101,7 @@ namespace ringmotor
     if (solved(second, "the same with constants of " + std::to_string(other.normal) + " and " +
                            std::to_string(other.tangential) + " N/m"))
       return solution(second);
-    const ContactIterate third = continuation(problem, bound_of, constants);
+    const ContactIterate third = continuation(problem, bound_of, constants, start);
     if (solved(third, "Newton's method from states of smoothed friction"))
       return solution(third);
     throw ComputationError("the contact problem of " + std::to_string(problem.n_points()) +

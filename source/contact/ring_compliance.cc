@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/contact/ring_compliance.h>
+#include <ringmotor/structure/rank_factors.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
 namespace ringmotor
 {
@@ -14,41 +18,144 @@ namespace ringmotor
     {
       return component == 1 ? -1. : 1.;
     }
+
+    /** The shares of the surface's motions in those of the contact points, as they come from the
+     * lower sector, the same one, and the higher one. */
+    class Shares
+    {
+    public:
+      explicit Shares(const MortarCoupling &coupling) : coupling(coupling) {}
+
+      bool has(const int sector) const
+      {
+        for (const MortarCoupling::Node &node : coupling.nodes)
+          for (const MortarCoupling::Weight &weight : node.weights)
+            if (weight.sector == sector)
+              return true;
+        return false;
+      }
+
+      /** Rows of contact points from rows of the surface's nodes. */
+      FullMatrix<double> of(const int sector, const FullMatrix<double> &surface) const
+      {
+        FullMatrix<double> result(3 * coupling.nodes.size(), surface.n());
+        for (unsigned int a = 0; a < coupling.nodes.size(); ++a)
+          for (const MortarCoupling::Weight &weight : coupling.nodes[a].weights)
+            if (weight.sector == sector)
+              for (unsigned int c = 0; c < 3; ++c)
+                for (unsigned int j = 0; j < surface.n(); ++j)
+                  result(3 * a + c, j) += weight.weight * surface(3 * weight.rotor_node + c, j);
+        return result;
+      }
+
+    private:
+      const MortarCoupling &coupling;
+    };
+
+    FullMatrix<double> transposed(const FullMatrix<double> &matrix)
+    {
+      FullMatrix<double> result(matrix.n(), matrix.m());
+      result.copy_transposed(matrix);
+      return result;
+    }
+
+    /** a b, or a^T b; zero if they have nothing to be summed over. */
+    FullMatrix<double> product(const FullMatrix<double> &a, const FullMatrix<double> &b,
+                               const bool transposed_a = false)
+    {
+      FullMatrix<double> result(transposed_a ? a.n() : a.m(), b.n());
+      if (!a.empty() && !b.empty())
+        transposed_a ? a.Tmmult(result, b) : a.mmult(result, b);
+      return result;
+    }
+
+    /** How the shapes of a ring's sectors move by forces of shapes. */
+    class ShapesOfRing
+    {
+    public:
+      ShapesOfRing(const unsigned int n_sectors, const SurfaceCompliance &body,
+                   const std::function<FullMatrix<double>(unsigned int)> &through_cut)
+          : n_sectors(n_sectors), n(body.shapes.n()), n_real(body.n_real_shapes)
+      {
+        for (unsigned int k = 0; n > 0 && 2 * k <= n_sectors; ++k)
+          waves.push_back(through_cut(k));
+      }
+
+      /** A force's own sector and its neighbours. */
+      bool is_near(const unsigned int distance) const
+      {
+        return distance <= 1 || distance + 1 == n_sectors;
+      }
+
+      /** By forces so many sectors away. */
+      FullMatrix<double> at(const unsigned int distance) const
+      {
+        FullMatrix<double> kernel(n, n);
+        for (unsigned int k = 0; k < waves.size(); ++k)
+        {
+          // Waves k and N - k are conjugate to each other.
+          const double weight = (k == 0 || 2 * k == n_sectors ? 1. : 2.) / n_sectors;
+          const double angle  = 2. * numbers::PI / n_sectors * (k * distance % n_sectors);
+          const double c = weight * std::cos(angle), s = weight * std::sin(angle);
+          for (unsigned int i = 0; i < n; ++i)
+          {
+            const double by_real = i < n_real ? c : s, by_imaginary = i < n_real ? -s : c;
+            for (unsigned int j = 0; j < n_real; ++j)
+              kernel(i, j) += by_real * waves[k](i, j);
+            for (unsigned int j = n_real; j < n; ++j)
+              kernel(i, j) += by_imaginary * waves[k](i, j);
+          }
+        }
+        return kernel;
+      }
+
+      /** The combinations of shapes, by columns, through which sectors that are not near know of
+       * each other. The nearest of them know most. */
+      FullMatrix<double> far_reaching() const
+      {
+        constexpr double rounding = 1e-14;
+        std::vector<unsigned int> distances;
+        for (const unsigned int d : {2u, 3u, 5u, n_sectors / 4, n_sectors / 2})
+          for (const unsigned int distance : {d, n_sectors - d})
+            if (d < n_sectors && !is_near(distance))
+              distances.push_back(distance);
+        FullMatrix<double> seen(n, n * distances.size());
+        for (unsigned int i = 0; i < distances.size() && n > 0; ++i)
+          seen.fill(at(distances[i]), 0, i * n);
+        return RankFactors(seen, rounding).columns;
+      }
+
+    private:
+      const unsigned int n_sectors, n, n_real;
+      std::vector<FullMatrix<double>> waves;
+    };
   } // namespace
 
-  ComplexMatrix sector_compliance(const FullMatrix<double> &condensed,
-                                  const std::vector<MirroredNode> &origin, const SectorForm form)
+  SurfaceCompliance sector_compliance(const InterfaceCompliance &meshed,
+                                      const std::vector<MirroredNode> &origin)
   {
-    const unsigned int n_forms = condensed.m() / 2;
-    ComplexMatrix compliance(3 * origin.size());
-    for (unsigned int a = 0; a < origin.size(); ++a)
-      for (unsigned int b = 0; b < origin.size(); ++b)
-        for (unsigned int c = 0; c < 3; ++c)
-          for (unsigned int d = 0; d < 3; ++d)
-          {
-            const unsigned int i = 3 * origin[a].node + c, j = 3 * origin[b].node + d;
-            const double real = condensed(i, j), imaginary = condensed(n_forms + i, j);
-            if (form == SectorForm::whole)
-            {
-              compliance(3 * a + c, 3 * b + d) = {real, imaginary};
-              continue;
-            }
-            // A force F at one of two mirrored nodes is F_1 + i F_2, both parts with the symmetry
-            // U(-theta) = S conj(U(theta)) of the half sector's real and imaginary fields.
-            const double other     = condensed(n_forms + i, n_forms + j);
-            const double crosswise = condensed(i, n_forms + j);
-            const bool same_side   = origin[a].mirrored == origin[b].mirrored;
-            const double sign      = (origin[a].mirrored ? mirror_sign(c) : 1.) *
-                                (origin[b].mirrored ? mirror_sign(d) : 1.);
-            const double phase_sign = origin[b].mirrored ? -1. : 1.;
-            compliance(3 * a + c, 3 * b + d) =
-                same_side
-                    ? sign * std::complex<double>(0.5 * (real + other),
-                                                  phase_sign * 0.5 * (imaginary - crosswise))
-                    : sign * std::complex<double>(0.5 * (real - other),
-                                                  -phase_sign * 0.5 * (imaginary + crosswise));
-          }
-    return compliance;
+    // A force F at one of two mirrored nodes is F_1 + i F_2, both parts with the symmetry
+    // U(-theta) = S conj(U(theta)) of the half sector's real and imaginary fields. (On a whole
+    // sector nothing is mirrored and both fields are alike.)
+    const auto sign = [&](const unsigned int row, const unsigned int part)
+    { return origin[row / 3].mirrored ? mirror_sign(row % 3) * (part == 0 ? 1. : -1.) : 1.; };
+    const auto form = [&](const unsigned int row) { return 3 * origin[row / 3].node + row % 3; };
+    const unsigned int n = 3 * origin.size();
+    SurfaceCompliance body;
+    body.n_real_shapes = meshed.shapes(0).n();
+    body.at_rest.reinit(n, n);
+    body.shapes.reinit(n, meshed.shapes(0).n() + meshed.shapes(1).n());
+    for (const unsigned int part : {0u, 1u})
+      for (unsigned int i = 0; i < n; ++i)
+      {
+        for (unsigned int j = 0; j < n; ++j)
+          body.at_rest(i, j) +=
+              0.5 * sign(i, part) * sign(j, part) * meshed.at_rest(part)(form(i), form(j));
+        for (unsigned int shape = 0; shape < meshed.shapes(part).n(); ++shape)
+          body.shapes(i, part * body.n_real_shapes + shape) =
+              std::sqrt(0.5) * sign(i, part) * meshed.shapes(part)(form(i), shape);
+      }
+    return body;
   }
 
   std::vector<std::array<std::complex<double>, 3>>
@@ -69,80 +176,160 @@ namespace ringmotor
     return motions;
   }
 
-  ComplexMatrix coupled_compliance(const ComplexMatrix &rotor, const MortarCoupling &coupling,
-                                   const unsigned int k, const double pitch)
+  RingCompliance::RingCompliance(const unsigned int n_sectors, const SurfaceCompliance &body,
+                                 const MortarCoupling &coupling,
+                                 const std::function<FullMatrix<double>(unsigned int)> &through_cut)
+      : node_count(coupling.nodes.size()), near(n_sectors)
   {
-    const unsigned int n = coupling.nodes.size(), width = rotor.size;
-    const auto phase = [&](const int sector)
-    { return std::polar(1., -static_cast<double>(k) * sector * pitch); };
-    // rotor * P^H, then P times that
-    std::vector<std::complex<double>> half(static_cast<std::size_t>(width) * 3 * n, 0.);
-    for (unsigned int b = 0; b < n; ++b)
-      for (const MortarCoupling::Weight &weight : coupling.nodes[b].weights)
-      {
-        const std::complex<double> factor = weight.weight * std::conj(phase(weight.sector));
-        for (unsigned int i = 0; i < width; ++i)
-          for (unsigned int d = 0; d < 3; ++d)
-            half[(static_cast<std::size_t>(i) * n + b) * 3 + d] +=
-                rotor(i, 3 * weight.rotor_node + d) * factor;
-      }
-    ComplexMatrix compliance(3 * n);
-    for (unsigned int a = 0; a < n; ++a)
-      for (const MortarCoupling::Weight &weight : coupling.nodes[a].weights)
-      {
-        const std::complex<double> factor = weight.weight * phase(weight.sector);
-        for (unsigned int c = 0; c < 3; ++c)
-          for (unsigned int j = 0; j < 3 * n; ++j)
-            compliance(3 * a + c, j) +=
-                factor * half[static_cast<std::size_t>(3 * weight.rotor_node + c) * 3 * n + j];
-      }
-    return compliance;
-  }
+    const Shares shares(coupling);
+    std::vector<int> seen; // sectors whose surface the contact points of one sector see
+    for (const int sector : {-1, 0, 1})
+      if (shares.has(sector))
+        seen.push_back(sector);
+    const ShapesOfRing shapes(n_sectors, body, through_cut);
+    const FullMatrix<double> far = shapes.far_reaching();
+    const unsigned int n_far     = far.n();
+    basis.reinit(3 * node_count, seen.size() * n_far);
+    kernel.assign(n_sectors, FullMatrix<double>(basis.n(), basis.n()));
+    for (unsigned int a = 0; a < seen.size() && n_far > 0; ++a)
+      basis.fill(product(shares.of(seen[a], body.shapes), far), 0, a * n_far);
 
-  RingCompliance::RingCompliance(const unsigned int n_sectors, const unsigned int n_nodes,
-                                 const std::function<ComplexMatrix(unsigned int)> &of_wave)
-      : sector_count(n_sectors), node_count(n_nodes),
-        entries(static_cast<std::size_t>(n_sectors) * 9 * n_nodes * n_nodes, 0.)
-  {
-    const double pitch     = 2. * numbers::PI / n_sectors;
-    const std::size_t size = static_cast<std::size_t>(9) * n_nodes * n_nodes;
-    for (unsigned int k = 0; 2 * k <= n_sectors; ++k)
+    // A point of sector d that sees sector d + a is moved by one of sector 0 that sees b.
+    const bool has_shapes = body.shapes.n() > 0;
+    for (unsigned int distance = 0; distance < (has_shapes ? n_sectors : 1); ++distance)
     {
-      const ComplexMatrix wave = of_wave(k);
-      // Waves k and N - k are conjugate to each other.
-      const double weight = (k == 0 || 2 * k == n_sectors ? 1. : 2.) / n_sectors;
-      for (unsigned int distance = 0; distance < n_sectors; ++distance)
-      {
-        const std::complex<double> factor =
-            weight * std::polar(1., -pitch * static_cast<double>(k * distance % n_sectors));
-        // Hermitian: its columns are its conjugate rows.
-        double *block = entries.data() + distance * size;
-        for (std::size_t entry = 0; entry < size; ++entry)
-          block[entry] += factor.real() * wave.entries[entry].real() +
-                          factor.imag() * wave.entries[entry].imag();
-      }
+      const FullMatrix<double> of_shapes = shapes.at(distance);
+      const FullMatrix<double> of_far    = product(far, product(of_shapes, far), true);
+      for (unsigned int a = 0; a < seen.size(); ++a)
+        for (unsigned int b = 0; b < seen.size(); ++b)
+        {
+          const unsigned int d = (distance + n_sectors - seen[a] + seen[b]) % n_sectors;
+          if (!shapes.is_near(distance))
+          {
+            if (n_far > 0)
+              kernel[d].fill(transposed(of_far), b * n_far, a * n_far);
+            continue;
+          }
+          FullMatrix<double> by_surface(body.at_rest.m(), 3 * node_count);
+          if (has_shapes)
+            by_surface = product(body.shapes,
+                                 transposed(product(shares.of(seen[a], body.shapes), of_shapes)));
+          if (distance == 0)
+            by_surface.add(1., transposed(shares.of(seen[a], body.at_rest)));
+          if (near[d].empty())
+            near[d].reinit(3 * node_count, 3 * node_count);
+          near[d].add(1., shares.of(seen[b], by_surface));
+        }
     }
   }
 
   void RingCompliance::add_within_sectors(const FullMatrix<double> &compliance)
   {
-    const unsigned int width = 3 * node_count;
-    for (unsigned int i = 0; i < width; ++i)
-      for (unsigned int j = 0; j < width; ++j)
-        entries[static_cast<std::size_t>(j) * width + i] += compliance(i, j);
+    near[0].Tadd(1., compliance);
+  }
+
+  void RingCompliance::add_motions(const double *forces, double *motions) const
+  {
+    const std::size_t width = 3 * node_count, n_far = basis.n();
+    const unsigned int n = n_sectors();
+    const auto add = [](double *to, const double factor, const double *from, const std::size_t size)
+    {
+      for (std::size_t i = 0; i < size; ++i)
+        to[i] += factor * from[i];
+    };
+    std::vector<unsigned int> near_distances;
+    for (unsigned int d = 0; d < n; ++d)
+      if (!near[d].empty())
+        near_distances.push_back(d);
+    FullMatrix<double> far(n, n_far);
+    for (unsigned int s = 0; s < n; ++s)
+    {
+      std::vector<double> by_far(n_far, 0.);
+      bool is_loaded = false;
+      for (std::size_t i = 0; i < width; ++i)
+        if (const double force = forces[s * width + i]; force != 0.)
+        {
+          is_loaded = true;
+          for (const unsigned int d : near_distances)
+            add(motions + (s + d) % n * width, force, &near[d](i, 0), width);
+          if (n_far > 0)
+            add(by_far.data(), force, &basis(i, 0), n_far);
+        }
+      for (unsigned int t = 0; is_loaded && n_far > 0 && t < n; ++t)
+        for (std::size_t i = 0; i < n_far; ++i)
+          add(&far(t, 0), by_far[i], &kernel[(t + n - s) % n](i, 0), n_far);
+    }
+    if (n_far == 0)
+      return;
+    FullMatrix<double> moved(n, width);
+    far.mTmult(moved, basis);
+    add(motions, 1., &moved(0, 0), n * width);
+  }
+
+  void RingCompliance::add_entries(const unsigned int distance,
+                                   const std::vector<unsigned int> &rows,
+                                   const std::vector<unsigned int> &columns, const double factor,
+                                   const unsigned int first, FullMatrix<double> &matrix,
+                                   const unsigned int row, const unsigned int column) const
+  {
+    if (!near[distance].empty())
+      for (unsigned int b = 0; b < columns.size(); ++b)
+        for (unsigned int d = 0; d < 3; ++d)
+        {
+          const double *by_force = &near[distance](3 * columns[b] + d, 0);
+          for (unsigned int a = 0; a < rows.size(); ++a)
+            for (unsigned int c = first; c < 3; ++c)
+              matrix(row + 3 * a + c, column + 3 * b + d) += factor * by_force[3 * rows[a] + c];
+        }
+    if (basis.n() == 0)
+      return;
+    const auto rows_of_basis = [&](const std::vector<unsigned int> &nodes)
+    {
+      FullMatrix<double> part(3 * nodes.size(), basis.n());
+      for (unsigned int i = 0; i < part.m(); ++i)
+        std::copy_n(&basis(3 * nodes[i / 3] + i % 3, 0), basis.n(), &part(i, 0));
+      return part;
+    };
+    const FullMatrix<double> of_rows = rows_of_basis(rows);
+    FullMatrix<double> by_columns    = product(rows_of_basis(columns), kernel[distance]);
+    FullMatrix<double> entries(of_rows.m(), by_columns.m());
+    of_rows.mTmult(entries, by_columns);
+    for (unsigned int i = 0; i < entries.m(); ++i)
+      if (i % 3 >= first)
+        for (unsigned int j = 0; j < entries.n(); ++j)
+          matrix(row + i, column + j) += factor * entries(i, j);
   }
 
   RingCompliance RingCompliance::folded(const unsigned int fold) const
   {
+    RingCompliance result    = *this;
+    const unsigned int n     = n_sectors() / fold;
+    const auto add_to_folded = [&](std::vector<FullMatrix<double>> &matrices)
+    {
+      for (unsigned int distance = n; distance < matrices.size(); ++distance)
+        if (matrices[distance % n].empty())
+          matrices[distance % n] = matrices[distance];
+        else if (!matrices[distance].empty())
+          matrices[distance % n].add(1., matrices[distance]);
+      matrices.resize(n);
+    };
+    add_to_folded(result.near);
+    add_to_folded(result.kernel);
+    return result;
+  }
+
+  RingCompliance RingCompliance::tabulated() const
+  {
     RingCompliance result;
-    result.sector_count    = sector_count / fold;
-    result.node_count      = node_count;
-    const std::size_t size = static_cast<std::size_t>(9) * node_count * node_count;
-    result.entries.assign(result.sector_count * size, 0.);
-    for (unsigned int distance = 0; distance < sector_count; ++distance)
-      for (std::size_t entry = 0; entry < size; ++entry)
-        result.entries[distance % result.sector_count * size + entry] +=
-            entries[distance * size + entry];
+    result.node_count = node_count;
+    std::vector<unsigned int> nodes(node_count);
+    std::iota(nodes.begin(), nodes.end(), 0u);
+    for (unsigned int distance = 0; distance < n_sectors(); ++distance)
+    {
+      FullMatrix<double> entries(3 * node_count, 3 * node_count);
+      add_entries(distance, nodes, nodes, 1., 0, entries, 0, 0);
+      result.near.push_back(transposed(entries));
+    }
     return result;
   }
 } // namespace ringmotor

@@ -102,18 +102,9 @@ namespace ringmotor
         position[point] +=
             state.rigid[moment(point) * n_rigid_of_moment + r] * rigid_motion(point, r);
     }
-    const std::size_t width = 3 * n_nodes;
-    for (unsigned int j = 0; j < state.force.size(); ++j)
-      for (unsigned int d = 0; d < 3; ++d)
-        if (const double force = state.force[j][d]; force != 0.)
-          for (unsigned int t = 0; t < n_sectors; ++t)
-          {
-            const double *by_force =
-                compliance.motion_by((t + n_sectors - tooth(j)) % n_sectors, j % n_nodes, d);
-            double *moved = &position[(moment(j) * n_sectors + t) * n_nodes][0];
-            for (std::size_t i = 0; i < width; ++i)
-              moved[i] += force * by_force[i];
-          }
+    const unsigned int n_of_moment = n_sectors * n_nodes;
+    for (unsigned int m = 0; m < n_moments; ++m)
+      compliance.add_motions(&state.force[m * n_of_moment][0], &position[m * n_of_moment][0]);
     return position;
   }
 
@@ -154,25 +145,6 @@ namespace ringmotor
     return motion;
   }
 
-  void RingContact::add_elastic_rows(const unsigned int point,
-                                     const std::vector<unsigned int> &columns, const double factor,
-                                     const unsigned int row, const unsigned int first,
-                                     FullMatrix<double> &matrix) const
-  {
-    for (unsigned int j = 0; j < columns.size(); ++j)
-      if (moment(columns[j]) == moment(point))
-      {
-        const unsigned int distance = (tooth(point) + n_sectors - tooth(columns[j])) % n_sectors;
-        for (unsigned int d = 0; d < 3; ++d)
-        {
-          const double *by_force =
-              compliance.motion_by(distance, columns[j] % n_nodes, d) + 3 * (point % n_nodes);
-          for (unsigned int c = first; c < 3; ++c)
-            matrix(row + c, 3 * j + d) += factor * by_force[c];
-        }
-      }
-  }
-
   void RingContact::derivatives(const std::vector<unsigned int> &points,
                                 FullMatrix<double> &matrix) const
   {
@@ -186,18 +158,45 @@ namespace ringmotor
           matrix(row + c, 3 * n + moment(point) * n_rigid_of_moment + r) +=
               factor * rigid_motion(point, r)[c];
     };
+    const std::vector<PointsOfTooth> teeth = by_tooth(points);
+    for (const PointsOfTooth &rows : teeth)
+    {
+      add_elastic_rows(rows, rows.first_point, teeth, 1., 0, matrix);
+      if (!given)
+        add_elastic_rows(rows, earlier(rows.first_point), teeth, -1., 1, matrix);
+    }
     for (unsigned int i = 0; i < n; ++i)
     {
-      add_elastic_rows(points[i], points, 1., 3 * i, 0, matrix);
       add_rigid(points[i], 1., 3 * i, 0);
       if (!given)
-      {
-        add_elastic_rows(earlier(points[i]), points, -1., 3 * i, 1, matrix);
         add_rigid(earlier(points[i]), -1., 3 * i, 1);
-      }
       if (load.torque)
         matrix(3 * i + 1, 3 * n + n_rigid() - 1) = node(points[i]).radius;
     }
+  }
+
+  std::vector<RingContact::PointsOfTooth>
+  RingContact::by_tooth(const std::vector<unsigned int> &points) const
+  {
+    std::vector<PointsOfTooth> teeth;
+    for (unsigned int i = 0; i < points.size(); ++i)
+    {
+      if (i == 0 || points[i] / n_nodes != points[i - 1] / n_nodes)
+        teeth.push_back({points[i], i, {}});
+      teeth.back().nodes.push_back(points[i] % n_nodes);
+    }
+    return teeth;
+  }
+
+  void RingContact::add_elastic_rows(const PointsOfTooth &rows, const unsigned int at,
+                                     const std::vector<PointsOfTooth> &columns, const double factor,
+                                     const unsigned int first, FullMatrix<double> &matrix) const
+  {
+    for (const PointsOfTooth &loaded : columns)
+      if (moment(loaded.first_point) == moment(at))
+        compliance.add_entries((tooth(at) + n_sectors - tooth(loaded.first_point)) % n_sectors,
+                               rows.nodes, loaded.nodes, factor, first, matrix, 3 * rows.first,
+                               3 * loaded.first);
   }
 
   std::vector<double> RingContact::balances(const ContactState &state) const

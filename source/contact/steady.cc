@@ -110,7 +110,8 @@ namespace ringmotor
 
   OperatingState SteadyDriver::at(const RotorLoad &load)
   {
-    constexpr unsigned int most_halvings = 6;
+    // An attempt that fails has cost some four hundred linear problems, so few of them are made.
+    constexpr unsigned int most_halvings = 3;
     if (!last)
       start(load.preload);
     const double from_speed  = last->contact->speed(last->solution.state);

@@ -203,29 +203,6 @@ namespace ringmotor
     return reduced;
   }
 
-  FullMatrix<double> Condensation::compliance(const unsigned int k,
-                                              const std::vector<unsigned int> &held) const
-  {
-    const Reduced reduced  = reduce(k, held);
-    const std::size_t size = reduced.size, n_forms = interface.size();
-    DenseLDLT factors;
-    factors.factorise(size, reduced.with_held(driven_places(reduced)));
-
-    const auto forms = reduced.in_places(interface, fields);
-    std::vector<double> solutions(2 * n_forms * size, 0.);
-    for (std::size_t column = 0; column < forms.size(); ++column)
-      for (const auto &[place, coefficient] : forms[column])
-        solutions[column * size + place] += coefficient;
-    factors.solve(solutions);
-    FullMatrix<double> compliance(2 * n_forms, 2 * n_forms);
-    for (std::size_t column = 0; column < forms.size(); ++column)
-      for (std::size_t row = 0; row < forms.size(); ++row)
-        for (const auto &[place, coefficient] : forms[row])
-          compliance(row, column) += coefficient * solutions[column * size + place];
-    compliance.symmetrize(); // up to rounding it is
-    return compliance;
-  }
-
   std::vector<unsigned int> Condensation::driven_places(const Reduced &reduced) const
   {
     std::vector<unsigned int> places;

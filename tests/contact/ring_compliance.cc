@@ -17,6 +17,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 
 using namespace ringmotor;
 using namespace ringmotor::tests;
@@ -174,32 +175,59 @@ namespace
     ContactSurface meshed;
     SectorSurface surface;
     Condensation condensation;
+    InterfaceCompliance interface;
 
     explicit BlockSector(const SectorForm form)
         : mesh(block_sector(form)), sector(mesh, all_of(steel), 2),
           meshed(solid_surface(sector, ids::lip)), surface(whole_surface(meshed, form)),
-          condensation(sector, displacement_forms(meshed), {}, {}, 0.)
+          condensation(sector, displacement_forms(meshed), {}, {}, 0.), interface(condensation)
     {
     }
 
-    ComplexMatrix compliance(const unsigned int k) const
+    RingCompliance ring(const MortarCoupling &coupling) const
     {
-      return sector_compliance(condensation.compliance(k, {}), surface.origin, mesh.form);
+      return RingCompliance(n_sectors, sector_compliance(interface, surface.origin), coupling,
+                            [&](const unsigned int k) { return interface.through_cut(k, {}); });
     }
   };
 
+  /** Contact points that are the nodes of the surface. */
+  MortarCoupling same_nodes(const unsigned int n_nodes)
+  {
+    MortarCoupling coupling;
+    for (unsigned int node = 0; node < n_nodes; ++node)
+      coupling.nodes.push_back({node, 1., {{node, 0, 1.}}});
+    return coupling;
+  }
+
+  ByComponent motion_by_entries(const RingCompliance &ring, const ByComponent &forces)
+  {
+    const unsigned int n = ring.n_sectors(), width = 3 * ring.n_nodes();
+    std::vector<unsigned int> nodes(ring.n_nodes());
+    std::iota(nodes.begin(), nodes.end(), 0u);
+    ByComponent motion(n, std::vector<double>(width, 0.));
+    for (unsigned int distance = 0; distance < n; ++distance)
+    {
+      dealii::FullMatrix<double> entries(width, width);
+      ring.add_entries(distance, nodes, nodes, 1., 0, entries, 0, 0);
+      for (unsigned int j = 0; j < n; ++j)
+        for (unsigned int i = 0; i < width; ++i)
+          for (unsigned int f = 0; f < width; ++f)
+            motion[(j + distance) % n][i] += entries(i, f) * forces[j][f];
+    }
+    return motion;
+  }
+
   ByComponent motion_of(const RingCompliance &ring, const ByComponent &forces)
   {
-    ByComponent motion(ring.n_sectors(), std::vector<double>(3 * ring.n_nodes(), 0.));
-    for (unsigned int j = 0; j < ring.n_sectors(); ++j)
-      for (unsigned int f = 0; f < forces[j].size(); ++f)
-        for (unsigned int t = 0; t < ring.n_sectors(); ++t)
-        {
-          const double *by_force =
-              ring.motion_by((t + ring.n_sectors() - j) % ring.n_sectors(), f / 3, f % 3);
-          for (unsigned int i = 0; i < motion[t].size(); ++i)
-            motion[t][i] += forces[j][f] * by_force[i];
-        }
+    const unsigned int n = ring.n_sectors(), width = 3 * ring.n_nodes();
+    std::vector<double> all_forces, all(n * width, 0.);
+    for (unsigned int j = 0; j < n; ++j)
+      all_forces.insert(all_forces.end(), forces[j].begin(), forces[j].end());
+    ring.add_motions(all_forces.data(), all.data());
+    ByComponent motion;
+    for (unsigned int j = 0; j < n; ++j)
+      motion.emplace_back(all.begin() + j * width, all.begin() + (j + 1) * width);
     return motion;
   }
 
@@ -233,12 +261,16 @@ class RingOfSectors : public testing::TestWithParam<SectorForm>
 TEST_P(RingOfSectors, MovesAsTheWholeRing)
 {
   const BlockSector body(GetParam());
-  const auto &nodes = body.surface.surface.nodes;
-  const RingCompliance ring(n_sectors, nodes.size(),
-                            [&](const unsigned int k) { return body.compliance(k); });
+  const auto &nodes         = body.surface.surface.nodes;
+  const RingCompliance ring = body.ring(same_nodes(nodes.size())), table = ring.tabulated();
   const ByComponent forces = some_forces(nodes.size());
   DirectRing direct;
-  expect_same(motion_of(ring, forces), direct.motion(nodes, forces));
+  const ByComponent moved = direct.motion(nodes, forces);
+  for (const RingCompliance *one : {&ring, &table})
+  {
+    expect_same(motion_of(*one, forces), moved);
+    expect_same(motion_by_entries(*one, forces), moved);
+  }
 
   // Forces that repeat themselves after three sectors
   ByComponent repeated = forces;
@@ -247,6 +279,7 @@ TEST_P(RingOfSectors, MovesAsTheWholeRing)
   ByComponent expected = direct.motion(nodes, repeated);
   expected.resize(3);
   expect_same(motion_of(ring.folded(2), repeated), expected);
+  expect_same(motion_of(table.folded(2), repeated), expected);
 }
 
 TEST_P(RingOfSectors, MovesTeethThatDoNotMatchItsMesh)
@@ -259,11 +292,8 @@ TEST_P(RingOfSectors, MovesTeethThatDoNotMatchItsMesh)
   {
     const MortarCoupling coupling = couple(tooth, rotor, pitch, shift);
     ASSERT_EQ(coupling.nodes.size(), tooth.nodes.size());
-    const RingCompliance ring(n_sectors, tooth.nodes.size(),
-                              [&](const unsigned int k) {
-                                return coupled_compliance(body.compliance(k), coupling, k, pitch);
-                              });
-    const ByComponent forces = some_forces(tooth.nodes.size());
+    const RingCompliance ring = body.ring(coupling);
+    const ByComponent forces  = some_forces(tooth.nodes.size());
 
     // Shares of the forces on the rotor's nodes, and the same shares of their motions
     const auto for_each_share = [&](const auto &visit)
@@ -285,6 +315,7 @@ TEST_P(RingOfSectors, MovesTeethThatDoNotMatchItsMesh)
                        const unsigned int rotor_i, const double weight)
                    { expected[j][i] += weight * moved[rotor_sector][rotor_i]; });
     expect_same(motion_of(ring, forces), expected);
+    expect_same(motion_by_entries(ring, forces), expected);
   }
 }
 
@@ -294,19 +325,23 @@ INSTANTIATE_TEST_SUITE_P(Form, RingOfSectors, testing::Values(SectorForm::half, 
 
 TEST(RingCompliance, AddsWhatHappensWithinSectors)
 {
-  RingCompliance ring(3, 2,
-                      [](unsigned int)
-                      {
-                        ComplexMatrix wave(6);
-                        wave(0, 0) = 1.;
-                        return wave;
-                      });
+  SurfaceCompliance body;
+  body.at_rest.reinit(6, 6);
+  body.at_rest(0, 0) = 1.;
+  RingCompliance ring(3, body, same_nodes(2), {});
   dealii::FullMatrix<double> within(6, 6);
   within(4, 2) = 5.; // the second node's tangential motion by the first one's radial force
   ring.add_within_sectors(within);
-  for (unsigned int distance = 0; distance < 3; ++distance)
-  {
-    EXPECT_NEAR(ring.motion_by(distance, 0, 0)[0], distance == 0 ? 1. : 0., 1e-15);
-    EXPECT_NEAR(ring.motion_by(distance, 0, 2)[4], distance == 0 ? 5. : 0., 1e-15);
-  }
+  for (const RingCompliance &one : {ring, ring.tabulated()})
+    for (unsigned int distance = 0; distance < 3; ++distance)
+    {
+      dealii::FullMatrix<double> entries(6, 6);
+      one.add_entries(distance, {0, 1}, {0, 1}, 1., 0, entries, 0, 0);
+      EXPECT_NEAR(entries(0, 0), distance == 0 ? 1. : 0., 1e-15);
+      EXPECT_NEAR(entries(4, 2), distance == 0 ? 5. : 0., 1e-15);
+      // Only tangential components, twice over, elsewhere in a matrix
+      dealii::FullMatrix<double> part(4, 5);
+      one.add_entries(distance, {1}, {0}, -2., 1, part, 1, 2);
+      EXPECT_NEAR(part(2, 4), distance == 0 ? -10. : 0., 1e-15);
+    }
 }

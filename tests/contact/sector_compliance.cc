@@ -9,6 +9,8 @@
 #include <ringmotor/mesh/rotor_sector.h>
 #include <ringmotor/structure/surface_load.h>
 
+#include <deal.II/base/table.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +19,8 @@
 using namespace ringmotor;
 using namespace ringmotor::tests;
 using dealii::Point;
-using Complex = std::complex<double>;
+using Complex       = std::complex<double>;
+using ComplexMatrix = dealii::Table<2, Complex>;
 
 namespace
 {
@@ -64,11 +67,33 @@ namespace
                                                     std::vector<SectorNodes::Dof>(), supports, 0.);
     }
 
+    /** Of one wave, by rows, three for each node. */
     ComplexMatrix compliance(const unsigned int k) const
     {
       std::vector<unsigned int> held(k > 1 ? 0 : mesh.form == SectorForm::half ? 2 : 4);
       std::iota(held.begin(), held.end(), 0);
-      return sector_compliance(condensation->compliance(k, held), surface.origin, mesh.form);
+      const InterfaceCompliance interface(*condensation);
+      const SurfaceCompliance body               = sector_compliance(interface, surface.origin);
+      const dealii::FullMatrix<double> by_shapes = interface.through_cut(k, held);
+      const unsigned int n = body.at_rest.m(), n_shapes = body.shapes.n();
+      const auto phase = [&](const unsigned int shape)
+      { return shape < body.n_real_shapes ? Complex(1.) : Complex(0., 1.); };
+      ComplexMatrix shapes(n, n_shapes), half(n, n_shapes), compliance(n, n);
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n_shapes; ++j)
+          shapes(i, j) = phase(j) * body.shapes(i, j);
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n_shapes; ++j)
+          for (unsigned int l = 0; l < n_shapes; ++l)
+            half(i, j) += shapes(i, l) * by_shapes(l, j);
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+        {
+          compliance(i, j) = body.at_rest(i, j);
+          for (unsigned int l = 0; l < n_shapes; ++l)
+            compliance(i, j) += half(i, l) * std::conj(shapes(j, l));
+        }
+      return compliance;
     }
   };
 

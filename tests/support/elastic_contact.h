@@ -3,6 +3,8 @@
 
 #include "support/two_blocks.h"
 
+#include <numeric>
+
 namespace ringmotor::tests
 {
   /** An upper body in contact with a lower one, both elastic, from a state of rest. */
@@ -18,12 +20,15 @@ namespace ringmotor::tests
           free_motion(coupling.nodes.size()), of_lower(3 * n_points(), 3 * n_points()),
           compliance(of_lower)
     {
-      const ComplexMatrix of_upper = coupled_compliance(upper.compliance, coupling, 0, 0.);
+      const RingCompliance of_upper(1, upper.compliance, coupling, {});
+      std::vector<unsigned int> all(n_points());
+      std::iota(all.begin(), all.end(), 0u);
+      of_upper.add_entries(0, all, all, 1., 0, compliance, 0, 0);
       for (unsigned int i = 0; i < 3 * n_points(); ++i)
         for (unsigned int j = 0; j < 3 * n_points(); ++j)
         {
-          of_lower(i, j)   = lower.compliance(index_of_lower(i), index_of_lower(j)).real();
-          compliance(i, j) = of_lower(i, j) + of_upper(i, j).real();
+          of_lower(i, j) = lower.compliance.at_rest(index_of_lower(i), index_of_lower(j));
+          compliance(i, j) += of_lower(i, j);
         }
       for (unsigned int i = 0; i < 3 * n_points(); ++i)
       {

@@ -45,27 +45,23 @@ namespace ringmotor::tests
       if (side_traction)
         forms.push_back(load_form(*side_traction));
       const Condensation condensation(sector, forms, {}, {}, 0.);
-      const dealii::FullMatrix<double> condensed = condensation.compliance(0, {});
-      const unsigned int n = 3 * meshed.nodes.size(), n_forms = forms.size();
-      dealii::FullMatrix<double> of_face(2 * n, 2 * n);
-      for (unsigned int i = 0; i < 2 * n; ++i)
-        for (unsigned int j = 0; j < 2 * n; ++j)
-          of_face(i, j) = condensed(i % n + i / n * n_forms, j % n + j / n * n_forms);
-      compliance = sector_compliance(of_face, whole.origin, mesh.form);
+      const InterfaceCompliance of_forms(condensation); // the block has no cuts: all is at rest
+      compliance           = sector_compliance(of_forms, whole.origin);
+      const unsigned int n = 3 * meshed.nodes.size();
       // The side load has the symmetry of the real field.
       by_side_load.assign(3 * whole.origin.size(), 0.);
       if (side_traction)
         for (unsigned int i = 0; i < by_side_load.size(); ++i)
         {
           const MirroredNode &origin = whole.origin[i / 3];
-          by_side_load[i] =
-              (origin.mirrored && i % 3 == 1 ? -1. : 1.) * condensed(3 * origin.node + i % 3, n);
+          by_side_load[i]            = (origin.mirrored && i % 3 == 1 ? -1. : 1.) *
+                            of_forms.at_rest(0)(3 * origin.node + i % 3, n);
         }
     }
 
     const ContactSurface &surface() const { return whole.surface; }
 
-    ComplexMatrix compliance;         ///< of the nodes of surface()
+    SurfaceCompliance compliance;     ///< of the nodes of surface()
     std::vector<double> by_side_load; ///< their motion by the side load (m)
 
   private:

@@ -53,7 +53,9 @@ namespace ringmotor
                                  const ContactState &start, const double smoothing,
                                  const unsigned int most_iterations);
 
-  /** The state in which all points touch and stick, whether they are pressed or pulled. */
+  /** The state in which all points touch and stick, whether they are pressed or pulled; of more
+   * than 1000 points only those that touch at the @p start, as the matrix is dense. */
   ContactIterate stick_everywhere(const ContactProblem &problem, const FrictionBoundOf &bound_of,
-                                  const ComplementarityConstants &constants);
+                                  const ComplementarityConstants &constants,
+                                  const ContactState &start);
 } // namespace ringmotor

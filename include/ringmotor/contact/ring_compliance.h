@@ -2,6 +2,7 @@
 #pragma once
 
 #include <ringmotor/contact/mortar.h>
+#include <ringmotor/structure/interface_compliance.h>
 
 #include <boost/serialization/vector.hpp>
 
@@ -11,46 +12,42 @@
 
 namespace ringmotor
 {
-  /** A complex square matrix by rows. */
-  struct ComplexMatrix
+  /**
+   * How the nodes of a surface over a whole sector move under forces on them (m/N, three
+   * cylindrical components for each node). For a wave with nodal diameter k, motions and forces of
+   * sector j are exp(-i k j alpha) times those of sector 0, and the compliance is
+   *
+   *   at_rest + shapes D B_k D^H shapes^T
+   *
+   * with B_k as InterfaceCompliance::through_cut() gives it; D is 1 for shapes of the real field,
+   * which come first, and i for those of the imaginary one.
+   */
+  struct SurfaceCompliance
   {
-    explicit ComplexMatrix(const unsigned int size = 0)
-        : size(size), entries(static_cast<std::size_t>(size) * size)
-    {
-    }
-    std::complex<double> &operator()(const unsigned int i, const unsigned int j)
-    {
-      return entries[static_cast<std::size_t>(i) * size + j];
-    }
-    const std::complex<double> &operator()(const unsigned int i, const unsigned int j) const
-    {
-      return entries[static_cast<std::size_t>(i) * size + j];
-    }
-    unsigned int size;
-    std::vector<std::complex<double>> entries;
+    dealii::FullMatrix<double> at_rest; ///< while the cuts rest
+    dealii::FullMatrix<double> shapes;  ///< one column for each
+    unsigned int n_real_shapes = 0;
   };
 
-  /**
-   * The compliance of a body at the nodes of its surface over a whole sector (m/N, Hermitian, three
-   * components for each node) from that of the meshed part, see Condensation::compliance(). For a
-   * wave with nodal diameter k, motions and forces of sector j are exp(-i k j alpha) times those of
-   * sector 0, in cylindrical components.
-   */
-  ComplexMatrix sector_compliance(const dealii::FullMatrix<double> &condensed,
-                                  const std::vector<MirroredNode> &origin, const SectorForm form);
+  /** That of a surface whose nodes come from the meshed part of a sector; its displacements come
+   * first in the interface. */
+  SurfaceCompliance sector_compliance(const InterfaceCompliance &meshed,
+                                      const std::vector<MirroredNode> &origin);
 
   /** The motion of a half sector's surface (real field, then imaginary one) over the whole sector.
    */
   std::vector<std::array<std::complex<double>, 3>>
   sector_motion(const std::vector<double> &half, const std::vector<MirroredNode> &origin);
 
-  /** The compliance at the nodes of a coupling of a rotor with this compliance of its own nodes. */
-  ComplexMatrix coupled_compliance(const ComplexMatrix &rotor, const MortarCoupling &coupling,
-                                   const unsigned int k, const double pitch);
-
   /**
    * How all contact points of a ring of equal sectors move under forces on them: a matrix that only
-   * depends on the distance of two sectors.
+   * depends on the distance d of two sectors,
+   *
+   *   near_d + basis K_d basis^T.
+   *
+   * Only a sector itself and its neighbours know where on a sector a force acts; for all others its
+   * few far-reaching effects are enough. So this takes far less memory than a table of all entries,
+   * and far less work to apply; a small one is faster as such a table.
    */
   class RingCompliance
   {
@@ -59,38 +56,57 @@ namespace ringmotor
     RingCompliance() = default;
 
     /**
-     * @param of_wave the compliance for a nodal diameter 0 .. @p n_sectors / 2
+     * @param body the surface of a rotor
+     * @param coupling the contact points of a sector; the surface's nodes may be of its neighbours
+     * @param through_cut B_k for a nodal diameter 0 .. @p n_sectors / 2; not asked for if the body
+     * has no shapes
      */
-    RingCompliance(const unsigned int n_sectors, const unsigned int n_nodes,
-                   const std::function<ComplexMatrix(unsigned int)> &of_wave);
+    RingCompliance(const unsigned int n_sectors, const SurfaceCompliance &body,
+                   const MortarCoupling &coupling,
+                   const std::function<dealii::FullMatrix<double>(unsigned int)> &through_cut);
 
-    /** Adds a compliance within each sector, by rows, three components for each node. */
+    /** Adds a compliance within each sector, three components for each node. */
     void add_within_sectors(const dealii::FullMatrix<double> &compliance);
 
-    unsigned int n_sectors() const { return sector_count; }
+    unsigned int n_sectors() const { return near.size(); }
     unsigned int n_nodes() const { return node_count; }
 
-    /** How all 3 n_nodes() motions (m) of a sector change by a unit force (N) in @p direction on @p
-     * node of a sector that lies @p distance sectors lower in theta, 0 .. n_sectors() - 1. */
-    const double *motion_by(const unsigned int distance, const unsigned int node,
-                            const unsigned int direction) const
-    {
-      const std::size_t width = 3 * node_count;
-      return entries.data() + (distance * width + 3 * node + direction) * width;
-    }
+    /** Adds the motions (m) of all sectors under forces (N); both by sector, node, component. */
+    void add_motions(const double *forces, double *motions) const;
+
+    /**
+     * Adds the motions of nodes @p rows by unit forces on nodes @p columns of a sector that lies
+     * @p distance sectors lower in theta, 0 .. n_sectors() - 1: @p factor times the three by three
+     * entries for each pair go into @p matrix from @p row and @p column on, of rows only components
+     * from @p first on.
+     */
+    void add_entries(const unsigned int distance, const std::vector<unsigned int> &rows,
+                     const std::vector<unsigned int> &columns, const double factor,
+                     const unsigned int first, dealii::FullMatrix<double> &matrix,
+                     const unsigned int row, const unsigned int column) const;
 
     /** The same ring seen as one of n_sectors / @p fold sectors, for forces and motions that repeat
      * themselves. */
     RingCompliance folded(const unsigned int fold) const;
 
+    /** The same ring as a table of all entries: all distances are near. */
+    RingCompliance tabulated() const;
+    /** Numbers that such a table has. */
+    std::size_t table_size() const
+    {
+      return static_cast<std::size_t>(n_sectors()) * 9 * node_count * node_count;
+    }
+
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &sector_count &node_count &entries;
+      archive &node_count &near &basis &kernel;
     }
 
   private:
-    unsigned int sector_count = 0, node_count = 0;
-    std::vector<double> entries; ///< by distance, then by columns
+    unsigned int node_count = 0;
+    std::vector<dealii::FullMatrix<double>> near;   ///< by distance, transposed; empty if far
+    dealii::FullMatrix<double> basis;               ///< a row for each component of a node
+    std::vector<dealii::FullMatrix<double>> kernel; ///< by distance, transposed
   };
 } // namespace ringmotor

@@ -110,9 +110,19 @@ namespace ringmotor
     {
       return motion == 0 ? 0. : motor.loose_motions[(motion - 1) / 2].stiffness;
     }
-    void add_elastic_rows(const unsigned int point, const std::vector<unsigned int> &columns,
-                          const double factor, const unsigned int row, const unsigned int first,
-                          dealii::FullMatrix<double> &matrix) const;
+    /** Points of one tooth at one moment that follow each other in a list. */
+    struct PointsOfTooth
+    {
+      unsigned int first_point;        ///< of the tooth, tells tooth and moment
+      unsigned int first;              ///< place of the first one in the list
+      std::vector<unsigned int> nodes; ///< of the tooth
+    };
+    std::vector<PointsOfTooth> by_tooth(const std::vector<unsigned int> &points) const;
+    /** Adds @p factor times the motions of the nodes of @p rows, on the tooth and at the moment of
+     * the point @p at, by forces on points @p columns; only components from @p first on. */
+    void add_elastic_rows(const PointsOfTooth &rows, const unsigned int at,
+                          const std::vector<PointsOfTooth> &columns, const double factor,
+                          const unsigned int first, dealii::FullMatrix<double> &matrix) const;
 
     const CondensedMotor &motor;
     const RotorLoad load;

@@ -46,8 +46,9 @@ namespace ringmotor
 
   /**
    * Static condensation of a cyclic sector: an elastic body (vibrating at one frequency) as seen
-   * from its interface. The two real fields of the sector are condensed to their interface and
-   * their cut once; each nodal diameter then only ties the cut and eliminates it.
+   * from its interface, see InterfaceCompliance. The two real fields of the sector are condensed to
+   * their interface and their cut once; each nodal diameter then only ties the cut and eliminates
+   * it.
    *
    * Exact linear algebra: what comes out is what a solution with all unknowns gives.
    */
@@ -68,15 +69,6 @@ namespace ringmotor
                  const bool with_inside = false);
     ~Condensation();
 
-    /**
-     * Interface displacements under interface forces for nodal diameter @p k, with driven degrees
-     * of freedom at rest: a symmetric matrix, first all entries of the real field, then those of
-     * the imaginary one, in m/N on the meshed part of the sector. Supports hold if they are among
-     * @p held, as they must where a rigid motion is free.
-     */
-    dealii::FullMatrix<double> compliance(const unsigned int k,
-                                          const std::vector<unsigned int> &held) const;
-
     /** The motion of one of the supports @p held. */
     SupportMotion support_motion(const unsigned int k, const std::vector<unsigned int> &held,
                                  const unsigned int support) const;
@@ -93,6 +85,8 @@ namespace ringmotor
                                      const std::vector<CondensationLoad> &loads) const;
 
   private:
+    friend class InterfaceCompliance;
+
     /** One real field, condensed to its cut, its interface and its supports. */
     struct Field
     {

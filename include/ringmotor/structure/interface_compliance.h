@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/structure/condensation.h>
+
+#include <array>
+#include <vector>
+
+namespace ringmotor
+{
+  /**
+   * Interface displacements of a condensed sector under interface forces, with driven degrees of
+   * freedom at rest, m/N on the meshed part of the sector. While the cut rests, the two real fields
+   * know neither of each other nor of the nodal diameter; what neighbours do comes through the cut
+   * and has few shapes:
+   *
+   *   C_k = diag(A_0, A_1) + diag(E_0, E_1) B_k diag(E_0, E_1)^T
+   *
+   * for the real field (0) and the imaginary one (1). The shapes are orthonormal; what they leave
+   * out of the motions that come through the cut is rounding.
+   */
+  class InterfaceCompliance
+  {
+  public:
+    /**
+     * @p condensation must outlive this object.
+     * @throws ComputationError if the body is singular with its cut at rest
+     */
+    explicit InterfaceCompliance(const Condensation &condensation);
+
+    /** A of one real field: one row and column for each interface displacement, symmetric. */
+    const dealii::FullMatrix<double> &at_rest(const unsigned int part) const
+    {
+      return fields[part].at_rest;
+    }
+    /** E of one real field: one column for each shape. */
+    const dealii::FullMatrix<double> &shapes(const unsigned int part) const
+    {
+      return fields[part].shapes;
+    }
+    /** B_k, symmetric, the shapes of the real field first. Supports hold if they are among @p held,
+     * as they must where a rigid motion is free. */
+    dealii::FullMatrix<double> through_cut(const unsigned int k,
+                                           const std::vector<unsigned int> &held) const;
+
+    /** C_k as one matrix, all entries of the real field first. */
+    dealii::FullMatrix<double> compliance(const unsigned int k,
+                                          const std::vector<unsigned int> &held) const;
+
+  private:
+    /** One real field. Its cut's rows have those of its supports at their end. */
+    struct Field
+    {
+      dealii::FullMatrix<double> at_rest, shapes;
+      dealii::FullMatrix<double> cut;   ///< stiffness of the cut with a free interface
+      dealii::FullMatrix<double> loads; ///< on the cut, by the forces of shapes; by rows
+    };
+
+    /** Which rows of a condensed field are of its cut with its supports, and which are not; driven
+     * ones are neither. */
+    struct Rows
+    {
+      std::vector<unsigned int> cut, inner;
+      /** Interface displacements, by places of inner rows. */
+      std::vector<std::vector<std::pair<unsigned int, double>>> forms;
+      dealii::FullMatrix<double> by_cut; ///< the same by rows of the cut
+    };
+
+    static Rows rows_of(const Condensation &condensation, const unsigned int part);
+    static Field split(const Condensation &condensation, const unsigned int part);
+    /** Shapes and loads of a field from how its interface moves with its cut. */
+    static void find_shapes(dealii::FullMatrix<double> by_cut, Field &field);
+
+    const Condensation &condensation;
+    std::array<Field, 2> fields;
+  };
+} // namespace ringmotor
