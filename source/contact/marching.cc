@@ -28,7 +28,7 @@ namespace ringmotor
     { return friction_coefficient(friction, limits[point], slip, length); };
     ContactState begin = state;
     if (load.torque)
-      begin.rigid.push_back(last_turn * length);
+      begin.rigid.push_back(last_speed * length);
     ContactSolution solution = solve_contact(*contact, law, motor.constants, begin);
     while (lose_static_limits(solution, limits))
     {
@@ -39,7 +39,7 @@ namespace ringmotor
     now += length;
     positions = contact->positions(solution.state);
     memory    = next_memory(solution, memory);
-    last_turn = contact->speed(solution.state);
+    last_speed = contact->speed(solution.state);
     state     = solution.state;
     state.rigid.resize(contact->n_rigid() - (load.torque ? 1 : 0));
     return {contact, std::move(solution), std::move(limits)};

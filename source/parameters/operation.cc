@@ -85,13 +85,13 @@ namespace ringmotor
   void Time::declare(ParameterHandler &prm)
   {
     constexpr unsigned int most_steps = 1000000;
-    add_entry(
-        prm, "Scheme", scheme,
-        selection<TimeScheme>({{"auto", TimeScheme::automatic},
-                               {"steady", TimeScheme::steady},
-                               {"marching", TimeScheme::marching}}),
-        "How the period is resolved: as one steady state, or step by step from rest; \"auto\" "
-        "takes the steady state where the ring is uniform.");
+    add_entry(prm, "Scheme", scheme,
+              selection<TimeScheme>({{"auto", TimeScheme::automatic},
+                                     {"steady", TimeScheme::steady},
+                                     {"marching", TimeScheme::marching}}),
+              "How the period is resolved: as one steady state, or step by step from a rotor that "
+              "rests on the standing wave without friction; \"auto\" "
+              "takes the steady state where the ring is uniform.");
     add_entry(prm, "Time step", time_step, positive_number(),
               "Step of the scheme \"marching\". Units: s.");
     add_entry(prm, "Number of steps", n_steps, whole_number(1, most_steps),

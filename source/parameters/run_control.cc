@@ -45,7 +45,7 @@ namespace ringmotor
   void Accuracy::declare(ParameterHandler &prm)
   {
     add_entry(prm, "Target", target, number_within(1.e-8, 0.1, "a number from 1e-8 to 0.1"),
-              "Relative error below which the estimated error of the results has to be. Units: "
+              "Relative error below which the estimated errors of frequencies have to be. Units: "
               "none.");
     add_entry(prm, "Contact target", contact_target,
               number_within(1.e-3, 0.5, "a number from 1e-3 to 0.5"),
@@ -56,9 +56,9 @@ namespace ringmotor
                   {{"adaptive", AccuracyMode::adaptive}, {"fixed", AccuracyMode::fixed}}),
               "Refine until the target is met, or take the three entries below as they are.");
     add_entry(prm, "Polynomial degree", polynomial_degree, whole_number(2, 8),
-              "Degree of the solid elements; used with Mode = fixed only.");
+              "Degree of the elements of the program stator; used with Mode = fixed only.");
     add_entry(prm, "Refinement", refinement, whole_number(0, 6),
-              "Uniform refinements of the body meshes; used with Mode = fixed only.");
+              "Refinements of the mesh of the program stator; used with Mode = fixed only.");
     add_entry(prm, "Interface refinement", interface_refinement, whole_number(0, 6),
               "Refinements of the contact interface; used with Mode = fixed only.");
   }
@@ -77,7 +77,7 @@ namespace ringmotor
     add_effect(
         "Tooth shear", tooth_shear,
         "Elasticity of the teeth under contact forces; \"auto\", here and below, switches an "
-        "effect on where it would change a result by more than Accuracy/Target.");
+        "effect on where the scene may call for it.");
     add_effect("Rotor tangential compliance", rotor_tangential_compliance,
                "Elasticity of the rotor under friction forces.");
     add_effect("Initial deformation", initial_deformation,
@@ -86,14 +86,19 @@ namespace ringmotor
                "A static coefficient of friction above the dynamic one.");
     add_effect("Rotor inertia", rotor_inertia, "Inertia of the rotor's vibration.");
     add_effect("Tooth inertia", tooth_inertia, "Inertia of the teeth under contact forces.");
-    add_effect("Damping", damping, "Internal damping by the loss factors of the materials.");
+    add_effect("Damping", damping,
+               "Internal damping of the motion by the loss factors of the materials; the program "
+               "losses counts what it costs all the same.");
     add_effect("Stator back-reaction", stator_back_reaction,
                "Change of the stator's wave by the contact forces.");
     add_effect("Spin convection", spin_convection,
                "Convection of the rotor's deformation by its own rotation.");
     add_effect("Target plates", target_plates,
                "Thin plates bonded to the tooth edges as targets of an optical measurement.");
-    add_effect("Felt support", felt_support, "Stiffness and loss of the felt under the stator.");
+    add_effect(
+        "Felt support", felt_support,
+        "Stiffness of the felt in the modes of the stator; the program losses counts its loss "
+        "all the same.");
     add_effect("Friction lining", friction_lining,
                "Finite stiffness of a friction lining, given in the section Friction.");
   }

@@ -36,6 +36,6 @@ namespace ringmotor
     ContactState state;                 ///< without the turn
     std::vector<PointVector> positions; ///< at the end of the last step
     std::vector<FrictionMemory> memory;
-    double last_turn = 0.; ///< rad/s
+    double last_speed = 0.; ///< rad/s
   };
 } // namespace ringmotor
