@@ -27,8 +27,13 @@ namespace ringmotor
 
     constexpr double converged          = 1e-10; ///< of certificates
     constexpr double smoothed_converged = 1e-3;  ///< of changes of forces
-    /** Points up to which a dense matrix of all of them is affordable. */
-    constexpr unsigned int most_sticking = 1000;
+
+    /** Where more points touch, iterates are lost, and their dense matrices would cost minutes and
+     * gigabytes. */
+    unsigned int most_touching(const ContactProblem &problem)
+    {
+      return std::max(1000u, problem.n_points() / 2);
+    }
 
     /** One linear problem of Newton's method. */
     class LinearStep
@@ -48,18 +53,11 @@ namespace ringmotor
         solve(iterate);
       }
 
-      /** Replaces @p iterate by the state in which all points stick, if there is one; of very many
-       * only those that touch at the beginning. */
-      void stick_everywhere(ContactIterate &iterate, const ContactState &start)
+      /** Replaces @p iterate by the state in which all points stick, if there is one. */
+      void stick_everywhere(ContactIterate &iterate)
       {
-        iterate.state  = start;
-        iterate.motion = problem.relative_motion(start);
-        choose_status(iterate);
-        if (touching.empty() || problem.n_points() <= most_sticking)
-        {
-          touching.resize(problem.n_points());
-          std::iota(touching.begin(), touching.end(), 0u);
-        }
+        touching.resize(problem.n_points());
+        std::iota(touching.begin(), touching.end(), 0u);
         friction.assign(touching.size(), Friction());
         iterate.state  = {std::vector<PointVector>(problem.n_points()),
                           std::vector<double>(problem.n_rigid())};
@@ -143,6 +141,9 @@ namespace ringmotor
       void solve(ContactIterate &iterate)
       {
         ++iterate.n_iterations;
+        iterate.failed = touching.size() > most_touching(problem);
+        if (iterate.failed)
+          return;
         problem.derivatives(touching, derivatives);
         assemble(iterate);
         iterate.failed = !solve_linear();
@@ -331,19 +332,24 @@ namespace ringmotor
       iterate.state               = start;
       iterate.motion              = problem.relative_motion(start);
       iterate.certificate.balance = std::numeric_limits<double>::infinity();
-      bool may_stick              = true;
+      bool may_stick              = can_stick_everywhere(problem);
       do
       {
         step.take(iterate);
         if (iterate.failed && may_stick)
         {
-          step.stick_everywhere(iterate, start);
+          step.stick_everywhere(iterate);
           may_stick = false;
         }
       } while (!iterate.failed && !ended(iterate) && iterate.n_iterations < most_iterations);
       return iterate;
     }
   } // namespace
+
+  bool can_stick_everywhere(const ContactProblem &problem)
+  {
+    return problem.n_points() <= most_touching(problem);
+  }
 
   ContactIterate newton(const ContactProblem &problem, const FrictionBoundOf &bound_of,
                         const ComplementarityConstants &constants, const ContactState &start,
@@ -373,12 +379,11 @@ namespace ringmotor
   }
 
   ContactIterate stick_everywhere(const ContactProblem &problem, const FrictionBoundOf &bound_of,
-                                  const ComplementarityConstants &constants,
-                                  const ContactState &start)
+                                  const ComplementarityConstants &constants)
   {
     LinearStep step(problem, bound_of, constants, 0.);
     ContactIterate iterate;
-    step.stick_everywhere(iterate, start);
+    step.stick_everywhere(iterate);
     return iterate;
   }
 } // namespace ringmotor

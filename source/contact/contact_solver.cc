@@ -15,18 +15,25 @@ namespace ringmotor
     constexpr unsigned int n_smoothings       = 10;
 
     /**
-     * Newton's method from the state in which all points stick, and from states of smoothed
-     * friction that is smoothed less and less.
+     * Newton's method from states of smoothed friction that is smoothed less and less. It begins
+     * where all points stick or, if they are too many for that, at @p start, and smooths over what
+     * the largest force moves.
      */
     ContactIterate continuation(const ContactProblem &problem, const FrictionBoundOf &bound_of,
                                 const ComplementarityConstants &constants,
                                 const ContactState &start)
     {
-      ContactIterate smooth   = stick_everywhere(problem, bound_of, constants, start);
+      const bool from_sticking = can_stick_everywhere(problem);
+      ContactIterate smooth;
+      if (from_sticking)
+        smooth = stick_everywhere(problem, bound_of, constants);
+      else
+        smooth.state = start;
       unsigned int n_problems = smooth.n_iterations;
       double smoothing        = 0.;
       for (const PointVector &force : smooth.state.force)
-        smoothing = std::max(smoothing, tangential_norm(force) / constants.tangential);
+        smoothing = std::max(smoothing, (from_sticking ? tangential_norm(force) : force.norm()) /
+                                            constants.tangential);
       for (unsigned int i = 0;; ++i)
       {
         ContactIterate exact =
@@ -80,7 +87,7 @@ namespace ringmotor
         return true;
       tried << (tried.str().empty() ? "" : ", ") << what << " (";
       if (iterate.failed)
-        tried << "singular";
+        tried << "singular, or too many points touched,";
       else
         tried << iterate.certificate.worst();
       tried << " after " << iterate.n_iterations << ")";

@@ -21,7 +21,7 @@ namespace ringmotor
     std::vector<PointVector> motion; ///< gap and slip (m) by point
     ContactCertificate certificate;
     unsigned int n_iterations = 0; ///< linear problems solved
-    bool failed = false;           ///< a linear problem was singular, or the result is no number
+    bool failed = false; ///< a linear problem was singular or too large, or the result is no number
 
     bool certified() const { return !failed && certificate.holds(); }
   };
@@ -31,7 +31,8 @@ namespace ringmotor
    * p = max(0, p - c_n gap), and for a touching point either slip = 0 or
    * F_t = bound tau/|tau|, tau = F_t - c_t slip. (Alart and Curnier 1991; Hueeber, Stadler and
    * Wohlmuth 2008.) Where a linear problem is singular, because too few points touch or stick to
-   * hold the rigid motions, it starts once more from the state in which all points stick.
+   * hold the rigid motions, it starts once more from the state in which all points stick, if there
+   * are not too many of them.
    *
    * @return the last iterate, whether it has converged or not
    */
@@ -53,9 +54,10 @@ namespace ringmotor
                                  const ContactState &start, const double smoothing,
                                  const unsigned int most_iterations);
 
-  /** The state in which all points touch and stick, whether they are pressed or pulled; of more
-   * than 1000 points only those that touch at the @p start, as the matrix is dense. */
+  /** The state in which all points touch and stick, whether they are pressed or pulled. */
   ContactIterate stick_everywhere(const ContactProblem &problem, const FrictionBoundOf &bound_of,
-                                  const ComplementarityConstants &constants,
-                                  const ContactState &start);
+                                  const ComplementarityConstants &constants);
+
+  /** Whether that state can be afforded: its matrix has three rows for each point and is dense. */
+  bool can_stick_everywhere(const ContactProblem &problem);
 } // namespace ringmotor
