@@ -37,10 +37,10 @@ namespace ringmotor
       solution.n_iterations += n_iterations;
     }
     now += length;
-    positions = contact->positions(solution.state);
-    memory    = next_memory(solution, memory);
+    positions  = contact->positions(solution.state);
+    memory     = next_memory(solution, memory);
     last_speed = contact->speed(solution.state);
-    state     = solution.state;
+    state      = solution.state;
     state.rigid.resize(contact->n_rigid() - (load.torque ? 1 : 0));
     return {contact, std::move(solution), std::move(limits)};
   }
