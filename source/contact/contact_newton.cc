@@ -32,7 +32,7 @@ namespace ringmotor
      * gigabytes. */
     unsigned int most_touching(const ContactProblem &problem)
     {
-      return std::max(1000u, problem.n_points() / 3 * 2);
+      return std::max(1000u, problem.n_points() / 2);
     }
 
     /** One linear problem of Newton's method. */
