@@ -28,21 +28,30 @@ namespace ringmotor
     constexpr double converged          = 1e-10; ///< of certificates
     constexpr double smoothed_converged = 1e-3;  ///< of changes of forces
 
-    /** Where more points touch, iterates are lost, and their dense matrices would cost minutes and
-     * gigabytes. */
-    unsigned int most_touching(const ContactProblem &problem)
+    constexpr unsigned int affordable = 1000; ///< points with friction, whatever the start
+
+    /** A start touches at about as many points as the solution does. Where many more rub,
+     * iterates are lost, and their dense matrices would cost minutes and gigabytes. */
+    unsigned int most_rubbing(const ContactProblem &problem, const ContactState &start)
     {
-      return std::max(1000u, problem.n_points() / 2);
+      const unsigned int n_pressed =
+          std::count_if(start.force.begin(), start.force.end(),
+                        [](const PointVector &force) { return force[0] > 0.; });
+      return can_stick_everywhere(problem) || n_pressed == 0 ? problem.n_points()
+                                                             : std::max(300u, 3 * n_pressed);
     }
 
     /** One linear problem of Newton's method. */
     class LinearStep
     {
     public:
-      /** @param smoothing m, zero for the laws themselves */
+      /** @param smoothing m, zero for the laws themselves
+       *  @param most_rubbing points with friction; steps with more fail */
       LinearStep(const ContactProblem &problem, const FrictionBoundOf &bound_of,
-                 const ComplementarityConstants &constants, const double smoothing)
-          : problem(problem), bound_of(bound_of), constants(constants), smoothing(smoothing)
+                 const ComplementarityConstants &constants, const double smoothing,
+                 const unsigned int most_rubbing)
+          : problem(problem), bound_of(bound_of), constants(constants), smoothing(smoothing),
+            most_rubbing(most_rubbing)
       {
       }
 
@@ -50,7 +59,13 @@ namespace ringmotor
       void take(ContactIterate &iterate)
       {
         choose_status(iterate);
-        solve(iterate);
+        const unsigned int n_rubbing =
+            std::count_if(friction.begin(), friction.end(),
+                          [](const Friction &friction) { return !friction.stays_zero; });
+        if (n_rubbing > most_rubbing)
+          iterate.failed = true;
+        else
+          solve(iterate);
       }
 
       /** Replaces @p iterate by the state in which all points stick, if there is one. */
@@ -141,9 +156,6 @@ namespace ringmotor
       void solve(ContactIterate &iterate)
       {
         ++iterate.n_iterations;
-        iterate.failed = touching.size() > most_touching(problem);
-        if (iterate.failed)
-          return;
         problem.derivatives(touching, derivatives);
         assemble(iterate);
         iterate.failed = !solve_linear();
@@ -313,6 +325,7 @@ namespace ringmotor
       const FrictionBoundOf &bound_of;
       const ComplementarityConstants constants;
       const double smoothing;
+      const unsigned int most_rubbing;
       std::vector<unsigned int> touching; ///< the points that touch in this step
       std::vector<Friction> friction;     ///< for each of them
       unsigned int size     = 0;
@@ -348,14 +361,14 @@ namespace ringmotor
 
   bool can_stick_everywhere(const ContactProblem &problem)
   {
-    return problem.n_points() <= most_touching(problem);
+    return problem.n_points() <= affordable;
   }
 
   ContactIterate newton(const ContactProblem &problem, const FrictionBoundOf &bound_of,
                         const ComplementarityConstants &constants, const ContactState &start,
                         const unsigned int most_iterations)
   {
-    LinearStep step(problem, bound_of, constants, 0.);
+    LinearStep step(problem, bound_of, constants, 0., most_rubbing(problem, start));
     return iterate(problem, step, start, most_iterations,
                    [&](ContactIterate &iterate)
                    {
@@ -373,7 +386,7 @@ namespace ringmotor
                                  const ContactState &start, const double smoothing,
                                  const unsigned int most_iterations)
   {
-    LinearStep step(problem, bound_of, constants, smoothing);
+    LinearStep step(problem, bound_of, constants, smoothing, most_rubbing(problem, start));
     return iterate(problem, step, start, most_iterations,
                    [&](const ContactIterate &) { return step.change() <= smoothed_converged; });
   }
@@ -381,7 +394,7 @@ namespace ringmotor
   ContactIterate stick_everywhere(const ContactProblem &problem, const FrictionBoundOf &bound_of,
                                   const ComplementarityConstants &constants)
   {
-    LinearStep step(problem, bound_of, constants, 0.);
+    LinearStep step(problem, bound_of, constants, 0., problem.n_points());
     ContactIterate iterate;
     step.stick_everywhere(iterate);
     return iterate;
