@@ -31,6 +31,16 @@ namespace ringmotor
       }
       return memory;
     }
+
+    /** What a user can do where the law itself stands in the way. */
+    std::string remedy(const FrictionLaw law)
+    {
+      return law == FrictionLaw::velocity
+                 ? "; friction that falls with the velocity falls the faster with the slip of a "
+                   "step the shorter the step is, and points may then stick or slip at the same "
+                   "load: try a smaller Time/Snapshots or a larger Friction/Decay velocity"
+                 : std::string();
+    }
   } // namespace
 
   std::vector<FrictionMemory> next_memory(const ContactSolution &solution,
@@ -54,6 +64,7 @@ namespace ringmotor
 
   OperatingState SteadyDriver::find(const RotorLoad &load, const ContactState &begin,
                                     const double speed) const
+  try
   {
     const auto contact = std::make_shared<const RingContact>(motor, load, n_moments);
     const bool jumps   = friction.law == FrictionLaw::static_dynamic;
@@ -92,6 +103,10 @@ namespace ringmotor
     }
     throw ComputationError("the memory of the friction law did not settle in " +
                            std::to_string(most_rounds) + " rounds");
+  }
+  catch (const ComputationError &error)
+  {
+    throw ComputationError(error.what() + remedy(friction.law));
   }
 
   void SteadyDriver::start(const double preload)
