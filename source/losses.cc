@@ -5,6 +5,7 @@
 #include <ringmotor/output/losses_files.h>
 #include <ringmotor/output/modes_file.h>
 #include <ringmotor/output/text.h>
+#include <ringmotor/output/vtu.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/programs/run_program.h>
 #include <ringmotor/programs/run_results.h>
@@ -41,6 +42,7 @@ namespace ringmotor
       Log log;
       Phases phases;
       WaveEnergies wave;
+      SectorField body; ///< its strain energy from place to place
       std::vector<PointLosses> points;
     };
 
@@ -64,6 +66,7 @@ namespace ringmotor
       const auto scope        = phases.measure("losses");
       const std::string &from = parameters.output.directory;
       wave                    = read_wave_energies(from + "/stator/modes.h5", parameters);
+      body                    = read_wave_body(from + "/stator/modes.h5", parameters);
       for (const CurvePoint &point : read_contact_points(from + "/contact/contact.h5", parameters))
         points.push_back(
             {point, loss_budget(point, wave, parameters.materials, parameters.support)});
@@ -90,10 +93,14 @@ namespace ringmotor
       const double stored = wave.metal.value + wave.piezoceramic.value;
       summary.effects.push_back({"Felt support", 0.5 * wave.felt.value / stored, "off", 0., 0});
       require_certified(summary);
-      prepare_results(folder, "used\\.prm|losses\\.csv|efficiency\\.csv|summary\\.json");
+      prepare_results(folder,
+                      "used\\.prm|losses\\.csv|efficiency\\.csv|loss_density\\.vtu|summary\\.json");
       write_used_prm(folder + "used.prm", "losses", parameters);
       write_losses(folder + "losses.csv", points);
       write_efficiency(folder + "efficiency.csv", points);
+      if (parameters.output.vtu)
+        write_ring_scalar(folder + "loss_density.vtu", body, {"loss_density", 1, "W/m^3"},
+                          loss_density(body, parameters.materials));
       write_summary(folder + "summary.json", summary);
       log.line("results in " + folder);
     }

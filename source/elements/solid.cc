@@ -19,7 +19,30 @@ namespace ringmotor
       const double nu = material.poisson_ratio;
       return material.young_modulus * nu / ((1. + nu) * (1. - 2. * nu));
     }
+
+    /** Twice the strain energy per volume; @p slope (c, d) is the derivative of component c by d.
+     */
+    template <typename Slope>
+    double twice_energy_density(const double lambda, const double mu, const Slope &slope)
+    {
+      double divergence = 0., squares = 0.;
+      for (unsigned int c = 0; c < 3; ++c)
+      {
+        divergence += slope(c, c);
+        squares += 2. * slope(c, c) * slope(c, c);
+        const double shear = slope(c, (c + 1) % 3) + slope((c + 1) % 3, c);
+        squares += shear * shear;
+      }
+      return lambda * divergence * divergence + mu * squares;
+    }
   } // namespace
+
+  double strain_energy_density(const Material &material, const Tensor<2, 3> &displacement_gradient)
+  {
+    return 0.5 * twice_energy_density(first_lame_constant(material), shear_modulus(material),
+                                      [&](const unsigned int c, const unsigned int d)
+                                      { return displacement_gradient[c][d]; });
+  }
 
   SolidElement::SolidElement(const Mapping<3> &mapping, const FiniteElement<3> &fe)
       : fe(fe), scalar_values(mapping, fe.base_element(0), QGauss<3>(fe.degree + 1),
@@ -113,15 +136,7 @@ namespace ringmotor
       {
         const auto slope = [&](const unsigned int component, const unsigned int d)
         { return at_points(3 * q + d, 3 * field + component); };
-        double divergence = 0., squares = 0.;
-        for (unsigned int c = 0; c < 3; ++c)
-        {
-          divergence += slope(c, c);
-          squares += 2. * slope(c, c) * slope(c, c);
-          const double shear = slope(c, (c + 1) % 3) + slope((c + 1) % 3, c);
-          squares += shear * shear;
-        }
-        products[field] += scalar_values.JxW(q) * (lambda * divergence * divergence + mu * squares);
+        products[field] += scalar_values.JxW(q) * twice_energy_density(lambda, mu, slope);
       }
     return products;
   }

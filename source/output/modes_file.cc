@@ -203,4 +203,28 @@ namespace ringmotor
       energy->error += energy->value * frequency_error(file); // losses go with the frequency
     return energies;
   }
+
+  SectorField read_wave_body(const std::string &path, const Parameters &parameters)
+  {
+    const ModesFile file(path, parameters);
+    const std::string group = "/wave/body";
+    SectorField body;
+    body.order                  = file.attribute<unsigned int>(group, "order");
+    body.n_sectors              = parameters.motor.n_teeth;
+    body.nodal_diameter         = file.attribute<unsigned int>("/wave", "nodal_diameter");
+    body.angular_frequency      = file.attribute<double>("/wave", "angular_frequency_rad_per_s");
+    const std::size_t n_lattice = (body.order + 1) * (body.order + 1) * (body.order + 1);
+    const std::size_t n_cells   = file.dims(group + "/material").at(0);
+    const auto points = file.read<double>(group + "/points", {n_cells, n_lattice, 3}, "m");
+    const auto energy = file.read<double>(group + "/strain_energy", {n_cells, n_lattice}, "J/m^3");
+    const auto material = file.read<unsigned int>(group + "/material", {n_cells}, "1");
+    for (std::size_t i = 0; i < n_cells * n_lattice; ++i)
+    {
+      if (i % n_lattice == 0)
+        body.cells.push_back({{}, {}, {}, material[i / n_lattice]});
+      body.cells.back().points.emplace_back(points[3 * i], points[3 * i + 1], points[3 * i + 2]);
+      body.cells.back().strain_energy.push_back(energy[i]);
+    }
+    return body;
+  }
 } // namespace ringmotor

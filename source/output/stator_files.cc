@@ -3,6 +3,7 @@
 #include <ringmotor/output/hdf5.h>
 #include <ringmotor/output/stator_files.h>
 #include <ringmotor/output/table.h>
+#include <ringmotor/quantities/sector_field.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,8 @@ namespace ringmotor
 
   namespace
   {
+    constexpr unsigned int body_order = 2; ///< of the lattice in cells, for pictures
+
     constexpr double micrometre = 1e-6, millimetre = 1e-3, degree = numbers::PI / 180.;
 
     void write_mode_list(Hdf5Writer &file, const std::vector<FoundMode> &modes)
@@ -59,6 +62,28 @@ namespace ringmotor
       file.set_attribute(group, "order", trace.order);
     }
 
+    void write_body(Hdf5Writer &file, const std::string &group, const SectorField &body)
+    {
+      const std::size_t n_lattice = (body.order + 1) * (body.order + 1) * (body.order + 1);
+      std::vector<double> points, energy;
+      std::vector<unsigned int> material;
+      for (const SectorField::Cell &cell : body.cells)
+      {
+        for (const Point<3> &point : cell.points)
+          points.insert(points.end(), {point[0], point[1], point[2]});
+        energy.insert(energy.end(), cell.strain_energy.begin(), cell.strain_energy.end());
+        material.push_back(cell.material);
+      }
+      const std::size_t n_cells = body.cells.size();
+      file.write(group + "/points", points, {n_cells, n_lattice, 3}, "m",
+                 "x, y, z of a lattice of (order + 1)^3 points in each cell");
+      file.write(group + "/strain_energy", energy, {n_cells, n_lattice}, "J/m^3",
+                 "strain energy per volume at the points, the mean over a period");
+      file.write(group + "/material", material, {n_cells}, "1",
+                 "material of each cell: 1 base, 2 tooth, 3 piezoceramic");
+      file.set_attribute(group, "order", body.order);
+    }
+
     void write_wave(Hdf5Writer &file, const CyclicSector &sector, const WaveResult &wave)
     {
       const std::string group = "wave";
@@ -82,6 +107,7 @@ namespace ringmotor
       write_trace(file, "wave/tooth_foot",
                   surface_trace(sector, wave.found.mode, Surface::tooth_foot));
       write_trace(file, "wave/bottom", surface_trace(sector, wave.found.mode, Surface::bottom));
+      write_body(file, "wave/body", sample_sector(sector, wave.found.mode, body_order));
     }
   } // namespace
 

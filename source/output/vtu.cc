@@ -36,12 +36,12 @@ namespace ringmotor
       return turned(vector, place[0] / radius, -place[1] / radius);
     }
 
-    /** All sectors with the displacement at one moment. */
+    /** All sectors with a field and the material. */
     class Ring
     {
     public:
-      explicit Ring(const SectorField &field)
-          : field(field), output({{"displacement", 3, "m"}, {"material", 1, ""}}, field.order)
+      Ring(const SectorField &field, const FieldName &shown)
+          : field(field), output({shown, {"material", 1, ""}}, field.order)
       {
         output.reserve(field.n_sectors * field.cells.size());
         for (unsigned int sector = 0; sector < field.n_sectors; ++sector)
@@ -54,30 +54,20 @@ namespace ringmotor
               points.push_back(turned(point, cosine, sine));
             auto &data = output.add_patch(points).data;
             for (unsigned int point = 0; point < points.size(); ++point)
-              data(3, point) = cell.material;
+              data(shown.n_components, point) = cell.material;
           }
         }
       }
 
-      /** @param time_angle omega t */
-      void move_to(const double time_angle)
+      /** Calls @p fill(angle of the sector, number of the cell in it, data): components of the
+       * field are the first rows, points the columns. */
+      template <typename Fill>
+      void fill(const Fill &fill)
       {
         std::size_t index = 0;
         for (unsigned int sector = 0; sector < field.n_sectors; ++sector)
-        {
-          const double angle = angle_of(sector), cosine = std::cos(angle), sine = std::sin(angle);
-          const auto phase = std::polar(1., time_angle - field.nodal_diameter * angle);
-          for (const SectorField::Cell &cell : field.cells)
-          {
-            auto &data = output.patch(index++).data;
-            for (unsigned int point = 0; point < cell.points.size(); ++point)
-            {
-              const Vector motion = turned(cell.displacement[point], cosine, sine);
-              for (unsigned int d = 0; d < 3; ++d)
-                data(d, point) = std::real(phase * motion[d]);
-            }
-          }
-        }
+          for (std::size_t cell = 0; cell < field.cells.size(); ++cell)
+            fill(angle_of(sector), cell, output.patch(index++).data);
       }
 
       void write(const std::string &path) const { output.write(path); }
@@ -91,6 +81,24 @@ namespace ringmotor
       const SectorField &field;
       LatticeOutput<3> output;
     };
+
+    /** @param time_angle omega t */
+    void move(Ring &ring, const SectorField &field, const double time_angle)
+    {
+      ring.fill(
+          [&](const double angle, const std::size_t cell, auto &data)
+          {
+            const double cosine = std::cos(angle), sine = std::sin(angle);
+            const auto phase = std::polar(1., time_angle - field.nodal_diameter * angle);
+            const std::vector<Vector> &displacement = field.cells[cell].displacement;
+            for (unsigned int point = 0; point < displacement.size(); ++point)
+            {
+              const Vector motion = turned(displacement[point], cosine, sine);
+              for (unsigned int d = 0; d < 3; ++d)
+                data(d, point) = std::real(phase * motion[d]);
+            }
+          });
+    }
   } // namespace
 
   void write_sector(const std::string &path, const SectorField &field)
@@ -100,6 +108,7 @@ namespace ringmotor
                              {"amplitude_radial", 1, "m"},
                              {"amplitude_tangential", 1, "m"},
                              {"amplitude_axial", 1, "m"},
+                             {"strain_energy", 1, "J/m^3"},
                              {"material", 1, ""}},
                             field.order);
     output.reserve(field.cells.size());
@@ -116,7 +125,8 @@ namespace ringmotor
           data(3 + d, point) = motion[d].imag();
           data(6 + d, point) = std::abs(amplitude[d]);
         }
-        data(9, point) = cell.material;
+        data(9, point)  = cell.strain_energy[point];
+        data(10, point) = cell.material;
       }
     }
     output.write(path);
@@ -130,18 +140,31 @@ namespace ringmotor
     // A record of an earlier run must not survive beside frames of this one.
     std::remove(record.c_str());
 
-    Ring ring(field);
+    Ring ring(field, {"displacement", 3, "m"});
     const double period = 2. * numbers::PI / field.angular_frequency;
     std::vector<std::pair<double, std::string>> times_and_names;
     for (unsigned int frame = 0; frame < n_frames; ++frame)
     {
       const double fraction  = static_cast<double>(frame) / n_frames;
       const std::string name = base_name + "_" + Utilities::int_to_string(frame, 2) + ".vtu";
-      ring.move_to(2. * numbers::PI * fraction);
+      move(ring, field, 2. * numbers::PI * fraction);
       ring.write(folder + "/" + name);
       times_and_names.emplace_back(fraction * period, name);
     }
     write_pvd(record, times_and_names);
+  }
+
+  void write_ring_scalar(const std::string &path, const SectorField &field, const FieldName &name,
+                         const std::vector<std::vector<double>> &values)
+  {
+    Ring ring(field, name);
+    ring.fill(
+        [&](const double, const std::size_t cell, auto &data)
+        {
+          for (unsigned int point = 0; point < values[cell].size(); ++point)
+            data(0, point) = values[cell][point];
+        });
+    ring.write(path);
   }
 
   void write_pvd(const std::string &path,

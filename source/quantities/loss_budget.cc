@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/mesh/ids.h>
 #include <ringmotor/quantities/loss_budget.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -71,6 +72,20 @@ namespace ringmotor
       return {0., output.error / loss.value};
     return {output.value / input,
             (loss.value * output.error + output.value * loss.error) / (input * input)};
+  }
+
+  std::vector<std::vector<double>> loss_density(const SectorField &wave, const Materials &materials)
+  {
+    std::vector<std::vector<double>> density;
+    for (const SectorField::Cell &cell : wave.cells)
+    {
+      const Material &material =
+          cell.material == ids::piezoceramic ? materials.piezoceramic : materials.stator_metal;
+      density.push_back(cell.strain_energy);
+      for (double &value : density.back())
+        value *= 2. * material.loss_factor * wave.angular_frequency;
+    }
+    return density;
   }
 
   LossBudget loss_budget(const CurvePoint &point, const WaveEnergies &wave,

@@ -121,6 +121,18 @@ namespace
     EXPECT_LT(worst, tolerance) << name;
   }
 
+  void expect_energies(const VtuFile &file, const std::string &name, const WaveRing &ring,
+                       const double factor)
+  {
+    const auto places = file.vectors("");
+    const auto values = file.array<float>(name);
+    ASSERT_EQ(places.size(), values.size());
+    for (std::size_t i = 0; i < places.size(); ++i)
+      EXPECT_NEAR(values[i],
+                  factor * ring.energy(std::hypot(places[i][0], places[i][1]), places[i][2]),
+                  1e-4 * factor);
+  }
+
   void expect_materials(const VtuFile &file, const WaveRing &ring)
   {
     // Points are not shared by cells: on the interface, half the points belong to each material.
@@ -162,6 +174,33 @@ TEST(Vtu, SectorShowsTheComplexAmplitude)
       EXPECT_NEAR(amplitudes[i], std::abs(ring.profile(radius, places[i][2])[d]), tolerance);
     }
   }
+  expect_energies(file, "strain_energy", ring, 1.);
+}
+
+TEST(Vtu, RingShowsAScalarInAllSectors)
+{
+  const Scratch scratch;
+  const WaveRing ring;
+  const SectorField field = ring.field();
+  std::vector<std::vector<double>> values;
+  for (const SectorField::Cell &cell : field.cells)
+  {
+    values.push_back(cell.strain_energy);
+    for (double &value : values.back())
+      value *= 3.;
+  }
+  write_ring_scalar(scratch.path("ring.vtu"), field, {"loss", 1, "W/m^3"}, values);
+  const VtuFile file(scratch.path("ring.vtu"));
+  EXPECT_EQ(file.count("Cells"), 8u * ring.n_sectors);
+  expect_materials(file, ring);
+  expect_energies(file, "loss", ring, 3.);
+  double x = 0., y = 0.; // sectors all around
+  for (const auto &place : file.vectors(""))
+  {
+    x += place[0];
+    y += place[1];
+  }
+  EXPECT_LT(std::hypot(x, y), 1e-6 * file.count("Points") * ring.outer_radius);
 }
 
 TEST(Vtu, CellsAreLagrangeHexahedraInTheOrderOfVtk)

@@ -42,6 +42,9 @@ namespace ringmotor::tests
                amplitude * radius / outer_radius}};
     }
 
+    /** What stands for the strain energy per volume, J/m^3. */
+    double energy(const double radius, const double z) const { return 1e3 * radius + 5e4 * z * z; }
+
     /** Displacement at a place of the ring at the time angle omega t, Cartesian. */
     std::array<double, 3> motion(const std::array<double, 3> &place, const double time_angle) const
     {
@@ -93,6 +96,7 @@ namespace ringmotor::tests
                 {{phase * (values[0] * std::cos(theta) - values[1] * std::sin(theta)),
                   phase * (values[0] * std::sin(theta) + values[1] * std::cos(theta)),
                   phase * values[2]}});
+            result.strain_energy.push_back(energy(radius, z));
           }
       return result;
     }

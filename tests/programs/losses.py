@@ -6,14 +6,17 @@ Usage: tests/programs/losses.py STATOR CONTACT LOSSES [unittest arguments]
 
 What is compared: files with each other; losses that a change of a loss factor must scale.
 """
+import base64
 import json
 import pathlib
 import shutil
 import sys
 import tempfile
 import unittest
+import zlib
 
 import h5py
+import numpy as np
 
 sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
 from program import QUICK, rows_of, run  # noqa: E402
@@ -21,6 +24,14 @@ from program import QUICK, rows_of, run  # noqa: E402
 STATOR, CONTACT, LOSSES = sys.argv.pop(1), sys.argv.pop(1), sys.argv.pop(1)
 PARTS = ("friction_loss", "internal_loss_stator_metal", "internal_loss_piezoceramic", "internal_loss_rotor",
          "support_loss")
+
+
+def vtu_array(path, name, dtype=np.float32):
+    """An array of a VTU file by its name, the positions for none."""
+    text = path.read_text()
+    tag = text.index(f'Name="{name}"' if name else "<Points>")
+    code = text[text.index("\n", text.index("binary", tag)):].split()[0]
+    return np.frombuffer(zlib.decompress(base64.b64decode(code[24:])), dtype=dtype)
 
 
 def numbers(path):
@@ -76,6 +87,22 @@ class Losses(unittest.TestCase):
             self.assertTrue(0 <= power["efficiency"] < 1)
         # Between no load and stall the motor does work.
         self.assertGreater(efficiency[1]["efficiency"], 0.1)
+
+    def test_the_loss_density_adds_up(self):
+        losses, _, _ = self.results("Output/VTU = true")
+        path = self.case / "losses" / "loss_density.vtu"
+        # Quadratic cells, corners first, then edges, faces and the inside; Simpson's rule.
+        nodes = vtu_array(path, "connectivity", np.int32).reshape(-1, 27)
+        points = vtu_array(path, "").reshape(-1, 3).astype(float)[nodes]
+        density = vtu_array(path, "loss_density").astype(float)[nodes]
+        weights = np.repeat((1., 4., 16., 64.), (8, 12, 6, 1)) / 216
+        along = [points[:, ends].mean(axis=1) - points[:, starts].mean(axis=1) for starts, ends in
+                 (((0, 3, 4, 7), (1, 2, 5, 6)), ((0, 1, 4, 5), (3, 2, 7, 6)), ((0, 1, 2, 3), (4, 5, 6, 7)))]
+        volumes = np.einsum("ci,ci->c", along[0], np.cross(along[1], along[2]))
+        self.assertGreater(volumes.min(), 0)
+        found = 1e3 * (volumes * (density @ weights)).sum()
+        expected = losses[0]["internal_loss_stator_metal_mW"] + losses[0]["internal_loss_piezoceramic_mW"]
+        self.assertAlmostEqual(found, expected, delta=0.03 * expected)
 
     def test_the_wave_loses_twice_omega_times_its_energy(self):
         losses, _, _ = self.results("Materials/Stator metal/Loss factor = 0.003",

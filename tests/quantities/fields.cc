@@ -7,6 +7,7 @@
 #include "support/materials.h"
 
 #include <ringmotor/mesh/stator_sector.h>
+#include <ringmotor/quantities/energy.h>
 #include <ringmotor/quantities/sector_field.h>
 #include <ringmotor/quantities/surface_trace.h>
 #include <ringmotor/quantities/tooth_motion.h>
@@ -56,9 +57,8 @@ namespace
     CyclicSector sector;
     Mode mode;
 
-    explicit Wave(const SectorForm form)
-        : mesh(make_stator_sector(StatorGeometry(), n_teeth, form, SectorGrading::level(1),
-                                  MPI_COMM_WORLD)),
+    explicit Wave(const SectorForm form, const StatorGeometry &stator = StatorGeometry())
+        : mesh(make_stator_sector(stator, n_teeth, form, SectorGrading::level(1), MPI_COMM_WORLD)),
           sector(mesh, stator_materials(), 2), mode(lowest())
     {
       normalise_to_amplitude(mode, tooth_points(sector), 2e-6);
@@ -79,6 +79,40 @@ namespace
       for (unsigned int i = 0; i < cell.points.size(); ++i)
         motions[place(cell.points[i])] = cylindrical(cell.points[i], cell.displacement[i]);
     return motions;
+  }
+
+  /** The integral of the strain energy over the cells, from the corners of the lattice's boxes. */
+  std::map<dealii::types::material_id, double> stored(const SectorField &field)
+  {
+    const unsigned int n = field.order + 1; // points of the lattice in a direction
+    std::map<dealii::types::material_id, double> energy;
+    for (const SectorField::Cell &cell : field.cells)
+      for (unsigned int box = 0; box < n * n * n; ++box)
+      {
+        if (box % n == n - 1 || box / n % n == n - 1 || box / (n * n) == n - 1)
+          continue; // no box begins here
+        double mean = 0.;
+        std::array<dealii::Tensor<1, 3>, 3> edge; // means of four edges
+        for (unsigned int corner = 0; corner < 8; ++corner)
+        {
+          const unsigned int i = box + corner % 2 + n * (corner / 2 % 2) + n * n * (corner / 4);
+          mean += cell.strain_energy[i] / 8.;
+          for (unsigned int d = 0; d < 3; ++d)
+            edge[d] +=
+                ((corner >> d) % 2 == 1 ? 0.25 : -0.25) * dealii::Tensor<1, 3>(cell.points[i]);
+        }
+        energy[cell.material] += mean * (edge[0] * dealii::cross_product_3d(edge[1], edge[2]));
+      }
+    return energy;
+  }
+
+  /** Compares them with those of the matrices, by material. */
+  void expect_energy(const CyclicSector &sector, const Mode &mode, const double tolerance)
+  {
+    const auto found          = stored(sample_sector(sector, mode, 16));
+    const WaveEnergy expected = wave_energy(sector, mode);
+    for (const auto &[material, energy] : expected.strain)
+      EXPECT_NEAR(found.at(material) * n_teeth, energy, tolerance * energy) << int(material);
   }
 
   class Fields : public testing::TestWithParam<SectorForm>
@@ -121,9 +155,23 @@ TEST_P(Fields, AreSampledOnRightHandedCells)
   }
 }
 
+TEST_P(Fields, StoreTheStrainEnergyOfTheWave)
+{
+  const Wave wave(GetParam());
+  expect_energy(wave.sector, wave.mode, 0.005);
+}
+
 INSTANTIATE_TEST_SUITE_P(Forms, Fields, testing::Values(SectorForm::half, SectorForm::whole),
                          [](const auto &info)
                          { return info.param == SectorForm::half ? "Half" : "Whole"; });
+
+TEST(Field, StoresTheStrainEnergyOfAShell)
+{
+  StatorGeometry stator;
+  stator.piezoceramic_element = ElementKind::shell;
+  const Wave wave(SectorForm::half, stator);
+  expect_energy(wave.sector, wave.mode, 0.005);
+}
 
 TEST(Field, IsTheSameOfHalfAndWholeSector)
 {

@@ -3,6 +3,7 @@
 
 #include <ringmotor/parameters/materials.h>
 
+#include <deal.II/base/tensor.h>
 #include <deal.II/fe/fe.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping.h>
@@ -13,6 +14,11 @@
 
 namespace ringmotor
 {
+  /** Strain energy per volume (J/m^3) of a linear elastic material where the displacement has this
+   * gradient: row c has the derivatives of component c. */
+  double strain_energy_density(const Material &material,
+                               const dealii::Tensor<2, 3> &displacement_gradient);
+
   /**
    * An isotropic linear elastic solid in FESystem(FE_Q(p), 3), Cartesian displacement components in
    * m: cell matrices, and energies of given motions, which cost much less. Integration with

@@ -41,7 +41,7 @@ namespace ringmotor
     std::vector<ShapeNumber> shape;
   };
 
-  constexpr unsigned int modes_format_version = 3;
+  constexpr unsigned int modes_format_version = 4;
 
   /** `frequencies.csv`: all modes with their error bars and their content. */
   void write_frequencies(const std::string &path, const std::vector<FoundMode> &modes);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/output/lattice_output.h>
 #include <ringmotor/quantities/sector_field.h>
 
 #include <string>
@@ -13,8 +14,8 @@ namespace ringmotor
    * Writes one sector as a VTU file of Lagrange cells. Point fields: `displacement_real`,
    * `displacement_imaginary` (Cartesian vectors, m; the motion is real cos(omega t) - imaginary
    * sin(omega t)), `amplitude_radial`, `amplitude_tangential`, `amplitude_axial` (zero-to-peak, m;
-   * three scalars, as the components of a vector would be called X, Y, Z on the screen), `material`
-   * (see mesh/ids.h).
+   * three scalars, as the components of a vector would be called X, Y, Z on the screen),
+   * `strain_energy` (per volume, J/m^3, the mean over a period), `material` (see mesh/ids.h).
    *
    * @throw UserError if the disk refuses
    */
@@ -30,6 +31,16 @@ namespace ringmotor
    */
   void write_ring_animation(const std::string &folder, const std::string &base_name,
                             const SectorField &field, unsigned int n_frames);
+
+  /**
+   * Writes the whole ring with a scalar that is the same in all sectors and `material`, as a VTU
+   * file of Lagrange cells.
+   *
+   * @param values by cell of the sector, then by point of the cell
+   * @throw UserError if the disk refuses
+   */
+  void write_ring_scalar(const std::string &path, const SectorField &field, const FieldName &name,
+                         const std::vector<std::vector<double>> &values);
 
   /** Writes a list of VTU files, each with its time (or whatever ParaView's time shall stand for).
    * Neighbours in the list with the same time are parts of one picture. */

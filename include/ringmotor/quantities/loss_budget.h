@@ -3,6 +3,7 @@
 
 #include <ringmotor/parameters/parameters.h>
 #include <ringmotor/quantities/frequency_error.h>
+#include <ringmotor/quantities/sector_field.h>
 #include <ringmotor/quantities/torque_speed.h>
 
 namespace ringmotor
@@ -42,6 +43,11 @@ namespace ringmotor
     /** Output over output and total loss; 0 for a motor that is driven from outside. */
     Estimate efficiency() const;
   };
+
+  /** Power lost per volume (W/m^3, the mean over a period) in the stator that moves by its wave: by
+   * cell, then by point of the cell. */
+  std::vector<std::vector<double>> loss_density(const SectorField &wave,
+                                                const Materials &materials);
 
   LossBudget loss_budget(const CurvePoint &point, const WaveEnergies &wave,
                          const Materials &materials, const Support &felt);

@@ -26,6 +26,9 @@ namespace ringmotor
       std::vector<dealii::Point<3>> points;
       /** Cartesian complex displacement amplitudes in m at these positions. */
       std::vector<std::array<std::complex<double>, 3>> displacement;
+      /** Strain energy per volume in J/m^3 there, the mean over a period. In a shell it is that of
+       * the whole cell. */
+      std::vector<double> strain_energy;
       /** Material of the cell, see mesh/ids.h. */
       dealii::types::material_id material;
     };
