@@ -1,0 +1,91 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The three programs one after the other, interrupted again and again.
+
+Usage: tests/programs/interruption.py STATOR CONTACT LOSSES [unittest arguments]
+
+What is compared: every file that an interruption has left is complete; what is resumed has the numbers of a run that
+nobody has interrupted.
+"""
+import csv
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+import xml.etree.ElementTree
+
+import h5py
+
+sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
+from program import QUICK, rows_of  # noqa: E402
+
+PROGRAMS = [sys.argv.pop(1) for _ in range(3)]
+
+
+def start(folder, *options):
+    """All programs, as long as none fails, in a process group of their own."""
+    commands = [f'"{program}" "{QUICK}" --output "{folder}"' for program in PROGRAMS]
+    commands[1] += " " + " ".join(options)
+    return subprocess.Popen(["bash", "-c", " && ".join(commands)], stdout=subprocess.DEVNULL, start_new_session=True)
+
+
+def check_complete(path):
+    """Fails unless a file can be read to its end. Kept files have a checksum, which --resume looks at."""
+    if path.suffix == ".json":
+        json.loads(path.read_text())
+    elif path.suffix == ".h5":
+        with h5py.File(path) as file:
+            file.visititems(lambda _, item: item[()] if isinstance(item, h5py.Dataset) else None)
+    elif path.suffix in (".vtu", ".pvd"):
+        xml.etree.ElementTree.parse(path)
+    elif path.suffix == ".csv":
+        with open(path, newline="") as file:
+            assert len({len(row) for row in csv.reader(file)}) == 1, path
+    elif path.suffix == ".prm":
+        assert path.read_text().rstrip().endswith("end"), path
+    else:
+        # What was being written has the ending that says so.
+        assert path.suffix == ".part" or "kept" in path.parts, path
+
+
+def numbers(folder):
+    """All results but the seconds."""
+    found = []
+    for path in ("stator/frequencies.csv", "stator/ellipses.csv", "contact/torque_speed.csv", "contact/history.csv",
+                 "losses/losses.csv", "losses/efficiency.csv"):
+        found += [{key: value for key, value in row.items() if key != "seconds"} for row in rows_of(folder / path)]
+    return found
+
+
+class Interruption(unittest.TestCase):
+    def test_leaves_complete_files_and_is_resumed(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            undisturbed, disturbed = pathlib.Path(scratch) / "undisturbed", pathlib.Path(scratch) / "disturbed"
+            begin = time.monotonic()
+            self.assertEqual(start(undisturbed).wait(), 0)
+            seconds = time.monotonic() - begin
+            n_seen = 0
+            for share, how in ((0.15, signal.SIGINT), (0.5, signal.SIGINT), (0.7, signal.SIGKILL), (0.9, signal.SIGINT),
+                               (0.95, signal.SIGKILL)):
+                run = start(disturbed, "--resume")
+                try:
+                    run.wait(timeout=share * seconds)
+                except subprocess.TimeoutExpired:
+                    os.killpg(run.pid, how)
+                run.wait()
+                for path in (path for path in disturbed.rglob("*") if path.is_file()):
+                    check_complete(path)
+                    n_seen += 1
+            self.assertGreater(n_seen, 10)
+            self.assertEqual(start(disturbed, "--resume").wait(), 0)
+            self.assertEqual(numbers(disturbed), numbers(undisturbed))
+            self.assertEqual(list(disturbed.rglob("*.part")), [])
+
+
+if __name__ == "__main__":
+    unittest.main()
