@@ -68,8 +68,8 @@ namespace ringmotor
       wave                    = read_wave_energies(from + "/stator/modes.h5", parameters);
       body                    = read_wave_body(from + "/stator/modes.h5", parameters);
       for (const CurvePoint &point : read_contact_points(from + "/contact/contact.h5", parameters))
-        points.push_back(
-            {point, loss_budget(point, wave, parameters.materials, parameters.support)});
+        points.push_back({point, loss_budget(point, wave, parameters.materials, parameters.support),
+                          budgets_by_cause(point, wave, parameters.materials, parameters.support)});
     }
 
     void LossesProgram::report()
@@ -88,7 +88,7 @@ namespace ringmotor
       if (!speaks)
         return;
       Summary summary = begin_summary("losses", parameters, phases);
-      add_losses(summary, points);
+      add_losses(summary, points, phases.seconds().front().second / points.size());
       // A foundation that stores the energy E raises the frequency by E over twice the wave's.
       const double stored = wave.metal.value + wave.piezoceramic.value;
       summary.effects.push_back({"Felt support", 0.5 * wave.felt.value / stored, "off", 0., 0});

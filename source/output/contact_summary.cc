@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace ringmotor
 {
@@ -18,15 +19,15 @@ namespace ringmotor
                       double PointError::*const component)
     {
       const bool of_torque = point.request.control == Control::torque;
+      std::map<std::string, double> causes;
+      for (const auto &[cause, error] : point.errors.causes())
+        causes[cause] = error.*component;
       summary.quantities.push_back(
           {name,
            value,
            unit,
            point.errors.total().*component,
-           {{"meshes of bodies and interface", point.errors.mesh.*component},
-            {"time step", point.errors.time.*component},
-            {"wave of the stator", point.errors.wave.*component},
-            {"algebra", point.errors.algebra.*component}},
+           causes,
            point.seconds,
            {{of_torque ? "torque_Nm" : "speed_rad_per_s", point.request.value}}});
     }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace ringmotor
 {
@@ -21,6 +22,16 @@ namespace ringmotor
               {"internal_loss_rotor", budget.rotor},
               {"support_loss", budget.support},
               {"total_loss", budget.total()}};
+    }
+
+    /** All quantities of a point by their names in `summary.json`. */
+    std::vector<std::pair<std::string, Estimate>> quantities_of(const LossBudget &budget)
+    {
+      auto quantities = parts_of(budget);
+      quantities.emplace_back("internal_loss_stator", budget.stator());
+      quantities.emplace_back("output_power", budget.output);
+      quantities.emplace_back("efficiency", budget.efficiency());
+      return quantities;
     }
 
     std::string with_error(const Estimate &estimate, const double unit, const int digits)
@@ -81,28 +92,27 @@ namespace ringmotor
     table.write(path);
   }
 
-  void add_losses(Summary &summary, const std::vector<PointLosses> &points)
+  void add_losses(Summary &summary, const std::vector<PointLosses> &points, const double seconds)
   {
     double worst_imbalance = 0., outside = 0.;
     for (const PointLosses &losses : points)
     {
-      const LossBudget &budget  = losses.budget;
-      const Estimate efficiency = budget.efficiency();
-      auto quantities           = parts_of(budget);
-      quantities.emplace_back("internal_loss_stator", budget.stator());
-      quantities.emplace_back("output_power", budget.output);
-      quantities.emplace_back("efficiency", efficiency);
-      for (const auto &[name, estimate] : quantities)
+      std::map<std::string, std::map<std::string, double>> causes; // by quantity
+      for (const auto &[cause, budget] : losses.by_cause)
+        for (const auto &[name, estimate] : quantities_of(budget))
+          causes[name][cause] = estimate.error;
+      for (const auto &[name, estimate] : quantities_of(losses.budget))
         summary.quantities.push_back({name,
                                       estimate.value,
                                       name == "efficiency" ? "1" : "W",
                                       estimate.error,
-                                      {{"wave and operating point", estimate.error}},
-                                      0.,
+                                      causes[name],
+                                      seconds,
                                       {{"torque_Nm", losses.point.result.torque},
                                        {"speed_rad_per_s", losses.point.result.speed}}});
-      worst_imbalance = std::max(worst_imbalance, losses.imbalance());
-      outside         = std::max({outside, -efficiency.value, efficiency.value - 1.});
+      const Estimate efficiency = losses.budget.efficiency();
+      worst_imbalance           = std::max(worst_imbalance, losses.imbalance());
+      outside                   = std::max({outside, -efficiency.value, efficiency.value - 1.});
     }
     summary.certificate.push_back(
         {"power put into the motor against output and losses, relative", worst_imbalance, 1e-3});

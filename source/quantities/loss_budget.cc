@@ -28,6 +28,24 @@ namespace ringmotor
     {
       return {factor * estimate.value, std::abs(factor) * estimate.error};
     }
+
+    LossBudget budget_of(const CurvePoint &point, const PointError &error, const WaveEnergies &wave,
+                         const Materials &materials, const Support &felt)
+    {
+      const OperatingPoint &result = point.result;
+      const double twice_omega     = 2. * wave.angular_frequency;
+      LossBudget budget;
+      budget.output       = {result.output_power(), std::abs(result.torque) * error.speed +
+                                                        std::abs(result.speed) * error.torque};
+      budget.friction     = {result.friction_loss(), error.loss};
+      budget.stator_metal = scaled(twice_omega * materials.stator_metal.loss_factor, wave.metal);
+      budget.piezoceramic =
+          scaled(twice_omega * materials.piezoceramic.loss_factor, wave.piezoceramic);
+      budget.rotor =
+          scaled(materials.rotor_metal.loss_factor, {point.rotor_power, error.rotor_power});
+      budget.support = scaled(twice_omega * felt.felt_loss_factor, wave.felt);
+      return budget;
+    }
   } // namespace
 
   double felt_energy(const Support &felt, const StatorGeometry &stator, const unsigned int n_teeth,
@@ -91,19 +109,22 @@ namespace ringmotor
   LossBudget loss_budget(const CurvePoint &point, const WaveEnergies &wave,
                          const Materials &materials, const Support &felt)
   {
-    const OperatingPoint &result = point.result;
-    const PointError error       = point.errors.total();
-    const double twice_omega     = 2. * wave.angular_frequency;
-    LossBudget budget;
-    budget.output       = {result.output_power(),
-                           std::abs(result.torque) * error.speed + std::abs(result.speed) * error.torque};
-    budget.friction     = {result.friction_loss(), error.loss};
-    budget.stator_metal = scaled(twice_omega * materials.stator_metal.loss_factor, wave.metal);
-    budget.piezoceramic =
-        scaled(twice_omega * materials.piezoceramic.loss_factor, wave.piezoceramic);
-    budget.rotor =
-        scaled(materials.rotor_metal.loss_factor, {point.rotor_power, error.rotor_power});
-    budget.support = scaled(twice_omega * felt.felt_loss_factor, wave.felt);
-    return budget;
+    return budget_of(point, point.errors.total(), wave, materials, felt);
+  }
+
+  std::vector<std::pair<std::string, LossBudget>> budgets_by_cause(const CurvePoint &point,
+                                                                   const WaveEnergies &wave,
+                                                                   const Materials &materials,
+                                                                   const Support &felt)
+  {
+    WaveEnergies exact_wave = wave;
+    for (Estimate *energy : {&exact_wave.metal, &exact_wave.piezoceramic, &exact_wave.felt})
+      energy->error = 0.;
+    std::vector<std::pair<std::string, LossBudget>> budgets;
+    for (const auto &[cause, error] : point.errors.causes())
+      budgets.emplace_back(cause, budget_of(point, error,
+                                            cause == PointErrors::by_wave ? wave : exact_wave,
+                                            materials, felt));
+    return budgets;
   }
 } // namespace ringmotor

@@ -70,11 +70,19 @@ namespace ringmotor
     }
   } // namespace
 
+  std::vector<std::pair<std::string, PointError>> PointErrors::causes() const
+  {
+    return {{"meshes of bodies and interface", mesh},
+            {"time step", time},
+            {by_wave, wave},
+            {"algebra", algebra}};
+  }
+
   PointError PointErrors::total() const
   {
     PointError sum;
-    for (const PointError &part : {mesh, time, wave, algebra})
-      sum += part;
+    for (const auto &cause : causes())
+      sum += cause.second;
     return sum;
   }
 

@@ -71,6 +71,12 @@ class Losses(unittest.TestCase):
     def test_the_power_adds_up(self):
         losses, efficiency, summary = self.results()
         self.assertTrue(summary["certificate"]["holds"])
+        for quantity in summary["quantities"]:
+            self.assertAlmostEqual(sum(quantity["error_causes"].values()), quantity["error"], delta=1e-9)
+            self.assertGreater(quantity["seconds"], 0)
+            only_wave = "stator" in quantity["name"] or quantity["name"] in ("internal_loss_piezoceramic", "support_loss")
+            if quantity["error"] > 0:  # there is no output without load
+                self.assertEqual(quantity["error_causes"]["time step"] == 0, only_wave, quantity["name"])
         curve = [{key: float(value) for key, value in row.items() if key != "control"}
                  for row in rows_of(self.case / "contact" / "torque_speed.csv")]
         self.assertEqual(len(losses), len(curve))

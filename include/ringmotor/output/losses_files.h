@@ -14,6 +14,7 @@ namespace ringmotor
   {
     CurvePoint point;
     LossBudget budget;
+    std::vector<std::pair<std::string, LossBudget>> by_cause; ///< see budgets_by_cause()
 
     /** Power that numbers lose at the contact, over all power put into the motor. */
     double imbalance() const;
@@ -28,6 +29,7 @@ namespace ringmotor
   /** `efficiency.csv`: power that goes in and out at each operating point. */
   void write_efficiency(const std::string &path, const std::vector<PointLosses> &points);
 
-  /** Adds the quantities of the points to a summary, and the certificates of their balance. */
-  void add_losses(Summary &summary, const std::vector<PointLosses> &points);
+  /** Adds the quantities of the points to a summary, and the certificates of their balance.
+   * @param seconds that finding the losses of a point took */
+  void add_losses(Summary &summary, const std::vector<PointLosses> &points, const double seconds);
 } // namespace ringmotor

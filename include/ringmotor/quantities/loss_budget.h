@@ -51,4 +51,11 @@ namespace ringmotor
 
   LossBudget loss_budget(const CurvePoint &point, const WaveEnergies &wave,
                          const Materials &materials, const Support &felt);
+
+  /** The same, each with the errors of one cause alone, see PointErrors; those of all add up to the
+   * error of the whole. The stator's wave also makes those of what it stores. */
+  std::vector<std::pair<std::string, LossBudget>> budgets_by_cause(const CurvePoint &point,
+                                                                   const WaveEnergies &wave,
+                                                                   const Materials &materials,
+                                                                   const Support &felt);
 } // namespace ringmotor

@@ -52,6 +52,9 @@ namespace ringmotor
     PointError wave;    ///< the stator's wave, as the program `stator` knows it
     PointError algebra; ///< what the solver leaves of the laws of contact and friction
 
+    static constexpr const char *by_wave = "wave of the stator"; ///< name of that cause
+    /** Each of them with its name. */
+    std::vector<std::pair<std::string, PointError>> causes() const;
     /** The sum of all. */
     PointError total() const;
 
