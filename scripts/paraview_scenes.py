@@ -15,7 +15,7 @@ from paraview.simple import *  # noqa: F403: as ParaView's own scripts do
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 SIZE = (1000, 560)  # of a picture, in pixels
-VIEW_ANGLE = 30.0  # of the camera, in degrees, from top to bottom
+VIEW_ANGLE = 18.0  # of the camera, in degrees, from top to bottom
 METAL, BLUE, ORANGE, GREY = (0.86, 0.86, 0.86), (0.0, 0.447, 0.698), (0.835, 0.369, 0.0), (0.62, 0.62, 0.62)
 HEAT = [METAL, (0.99, 0.80, 0.35), (0.96, 0.49, 0.20), (0.74, 0.15, 0.22), (0.31, 0.03, 0.25)]
 WAVE = [(0.23, 0.30, 0.75), (0.55, 0.69, 1.0), (0.87, 0.87, 0.87), (0.96, 0.60, 0.48), (0.71, 0.02, 0.15)]
@@ -28,7 +28,7 @@ class SceneError(Exception):
 
 def read(path, program, *fields):
     """ParaView's reader of a file that has these point fields."""
-    reader = OpenDataFile(path)
+    reader = OpenDataFile(path, registrationName=os.path.basename(path))
     reader.UpdatePipeline()
     for field in fields:
         if field not in reader.PointData.keys():
@@ -48,15 +48,16 @@ def ring_size(points):
     return np.hypot(points[:, 0], points[:, 1]).max(), points[:, 2].min(), points[:, 2].max()
 
 
-def wavelength(folder, radius):
-    """Of the motor's wave along a circle; Motor is the first section of the parameters."""
+def read_counts(folder):
+    """Numbers of waves and of teeth around the ring; Motor is the first section of the parameters."""
     path = os.path.join(folder, "used.prm")
     try:
         with open(path) as file:
-            waves = int(re.search(r"set Number of waves *= *(\d+)", file.read())[1])
-    except (OSError, TypeError):
-        raise SceneError(f"{path} has no Motor/Number of waves; run the program {os.path.basename(folder)} again") from None
-    return 2 * math.pi * radius / waves
+            text = file.read()
+        return [int(re.search(rf"set Number of {name} *= *(\d+)", text)[1]) for name in ("waves", "teeth")]
+    except (OSError, TypeError, ValueError):
+        raise SceneError(f"{path} does not tell Motor/Number of waves and of teeth; run the program "
+                         f"{os.path.basename(folder)} again") from None
 
 
 def rounded(value):
@@ -64,10 +65,10 @@ def rounded(value):
     return float(f"{value:.0e}")
 
 
-def wave_scale(displacement, length, radius):
-    """Factor that makes a wave well seen, but neither steep nor higher than the ring is slim."""
+def wave_scale(displacement, waves, radius):
+    """Factor that makes a wave well seen: neither steep nor, of long waves, high."""
     largest = np.linalg.norm(displacement, axis=-1).max()
-    return rounded(min(length / 16, radius / 18) / largest) if largest > 0 else 1.0
+    return rounded(min(2 * math.pi / waves / 16, 1 / 18) * radius / largest) if largest > 0 else 1.0
 
 
 def with_prefix(largest, unit):
@@ -84,6 +85,14 @@ def upwards(value):
     return math.ceil(value / step - 1e-6) * step
 
 
+def part_of_ring(source, outwards, reach):
+    """Cells up to an angle away from a direction, as they are: cutting them would smooth jumps between materials."""
+    cosine = f"({outwards[0]}*coordsX+{outwards[1]}*coordsY)/sqrt(coordsX^2+coordsY^2)"
+    turned = Calculator(Input=source, AttributeType="Point Data", ResultArrayName="cosine", Function=cosine)
+    return Threshold(Input=turned, Scalars=("POINTS", "cosine"), LowerThreshold=math.cos(min(1.001 * reach, math.pi)),
+                     UpperThreshold=2)
+
+
 def new_view(title):
     view = CreateView("RenderView")
     view.ViewSize = SIZE
@@ -91,10 +100,10 @@ def new_view(title):
     view.Background = (1, 1, 1)
     view.OrientationAxesVisibility = 0
     view.CameraViewAngle = VIEW_ANGLE
-    text = Text(Text=title)
-    shown = Show(text, view)
+    shown = Show(Text(Text=title), view)
     shown.WindowLocation = "Upper Left Corner"
     shown.Color, shown.FontSize = (0.1, 0.1, 0.1), 14
+    shown.Justification = "Left"
     return view
 
 
@@ -115,6 +124,7 @@ def bar_style(view, colors, title):
     bar.TitleFontSize, bar.LabelFontSize = 14, 13
     bar.WindowLocation, bar.Position, bar.ScalarBarLength = "Any Location", (0.875, 0.25), 0.5
     bar.Orientation = "Vertical"
+    bar.AddRangeLabels = 0
     return bar
 
 
@@ -134,33 +144,40 @@ def scaled(source, field, factor, name):
     return Calculator(Input=source, AttributeType="Point Data", ResultArrayName=name, Function=f"{field}*{factor!r}")
 
 
-def show_plain(source, view, color=METAL):
+def show(source, view):
+    """As surface, in light that leaves its colours those of the colour bar nearly."""
     shown = Show(source, view)
     shown.Representation = "Surface"
-    shown.ColorArrayName = ("POINTS", "")
-    shown.AmbientColor = shown.DiffuseColor = color
+    shown.Ambient, shown.Diffuse = 0.45, 0.6
     return shown
+
+
+def show_plain(source, view):
+    shown = show(source, view)
+    shown.ColorArrayName = ("POINTS", "")
+    shown.AmbientColor = shown.DiffuseColor = METAL
 
 
 def wave_view(case, _):
     reader = read(os.path.join(case, "stator", "ring.pvd"), "stator", "displacement")
     points, displacement = points_and(reader, "displacement")
     radius, bottom, top = ring_size(points)
-    scale = wave_scale(displacement, wavelength(os.path.join(case, "stator"), radius), radius)
+    scale = wave_scale(displacement, read_counts(os.path.join(case, "stator"))[0], radius)
     largest = upwards(np.abs(displacement[:, 2]).max())
     factor, unit = with_prefix(largest, "m")
     view = new_view(f"Travelling wave, displacement {scale:g} times larger")
     warped = WarpByVector(Input=scaled(reader, "displacement_Z", factor, "axial displacement"),
                           Vectors=("POINTS", "displacement"), ScaleFactor=scale)
-    shown = Show(warped, view)
-    shown.Representation = "Surface"
+    shown = show(warped, view)
     color_by(shown, view, "axial displacement", WAVE, -largest * factor, largest * factor, f"axial displacement, {unit}")
-    look(view, (0, 0, (bottom + top) / 2), (0, -1, 0.75), 2.75 * radius)
+    look(view, (0, 0, (bottom + top) / 2), (0, -1, 0.75), 3.0 * radius)
     return view
 
 
 class Crest:
     """Teeth around the crest with the largest pressure, at one operating point."""
+
+    REACH = 0.35  # of what is shown to both sides, in wavelengths
 
     def __init__(self, case, torque):
         folder = os.path.join(case, "contact")
@@ -170,22 +187,31 @@ class Crest:
         self.teeth = read(teeth_file, "contact", "displacement")
         points, displacement, self.pressure = points_and(self.tops, "displacement_tooth", "pressure")
         self.radius, _, self.height = ring_size(points)
-        self.wavelength = wavelength(folder, self.radius)
-        self.scale = wave_scale(displacement, self.wavelength, self.radius)
-        has_pressure = self.pressure.max() > 0
-        place = points[np.argmax(self.pressure if has_pressure else displacement[:, 2])]
-        self.outwards = np.array([place[0], place[1], 0]) / math.hypot(place[0], place[1])
-        self.lift = self.scale * np.abs(displacement[:, 2]).max()
+        waves, teeth = read_counts(folder)
+        self.scale = wave_scale(displacement, waves, self.radius)
+        self.wavelength = 2 * math.pi * self.radius / waves
+        weight = self.pressure if self.pressure.max() > 0 else displacement[:, 2] == displacement[:, 2].max()
+        is_near = np.linalg.norm(points - points[np.argmax(weight)], axis=1) < self.wavelength / 4
+        middle = (weight[is_near, None] * points[is_near]).sum(axis=0)
+        # From the middle of a tooth to slots on both sides: no tooth is cut.
+        pitch = 2 * math.pi / teeth
+        angle = pitch * round(math.atan2(middle[1], middle[0]) / pitch)
+        self.outwards = np.array([math.cos(angle), math.sin(angle), 0])
+        self.reach = min((max(round(self.REACH * teeth / waves), 1) + 0.5) * pitch, math.pi)
+        inner_radius = np.hypot(points[:, 0], points[:, 1]).min()
+        self.spacing = math.sqrt(math.pi * (self.radius**2 - inner_radius**2) / len(np.unique(points, axis=0)))
 
     def warped(self, source, vectors):
-        return WarpByVector(Input=source, Vectors=("POINTS", vectors), ScaleFactor=self.scale)
+        """The part of it around the crest."""
+        return WarpByVector(Input=part_of_ring(source, self.outwards, self.reach), Vectors=("POINTS", vectors),
+                            ScaleFactor=self.scale)
 
     def view(self, title):
-        return new_view(f"{title} at {self.torque:.4g} mN m, displacement {self.scale:g} times larger")
+        return new_view(f"{title} at {self.torque:.4g} mN m, displacement {self.scale:g} times larger\nThe wave runs to the right")
 
     def look(self, view, upwards, slope):
         """From outside, downwards with a slope, at a height above the tooth tops at rest."""
-        width = min(1.25 * self.wavelength, 2.75 * self.radius)
+        width = 2.7 * self.radius * math.sin(min(self.reach, math.pi / 2))
         focus = self.radius * self.outwards + np.array([0, 0, self.height + upwards])
         look(view, focus, self.outwards + np.array([0, 0, slope]), width)
 
@@ -208,18 +234,21 @@ def contact_status_view(case, torque):
     crest = Crest(case, torque)
     view = crest.view("Contact points")
     show_plain(crest.warped(crest.teeth, "displacement"), view)
-    spheres = Glyph(Input=crest.warped(crest.tops, "displacement_tooth"), GlyphType="Sphere",
-                    ScaleArray=("POINTS", "No scale array"), OrientationArray=("POINTS", "No orientation array"),
-                    ScaleFactor=crest.wavelength / 150, GlyphMode="All Points")
-    shown = Show(spheres, view)
+    tops = Calculator(Input=crest.warped(crest.tops, "displacement_tooth"), AttributeType="Point Data",
+                      ResultArrayName="size", Function="if(status > 0.5, 1, 0.4)")
+    spheres = Glyph(Input=tops, GlyphType="Sphere", GlyphMode="All Points", ScaleArray=("POINTS", "size"),
+                    OrientationArray=("POINTS", "No orientation array"), ScaleFactor=crest.spacing)
+    spheres.GlyphType.ThetaResolution = spheres.GlyphType.PhiResolution = 16
+    shown = show(spheres, view)
     ColorBy(shown, ("POINTS", "status"), separate=True)
     colors = GetColorTransferFunction("status", shown, separate=True)
     colors.InterpretValuesAsCategories = 1
     colors.Annotations = [text for value, (name, _) in STATUS.items() for text in (str(value), name)]
     colors.IndexedColors = [number for _, color in STATUS.values() for number in color]
-    bar_style(view, colors, "status")
+    bar = bar_style(view, colors, "contact")
+    bar.ScalarBarLength, bar.TextPosition = 0.25, "Ticks left/bottom, annotations right/top"
     shown.SetScalarBarVisibility(view, True)
-    crest.look(view, 0, 0.9)
+    crest.look(view, 0, 1.1)
     return view
 
 
@@ -233,28 +262,28 @@ def pressure_view(case, torque):
     tops = scaled(crest.warped(crest.tops, "displacement_tooth"), "pressure", factor, "pressure on teeth")
     raised = WarpByScalar(Input=tops, Scalars=("POINTS", "pressure"), UseNormal=1, Normal=(0, 0, 1),
                           ScaleFactor=curtain / largest if largest > 0 else 0)
-    shown = Show(raised, view)
-    shown.Representation = "Surface"
+    shown = show(raised, view)
     color_by(shown, view, "pressure on teeth", HEAT, 0, largest * factor, f"pressure, {unit}")
     crest.look(view, curtain / 3, 0.35)
     return view
 
 
 def loss_density_view(case, _):
-    reader = read(os.path.join(case, "losses", "loss_density.vtu"), "losses", "loss_density")
+    folder = os.path.join(case, "losses")
+    reader = read(os.path.join(folder, "loss_density.vtu"), "losses", "loss_density")
     points, density = points_and(reader, "loss_density")
-    radius, bottom, top = ring_size(points)
     largest = upwards(density.max())
     factor, unit = with_prefix(largest, "W/m\u00b3")
-    view = new_view("Power lost inside the stator, mean of a period")
-    shown = Show(scaled(reader, "loss_density", factor, "loss per volume"), view)
-    shown.Representation = "Surface"
+    view = new_view("Power lost inside the stator, mean of a period\nAll teeth are alike: three of them")
+    radius, bottom, top = ring_size(points)
+    _, teeth = read_counts(folder)
+    reach = 1.5 * 2 * math.pi / teeth
+    part = part_of_ring(reader, (1, 0), reach)
+    shown = show(scaled(part, "loss_density", factor, "loss per volume"), view)
     color_by(shown, view, "loss per volume", HEAT, 0, largest * factor, f"loss density, {unit}")
-    centre = (points.min(axis=0) + points.max(axis=0)) / 2
-    if np.linalg.norm(centre[:2]) < 0.1 * radius:  # the whole ring
-        look(view, centre, (0, -1, 0.75), 2.75 * radius)
-    else:  # one sector: from outside and from the side
-        look(view, centre, (1, -1.2, 0.5), 2.4 * np.linalg.norm(points.max(axis=0) - points.min(axis=0)))
+    inner_radius = np.hypot(points[:, 0], points[:, 1]).min()
+    size = math.hypot(2 * radius * math.sin(reach), top - bottom, radius - inner_radius)
+    look(view, ((radius + inner_radius) / 2, 0, (bottom + top) / 2), (1, -0.9, 0.6), 2.0 * size)
     return view
 
 
@@ -266,28 +295,25 @@ def save(view, folder, name):
 
 
 def arrange(views):
-    """All of them in one window, two beside each other."""
-    layout = CreateLayout("ringmotor")
-    cells = [0]
-    while len(cells) < len(views):
-        cell = cells.pop(0)
-        first = layout.SplitHorizontal(cell, 0.5) if len(cells) % 2 == 0 else layout.SplitVertical(cell, 0.5)
-        cells += [first, first + 1]
-    for view, cell in zip(views, sorted(cells)):
-        AssignViewToLayout(view, layout, cell)
+    """Each in a tab of its own, the first one in front."""
+    for name, view in views.items():
+        RenameView(name, view)
+        AssignViewToLayout(view, CreateLayout(name))
+    SetActiveView(next(iter(views.values())))
 
 
 def main():
     environment = os.environ
     torque = float(environment["RINGMOTOR_TORQUE"]) if environment["RINGMOTOR_TORQUE"] else None
     names = environment["RINGMOTOR_VIEWS"].split()
+    RemoveViewsAndLayouts()  # an empty one that ParaView opens by itself
     views = {name: globals()[f"{name}_view"](environment["RINGMOTOR_CASE"], torque) for name in names}
     if folder := environment["RINGMOTOR_PNG"]:
         for name, view in views.items():
             save(view, folder, name)
         print(f"pictures in {folder}/")
     else:
-        arrange(list(views.values()))
+        arrange(views)
         GetAnimationScene().PlayMode = "Snap To TimeSteps"
         GetAnimationScene().Loop = 1
         RenderAllViews()
