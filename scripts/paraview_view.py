@@ -13,6 +13,7 @@ A view whose files are missing is left out, with a line that says what to run.
   --torque T   the operating point whose torque is nearest to T mN m; by default, to the middle of the curve
   --png DIR    writes DIR/paraview_wave.png and so on, without a window
 """
+import math
 import os
 import shutil
 import sys
@@ -41,21 +42,28 @@ def read_arguments(arguments):
         argument = rest.pop(0)
         name, has_value, value = argument.partition("=")
         if name in values:
-            if not has_value and (not rest or rest[0].startswith("--")):
+            if not has_value and rest and not rest[0].startswith("--"):
+                value = rest.pop(0)
+            if not value:
                 raise ViewError(f"{name} needs a value; {USAGE}")
-            values[name] = value if has_value else rest.pop(0)
+            values[name] = value
         elif argument.startswith("-"):
             raise ViewError(f"unknown option {argument}; {USAGE}")
         else:
             folders.append(argument)
     if len(folders) != 1:
         raise ViewError(f"expected one folder, found {len(folders)}; {USAGE}")
-    torque = values["--torque"]
+    return folders[0], read_torque(values["--torque"]), values["--png"]
+
+
+def read_torque(text):
     try:
-        torque = None if torque is None else float(torque)
+        torque = None if text is None else float(text)
+        if torque is None or math.isfinite(torque):
+            return torque
     except ValueError:
-        raise ViewError(f"--torque: '{torque}' is not a number; give a torque in mN m") from None
-    return folders[0], torque, values["--png"]
+        pass
+    raise ViewError(f"--torque: '{text}' is not a torque; give a number in mN m")
 
 
 def views_of(case_folder):
