@@ -28,7 +28,10 @@ class SceneError(Exception):
 
 def read(path, program, *fields):
     """ParaView's reader of a file that has these point fields."""
-    reader = OpenDataFile(path, registrationName=os.path.basename(path))
+    try:
+        reader = OpenDataFile(path, registrationName=os.path.basename(path))
+    except RuntimeError:
+        raise SceneError(f"{path} cannot be read; run the program {program} again") from None
     reader.UpdatePipeline()
     for field in fields:
         if field not in reader.PointData.keys():
@@ -207,7 +210,8 @@ class Crest:
                             ScaleFactor=self.scale)
 
     def view(self, title):
-        return new_view(f"{title} at {self.torque:.4g} mN m, displacement {self.scale:g} times larger\nThe wave runs to the right")
+        return new_view(f"{title} at {self.torque:.4g} mN m, displacement {self.scale:g} times larger\n"
+                        "The wave runs to the right")
 
     def look(self, view, upwards, slope):
         """From outside, downwards with a slope, at a height above the tooth tops at rest."""
@@ -235,7 +239,7 @@ def contact_status_view(case, torque):
     view = crest.view("Contact points")
     show_plain(crest.warped(crest.teeth, "displacement"), view)
     tops = Calculator(Input=crest.warped(crest.tops, "displacement_tooth"), AttributeType="Point Data",
-                      ResultArrayName="size", Function="if(status > 0.5, 1, 0.4)")
+                      ResultArrayName="size", Function="if(status > 0.5, 1, 0.3)")
     spheres = Glyph(Input=tops, GlyphType="Sphere", GlyphMode="All Points", ScaleArray=("POINTS", "size"),
                     OrientationArray=("POINTS", "No orientation array"), ScaleFactor=crest.spacing)
     spheres.GlyphType.ThetaResolution = spheres.GlyphType.PhiResolution = 16
@@ -268,29 +272,29 @@ def pressure_view(case, torque):
     return view
 
 
-def limit_in_bulk(source, field, share=0.99):
-    """What a field does not exceed in a share of the volume: peaks in sharp corners would leave one colour for the rest."""
+def limit_in_bulk(source, field, share=0.995):
+    """What the means of cells do not exceed in a share of the volume: sharp corners have no largest value, and theirs
+    would leave one colour for all the rest."""
     data = servermanager.Fetch(CellSize(Input=source, ComputeVertexCount=0, ComputeLength=0, ComputeArea=0))
-    cells = data.GetCells()
-    values = vtk_to_numpy(data.GetPointData().GetArray(field))[vtk_to_numpy(cells.GetConnectivityArray())]
-    largest = np.maximum.reduceat(values, vtk_to_numpy(cells.GetOffsetsArray())[:-1])
-    order = np.argsort(largest)
+    starts = vtk_to_numpy(data.GetCells().GetOffsetsArray())
+    values = vtk_to_numpy(data.GetPointData().GetArray(field))[vtk_to_numpy(data.GetCells().GetConnectivityArray())]
+    means = np.add.reduceat(values, starts[:-1]) / np.diff(starts)
+    order = np.argsort(means)
     volume = np.cumsum(vtk_to_numpy(data.GetCellData().GetArray("Volume"))[order])
-    return largest[order[np.searchsorted(volume, share * volume[-1])]]
+    return means[order[np.searchsorted(volume, share * volume[-1])]]
 
 
 def loss_density_view(case, _):
     folder = os.path.join(case, "losses")
     reader = read(os.path.join(folder, "loss_density.vtu"), "losses", "loss_density")
     points, density = points_and(reader, "loss_density")
-    largest = upwards(limit_in_bulk(reader, "loss_density"))
-    peaks = "; in sharp corners more than the scale has" if density.max() > largest else ""
-    factor, unit = with_prefix(largest, "W/m\u00b3")
-    view = new_view(f"Power lost inside the stator, mean of a period\nThree teeth, as all are alike{peaks}")
     radius, bottom, top = ring_size(points)
-    _, teeth = read_counts(folder)
-    reach = 1.5 * 2 * math.pi / teeth
+    reach = 1.5 * 2 * math.pi / read_counts(folder)[1]
     part = part_of_ring(reader, (1, 0), reach)
+    largest = upwards(limit_in_bulk(part, "loss_density"))
+    factor, unit = with_prefix(largest, "W/m\u00b3")
+    peaks = "; the darkest places may exceed the scale" if density.max() > largest else ""
+    view = new_view(f"Power lost inside the stator, mean of a period\nThree teeth, as all are alike{peaks}")
     shown = show(scaled(part, "loss_density", factor, "loss per volume"), view)
     color_by(shown, view, "loss per volume", HEAT, 0, largest * factor, f"loss density, {unit}")
     inner_radius = np.hypot(points[:, 0], points[:, 1]).min()

@@ -115,17 +115,24 @@ class Pictures(WithFolder):
         cls.case = pathlib.Path(tempfile.mkdtemp())
         cls.addClassCleanup(shutil.rmtree, cls.case)
         for program in (STATOR, CONTACT, LOSSES):
-            done = run(program, QUICK, "--output", cls.case, "--set", "Loading/Number of curve points = 3", "--set",
+            done = run(program, QUICK, "--output", cls.case, "--set", "Loading/Values = 0, 0.08", "--set",
                        "Accuracy/Mode = fixed")
             assert done.returncode == 0, done.stderr
 
-    def draw(self, *options):
-        return run(SCRIPT, self.case, "--png", self.folder, *options)
+    def draw(self, *programs, options=()):
+        """Of a case in which only these programs have run."""
+        case = pathlib.Path(tempfile.mkdtemp(dir=self.folder))
+        for program in programs:
+            (case / program).symlink_to(self.case / program)
+        return run(SCRIPT, case, "--png", self.folder / "pictures", *options)
+
+    def picture(self, view):
+        return self.folder / "pictures" / f"paraview_{view}.png"
 
     def share(self, view, hue, width=0.2):
         """Of the pixels of the motor, left of the colour bar: those whose colour is strong and near a hue (0 red,
         1/3 green, 2/3 blue)."""
-        picture = matplotlib.image.imread(self.folder / f"paraview_{view}.png")[40:, :850, :3]
+        picture = matplotlib.image.imread(self.picture(view))[40:, :850, :3]
         seen = picture[(picture < 0.99).any(axis=-1)]
         self.assertGreater(len(seen), 0.05 * picture[..., 0].size, f"{view} is blank")
         tints = matplotlib.colors.rgb_to_hsv(seen)
@@ -133,35 +140,33 @@ class Pictures(WithFolder):
         return np.mean((distance < width / 2) & (tints[:, 1] > 0.4))
 
     def test_colours_are_those_of_the_data(self):
-        done = self.draw()
+        done = self.draw("stator", "contact", "losses")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        self.assertEqual(sorted(path.name for path in self.folder.iterdir()),
-                         sorted(f"paraview_{view}.png" for view in VIEWS))
+        self.assertEqual(set(self.picture("wave").parent.iterdir()), {self.picture(view) for view in VIEWS})
         for view in VIEWS:
-            self.assertLess((self.folder / f"paraview_{view}.png").stat().st_size, 250e3)
+            self.assertLess(self.picture(view).stat().st_size, 250e3)
         red, orange, blue = 0, 0.07, 0.6
         for hue in (red, blue):  # as many crests as troughs
             self.assertGreater(self.share("wave", hue), 0.2)
-        # Teeth are grey; what touches is coloured, and at a load in the middle of the curve some of it slips.
+        # Teeth are grey; what touches is coloured, and some of it slips.
         self.assertGreater(self.share("contact_status", orange, 0.1), 0.001)
         self.assertLess(self.share("contact_status", orange) + self.share("contact_status", blue), 0.1)
         self.assertGreater(self.share("pressure", orange), 0.01)
         self.assertEqual(self.share("pressure", blue), 0)
-        self.assertGreater(self.share("loss_density", orange), 0.05)
-        middle = [(self.folder / f"paraview_{view}.png").read_bytes() for view in VIEWS]
-        self.assertEqual(self.draw("--torque", "0").returncode, 0)
-        changed = [(self.folder / f"paraview_{view}.png").read_bytes() != old for view, old in zip(VIEWS, middle)]
-        self.assertEqual(changed, [False, True, True, False])
+        self.assertGreater(self.share("loss_density", orange), 0.02)
+        without_load = self.picture("pressure").read_bytes()
+        self.assertEqual(self.draw("contact", options=["--torque", "60"]).returncode, 0)
+        self.assertNotEqual(self.picture("pressure").read_bytes(), without_load)
 
     def test_files_that_are_damaged_are_named(self):
-        for file, said in (("stator/used.prm", "Motor/Number of waves"), ("contact/motor.pvd", "cannot be read"),
-                           ("stator/ring.pvd", "cannot be read"), ("losses/loss_density.vtu", "cannot be read")):
+        for file, said in (("stator/ring.pvd", "cannot be read"), ("contact/used.prm", "Motor/Number of waves")):
             with self.subTest(file=file):
                 path = self.case / file
                 kept = path.read_bytes()
                 try:
                     path.write_bytes(b"<VTKFile>")
-                    self.assert_refused(self.draw(), str(path), said, f"run the program {path.parent.name} again")
+                    self.assert_refused(self.draw(path.parent.name), file, said,
+                                        f"run the program {path.parent.name} again")
                 finally:
                     path.write_bytes(kept)
 
