@@ -307,7 +307,10 @@ def save(view, folder, name):
     """Writes beside the final name and renames: a failure leaves no half-written picture."""
     part = os.path.join(folder, f"paraview_{name}.part.png")
     SaveScreenshot(part, view, ImageResolution=SIZE, CompressionLevel="9")
-    os.replace(part, os.path.join(folder, f"paraview_{name}.png"))
+    try:
+        os.replace(part, os.path.join(folder, f"paraview_{name}.png"))
+    except OSError:
+        raise SceneError(f"ParaView could not write into {folder}") from None
 
 
 def arrange(views):
@@ -338,4 +341,7 @@ def main():
 try:
     main()
 except SceneError as error:
-    sys.exit(f"paraview_view: {error}")
+    # ParaView's window, which closes now, has a sys.stderr of its own; taking views apart while leaving would end in
+    # complaints of the X server.
+    print(f"paraview_view: {error}", file=sys.__stderr__, flush=True)
+    os._exit(1)

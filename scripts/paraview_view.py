@@ -17,6 +17,7 @@ import math
 import os
 import shutil
 import sys
+import tempfile
 
 sys.dont_write_bytecode = True  # looking leaves nothing outside the folder that was asked for
 
@@ -111,6 +112,7 @@ def main(arguments):
     if png_folder is not None:
         try:
             os.makedirs(png_folder, exist_ok=True)
+            tempfile.TemporaryFile(dir=png_folder).close()
         except OSError as error:
             raise ViewError(f"cannot write into {png_folder} ({error.strerror or error})") from None
     # By the environment, as ParaView hands no arguments to a script that it runs in its window.
