@@ -1,0 +1,182 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""scripts/paraview_view.py as its user meets it: messages, exit status and, where ParaView is, pictures.
+
+Usage: tests/programs/paraview.py STATOR CONTACT LOSSES Mistakes|Pictures      (status 77: no ParaView, pictures skipped)
+
+What is compared: colours of pictures with those that the data must have.
+"""
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import h5py
+import matplotlib.colors
+import matplotlib.image
+import numpy as np
+
+sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
+from program import QUICK, ROOT, run  # noqa: E402
+
+STATOR, CONTACT, LOSSES = (sys.argv.pop(1) for _ in range(3))
+SCRIPT = ROOT / "scripts" / "paraview_view.py"
+FILES = ("stator/ring.pvd", "contact/contact.pvd", "contact/motor.pvd", "losses/loss_density.vtu")
+VIEWS = ("wave", "contact_status", "pressure", "loss_density")
+CAN_DRAW = shutil.which("pvpython") and ("DISPLAY" in os.environ or shutil.which("xvfb-run"))
+
+
+class WithFolder(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def assert_refused(self, done, *said):
+        self.assertEqual(done.returncode, 1, done.stdout)
+        self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+        for text in ("paraview_view: ", *said):
+            self.assertIn(text, done.stderr)
+
+
+class Mistakes(WithFolder):
+    """With a ParaView that only tells how it was started."""
+
+    def setUp(self):
+        super().setUp()
+        self.case, self.programs = self.folder / "case", self.folder / "programs"
+        for file in FILES:
+            (self.case / file).parent.mkdir(parents=True, exist_ok=True)
+            (self.case / file).touch()
+        self.programs.mkdir()
+        for name in ("paraview", "pvpython", "xvfb-run"):
+            (self.programs / name).write_text(f"#!/bin/sh\necho {name} \"$@\"\n"
+                                              "echo \"$RINGMOTOR_CASE|$RINGMOTOR_VIEWS|$RINGMOTOR_TORQUE|$RINGMOTOR_PNG\"\n")
+            (self.programs / name).chmod(0o755)
+
+    def view(self, *arguments, display=None):
+        environment = {"PATH": str(self.programs)}
+        if display is not None:
+            environment["DISPLAY"] = display
+        return subprocess.run([SCRIPT, *map(str, arguments)], capture_output=True, text=True, timeout=60,
+                              env=environment)
+
+    def test_arguments_that_cannot_be_meant(self):
+        usage = "usage: scripts/paraview_view.py CASE_DIR"
+        for arguments, said in (([], "expected one folder, found 0"), ([self.case, self.case], "found 2"),
+                                ([self.case, "--pgn", "x"], "unknown option --pgn"),
+                                ([self.case, "--png"], "--png needs a value"),
+                                ([self.case, "--png", "--torque", "1"], "--png needs a value"),
+                                ([self.case, "--png="], "--png needs a value"),
+                                ([self.case, "--torque"], "--torque needs a value")):
+            with self.subTest(arguments=arguments):
+                self.assert_refused(self.view(*arguments), said, usage)
+        for torque in ("much", "nan", "inf"):
+            self.assert_refused(self.view(self.case, "--torque", torque), f"'{torque}' is not a torque", "in mN m")
+
+    def test_a_case_that_is_not_there(self):
+        self.assert_refused(self.view(self.folder / "other"), f"there is no folder {self.folder / 'other'}")
+        self.assert_refused(self.view(self.case / FILES[0]), f"there is no folder {self.case / FILES[0]}")
+        self.assert_refused(self.view(self.programs), "nothing for ParaView", "scripts/run.sh")
+
+    def test_no_paraview_or_no_display(self):
+        self.assert_refused(self.view(self.case), "no display", "--png DIR")
+        (self.programs / "xvfb-run").unlink()
+        self.assert_refused(self.view(self.case, "--png", self.folder), "apt-get install xvfb")
+        for name, options in (("paraview", []), ("pvpython", ["--png", self.folder / "pictures"])):
+            (self.programs / name).unlink()
+            self.assert_refused(self.view(self.case, *options, display=":0"), f"no program {name}",
+                                "apt-get install paraview")
+        self.assertFalse((self.folder / "pictures").exists())
+
+    def test_a_folder_that_cannot_be_made(self):
+        self.assert_refused(self.view(self.case, "--png", self.case / FILES[0], display=":0"), "cannot write into")
+
+    def test_paraview_is_started_with_the_views_there_are(self):
+        scenes = f"{ROOT}/scripts/paraview_scenes.py"
+        self.assertEqual(self.view(self.case, display=":0").stdout,
+                         f"paraview --script={scenes}\n{self.case}|{' '.join(VIEWS)}||\n")
+        (self.case / "contact" / "motor.pvd").unlink()
+        done = self.view(self.case, f"--png={self.folder}/new", "--torque", "-2e1")
+        *left_out, start, told = done.stdout.splitlines()
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(start, f"xvfb-run -a pvpython {scenes}")
+        self.assertEqual(told, f"{self.case}|wave loss_density|-20.0|{self.folder}/new")
+        self.assertEqual(left_out, [f"paraview_view: no {view}, as {self.case}/contact/motor.pvd is missing; run the "
+                                    "program contact with Output/VTU = true" for view in VIEWS[1:3]])
+        done = self.view(self.case, "--png", self.folder / "new", display=":0")
+        self.assertIn(f"\npvpython --force-offscreen-rendering {scenes}\n", done.stdout)
+
+
+class Pictures(WithFolder):
+    @classmethod
+    def setUpClass(cls):
+        cls.case = pathlib.Path(tempfile.mkdtemp())
+        cls.addClassCleanup(shutil.rmtree, cls.case)
+        for program in (STATOR, CONTACT, LOSSES):
+            done = run(program, QUICK, "--output", cls.case, "--set", "Loading/Values = 0, 0.08", "--set",
+                       "Accuracy/Mode = fixed")
+            assert done.returncode == 0, done.stderr
+
+    def draw(self, *programs, options=()):
+        """Of a case in which only these programs have run."""
+        case = pathlib.Path(tempfile.mkdtemp(dir=self.folder))
+        for program in programs:
+            (case / program).symlink_to(self.case / program)
+        return run(SCRIPT, case, "--png", self.folder / "pictures", *options)
+
+    def picture(self, view):
+        return self.folder / "pictures" / f"paraview_{view}.png"
+
+    def share(self, view, hue, width=0.2):
+        """Of the pixels of the motor, left of the colour bar: those whose colour is strong and near a hue (0 red,
+        1/3 green, 2/3 blue)."""
+        picture = matplotlib.image.imread(self.picture(view))[40:, :850, :3]
+        seen = picture[(picture < 0.99).any(axis=-1)]
+        self.assertGreater(len(seen), 0.05 * picture[..., 0].size, f"{view} is blank")
+        tints = matplotlib.colors.rgb_to_hsv(seen)
+        distance = np.abs((tints[:, 0] - hue + 0.5) % 1 - 0.5)
+        return np.mean((distance < width / 2) & (tints[:, 1] > 0.4))
+
+    def test_colours_are_those_of_the_data(self):
+        done = self.draw("stator", "contact", "losses")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(set(self.picture("wave").parent.iterdir()), {self.picture(view) for view in VIEWS})
+        for view in VIEWS:
+            self.assertLess(self.picture(view).stat().st_size, 250e3)
+        red, orange, blue = 0, 0.07, 0.6
+        for hue in (red, blue):  # as many crests as troughs
+            self.assertGreater(self.share("wave", hue), 0.2)
+        # Teeth are grey; of the points that touch, which are coloured, one crest shows as much slip as all crests have.
+        slip, stick = self.share("contact_status", orange), self.share("contact_status", blue)
+        self.assertTrue(0.001 < slip + stick < 0.1, (slip, stick))
+        with h5py.File(self.case / "contact" / "contact.h5") as file:
+            status = file["points/000/status"][-1]
+        self.assertAlmostEqual(slip / (slip + stick), np.mean(status[status > 0] == 2), delta=0.25)
+        self.assertGreater(self.share("pressure", orange), 0.01)
+        self.assertEqual(self.share("pressure", blue), 0)
+        self.assertGreater(self.share("loss_density", orange), 0.02)
+        without_load = self.picture("pressure").read_bytes()
+        self.assertEqual(self.draw("contact", options=["--torque", "60"]).returncode, 0)
+        self.assertFalse(self.picture("pressure").read_bytes() == without_load, "the same picture at another torque")
+
+    def test_files_that_are_damaged_are_named(self):
+        for file, said in (("stator/ring.pvd", "cannot be read"), ("contact/used.prm", "Motor/Number of waves")):
+            with self.subTest(file=file):
+                path = self.case / file
+                kept = path.read_bytes()
+                try:
+                    path.write_bytes(b"<VTKFile>")
+                    self.assert_refused(self.draw(path.parent.name), file, said,
+                                        f"run the program {path.parent.name} again")
+                finally:
+                    path.write_bytes(kept)
+
+
+if __name__ == "__main__":
+    if "Pictures" in sys.argv and not CAN_DRAW:
+        print("no pvpython, or neither a display nor xvfb-run: no pictures to look at")
+        sys.exit(77)
+    unittest.main()
