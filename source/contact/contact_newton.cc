@@ -2,6 +2,7 @@
 #include <ringmotor/contact/contact_newton.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>
+#include <deal.II/lac/sparse_direct.h>
 
 #include <algorithm>
 #include <array>
@@ -39,6 +40,40 @@ namespace ringmotor
                         [](const PointVector &force) { return force[0] > 0.; });
       return can_stick_everywhere(problem) || n_pressed == 0 ? problem.n_points()
                                                              : std::max(300u, 3 * n_pressed);
+    }
+
+    /** Replaces a right hand side by the solution. Each of several moments is tied to the one
+     * before only, and most of their matrix is zero. False if the matrix is singular. */
+    bool solve_matrix(const FullMatrix<double> &matrix, Vector<double> &solution)
+    {
+      constexpr double sparse = 0.3; // what a factorisation without the zeros takes is regained
+      const auto n_entries =
+          matrix.n_elements() - std::count(&matrix(0, 0), &matrix(0, 0) + matrix.n_elements(), 0.);
+      try
+      {
+        if (n_entries > sparse * matrix.n_elements())
+        {
+          LAPACKFullMatrix<double> factors(matrix.m());
+          factors = matrix;
+          factors.compute_lu_factorization();
+          factors.solve(solution);
+          return true;
+        }
+        SparsityPattern pattern;
+        pattern.copy_from(matrix);
+        SparseMatrix<double> entries(pattern);
+        entries.copy_from(matrix);
+        SparseDirectUMFPACK().solve(entries, solution);
+        return true;
+      }
+      catch (const LACExceptions::ExcSingular &)
+      {
+        return false;
+      }
+      catch (const SparseDirectUMFPACK::ExcUMFPACKError &)
+      {
+        return false;
+      }
     }
 
     /** One linear problem of Newton's method. */
@@ -184,33 +219,24 @@ namespace ringmotor
       {
         // Forces that are zero and stay zero, as all friction of surfaces without it, are no
         // unknowns.
-        std::vector<unsigned int> unknowns;
+        std::vector<types::global_dof_index> unknowns;
         for (unsigned int row = 0; row < size; ++row)
           if (row >= 3 * touching.size() || row % 3 == 0 || !friction[row / 3].stays_zero)
             unknowns.push_back(row);
         if (unknowns.empty()) // LAPACK does not take empty matrices
           return true;
-        LAPACKFullMatrix<double> part;
         Vector<double> solution(unknowns.size());
-        const bool is_part                = unknowns.size() < size;
-        LAPACKFullMatrix<double> &factors = is_part ? part : matrix;
+        FullMatrix<double> part;
+        const bool is_part = unknowns.size() < size;
         if (is_part)
-          part.reinit(unknowns.size());
+        {
+          part.reinit(unknowns.size(), unknowns.size());
+          part.extract_submatrix_from(matrix, unknowns, unknowns);
+        }
         for (unsigned int i = 0; i < unknowns.size(); ++i)
-        {
           solution[i] = right_hand_side[unknowns[i]];
-          for (unsigned int j = 0; is_part && j < unknowns.size(); ++j)
-            part(j, i) = matrix(unknowns[j], unknowns[i]);
-        }
-        try
-        {
-          factors.compute_lu_factorization();
-          factors.solve(solution);
-        }
-        catch (const LACExceptions::ExcSingular &)
-        {
+        if (!solve_matrix(is_part ? part : matrix, solution))
           return false;
-        }
         right_hand_side = 0.;
         for (unsigned int i = 0; i < unknowns.size(); ++i)
           right_hand_side[unknowns[i]] = solution[i];
@@ -221,7 +247,7 @@ namespace ringmotor
       {
         const unsigned int n_touching = touching.size(), n_rigid = problem.n_rigid();
         size = 3 * n_touching + n_rigid;
-        matrix.reinit(size);
+        matrix.reinit(size, size);
         right_hand_side.reinit(size);
         for (unsigned int a = 0; a < n_touching; ++a)
         {
@@ -331,7 +357,7 @@ namespace ringmotor
       unsigned int size     = 0;
       double largest_change = 0.;
       FullMatrix<double> derivatives;
-      LAPACKFullMatrix<double> matrix;
+      FullMatrix<double> matrix;
       Vector<double> right_hand_side;
     };
 
