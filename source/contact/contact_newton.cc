@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/contact/contact_newton.h>
-
-#include <deal.II/lac/lapack_full_matrix.h>
-#include <deal.II/lac/sparse_direct.h>
+#include <ringmotor/contact/solve_matrix.h>
 
 #include <algorithm>
 #include <array>
@@ -40,40 +38,6 @@ namespace ringmotor
                         [](const PointVector &force) { return force[0] > 0.; });
       return can_stick_everywhere(problem) || n_pressed == 0 ? problem.n_points()
                                                              : std::max(300u, 3 * n_pressed);
-    }
-
-    /** Replaces a right hand side by the solution. Each of several moments is tied to the one
-     * before only, and most of their matrix is zero. False if the matrix is singular. */
-    bool solve_matrix(const FullMatrix<double> &matrix, Vector<double> &solution)
-    {
-      constexpr double sparse = 0.3; // what a factorisation without the zeros takes is regained
-      const auto n_entries =
-          matrix.n_elements() - std::count(&matrix(0, 0), &matrix(0, 0) + matrix.n_elements(), 0.);
-      try
-      {
-        if (n_entries > sparse * matrix.n_elements())
-        {
-          LAPACKFullMatrix<double> factors(matrix.m());
-          factors = matrix;
-          factors.compute_lu_factorization();
-          factors.solve(solution);
-          return true;
-        }
-        SparsityPattern pattern;
-        pattern.copy_from(matrix);
-        SparseMatrix<double> entries(pattern);
-        entries.copy_from(matrix);
-        SparseDirectUMFPACK().solve(entries, solution);
-        return true;
-      }
-      catch (const LACExceptions::ExcSingular &)
-      {
-        return false;
-      }
-      catch (const SparseDirectUMFPACK::ExcUMFPACKError &)
-      {
-        return false;
-      }
     }
 
     /** One linear problem of Newton's method. */
