@@ -7,7 +7,7 @@
 namespace ringmotor
 {
   /**
-   * Replaces a right hand side by the solution of a linear problem. Where most of the matrix is
+   * Replaces a right hand side by the solution of a linear problem. Where most of a large matrix is
    * zero, as with many moments of a steady state, each of which is tied to the one before only, it
    * is factorised without its zeros.
    *
