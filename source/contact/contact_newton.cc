@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/contact/contact_newton.h>
-
-#include <deal.II/lac/lapack_full_matrix.h>
+#include <ringmotor/contact/solve_matrix.h>
 
 #include <algorithm>
 #include <array>
@@ -184,33 +183,24 @@ namespace ringmotor
       {
         // Forces that are zero and stay zero, as all friction of surfaces without it, are no
         // unknowns.
-        std::vector<unsigned int> unknowns;
+        std::vector<types::global_dof_index> unknowns;
         for (unsigned int row = 0; row < size; ++row)
           if (row >= 3 * touching.size() || row % 3 == 0 || !friction[row / 3].stays_zero)
             unknowns.push_back(row);
         if (unknowns.empty()) // LAPACK does not take empty matrices
           return true;
-        LAPACKFullMatrix<double> part;
         Vector<double> solution(unknowns.size());
-        const bool is_part                = unknowns.size() < size;
-        LAPACKFullMatrix<double> &factors = is_part ? part : matrix;
+        FullMatrix<double> part;
+        const bool is_part = unknowns.size() < size;
         if (is_part)
-          part.reinit(unknowns.size());
+        {
+          part.reinit(unknowns.size(), unknowns.size());
+          part.extract_submatrix_from(matrix, unknowns, unknowns);
+        }
         for (unsigned int i = 0; i < unknowns.size(); ++i)
-        {
           solution[i] = right_hand_side[unknowns[i]];
-          for (unsigned int j = 0; is_part && j < unknowns.size(); ++j)
-            part(j, i) = matrix(unknowns[j], unknowns[i]);
-        }
-        try
-        {
-          factors.compute_lu_factorization();
-          factors.solve(solution);
-        }
-        catch (const LACExceptions::ExcSingular &)
-        {
+        if (!solve_matrix(is_part ? part : matrix, solution))
           return false;
-        }
         right_hand_side = 0.;
         for (unsigned int i = 0; i < unknowns.size(); ++i)
           right_hand_side[unknowns[i]] = solution[i];
@@ -221,7 +211,7 @@ namespace ringmotor
       {
         const unsigned int n_touching = touching.size(), n_rigid = problem.n_rigid();
         size = 3 * n_touching + n_rigid;
-        matrix.reinit(size);
+        matrix.reinit(size, size);
         right_hand_side.reinit(size);
         for (unsigned int a = 0; a < n_touching; ++a)
         {
@@ -331,7 +321,7 @@ namespace ringmotor
       unsigned int size     = 0;
       double largest_change = 0.;
       FullMatrix<double> derivatives;
-      LAPACKFullMatrix<double> matrix;
+      FullMatrix<double> matrix;
       Vector<double> right_hand_side;
     };
 

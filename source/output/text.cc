@@ -10,7 +10,10 @@ namespace ringmotor
   {
     std::ostringstream out;
     out << std::fixed << std::setprecision(digits) << value;
-    return out.str();
+    const std::string text = out.str();
+    // What is rounded to nothing has no sign.
+    return text.find_first_of("123456789n") == std::string::npos && text[0] == '-' ? text.substr(1)
+                                                                                   : text;
   }
 
   std::string scientific(const double value)

@@ -255,6 +255,14 @@ namespace ringmotor
       return {of_torque ? 1. : 0., of_torque ? 0. : 1., point.result.friction_loss(),
               point.rotor_power};
     }
+
+    /** The larger one of the two in the middle of an even number. */
+    double median(std::vector<double> numbers)
+    {
+      const auto middle = numbers.begin() + numbers.size() / 2;
+      std::nth_element(numbers.begin(), middle, numbers.end());
+      return *middle;
+    }
   } // namespace
 
   std::vector<PointError> errors_by_change(const std::vector<CurvePoint> &from,
@@ -264,27 +272,34 @@ namespace ringmotor
     double largest_torque      = 0.;
     for (const CurvePoint &point : to)
       largest_torque = std::max(largest_torque, std::abs(point.result.torque));
-    std::vector<PointError> errors;
+    std::vector<PointError> changes;
     for (unsigned int i = 0; i < to.size(); ++i)
-      errors.push_back(change(from[i], to[i]));
+      changes.push_back(change(from[i], to[i]));
+    std::vector<PointError> errors = changes;
     for (double PointError::*part :
          {&PointError::speed, &PointError::torque, &PointError::loss, &PointError::rotor_power})
     {
-      double squares = 0.;
-      unsigned int n = 0;
-      for (unsigned int i = 0; i < to.size(); ++i)
+      const auto tells = [&](const unsigned int i)
       {
         const bool is_flat = part == &PointError::speed && to.size() > 1 &&
                              std::abs(to[i].result.torque) >= flat_part * largest_torque;
-        if (const double unit = measure(to[i]).*part; unit > 0. && !is_flat)
-        {
-          squares += std::pow(errors[i].*part / unit, 2);
-          ++n;
-        }
-      }
-      const double typical = n > 0 ? std::sqrt(squares / n) : 0.;
+        return measure(to[i]).*part > 0. && !is_flat;
+      };
+      std::vector<double> relative;
       for (unsigned int i = 0; i < to.size(); ++i)
-        errors[i].*part = factor * std::max(errors[i].*part, typical * measure(to[i]).*part);
+        if (tells(i))
+          relative.push_back(changes[i].*part / measure(to[i]).*part);
+      const double typical = relative.empty() ? 0. : median(relative);
+      for (unsigned int i = 0; i < to.size(); ++i)
+        if (const double unit = measure(to[i]).*part; unit > 0.)
+        {
+          double &error = errors[i].*part;
+          error         = std::max(error, typical * unit);
+          for (const unsigned int neighbour : {i - 1, i + 1}) // before the first one: none
+            if (neighbour < to.size() && tells(neighbour))
+              error = std::max(error, changes[neighbour].*part);
+          error *= factor;
+        }
     }
     return errors;
   }

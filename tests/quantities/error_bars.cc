@@ -11,6 +11,7 @@
 
 #include <ringmotor/mesh/stator_sector.h>
 #include <ringmotor/quantities/mode_search.h>
+#include <ringmotor/quantities/torque_speed.h>
 
 #include <gtest/gtest.h>
 
@@ -189,4 +190,40 @@ TEST(ErrorBars, OfShapesFollowTheLastChange)
   EXPECT_NEAR(shape_estimate(0.84, 0.84, fine, coarse, 1e-4).error, 2e-4 * 0.84, 1e-12);
   // No progress, no trust
   EXPECT_GT(shape_estimate(0.84, 0.83, coarse, coarse, 1e-4).error, 0.02);
+}
+
+namespace
+{
+  /** A point of a curve that is asked for by its torque (N m), or the one at stall. */
+  CurvePoint point_of(const double torque, const double speed, const double loss)
+  {
+    CurvePoint point;
+    point.request =
+        speed > 0. ? PointRequest{Control::torque, torque} : PointRequest{Control::speed, 0.};
+    point.result.torque          = torque;
+    point.result.speed           = speed;
+    point.result.tangential_loss = loss;
+    return point;
+  }
+} // namespace
+
+TEST(ErrorBars, OfOperatingPointsFollowTheirOwnChangesAndThoseBesideThem)
+{
+  // The loss at the first point is small and changes much: relative changes of 1, 0.1, 0.1, 0.002
+  // and 0.001; their median is 0.1. Speeds change by 0.3, 0, 0.1 and 2, the last one near stall.
+  const std::vector<CurvePoint> from   = {point_of(0., 8.3, 2.), point_of(0.5, 7., 2.2),
+                                          point_of(1., 6.1, 4.4), point_of(1.97, 3., 10.02),
+                                          point_of(2.2, 0., 20.02)},
+                                to     = {point_of(0., 8., 1.), point_of(0.5, 7., 2.),
+                                          point_of(1., 6., 4.), point_of(1.97, 1., 10.),
+                                          point_of(2., 0., 20.)};
+  const std::vector<PointError> errors = errors_by_change(from, to, 2.);
+  const std::vector<double> loss       = {1., 1., 0.4, 1., 2.};
+  const std::vector<double> speed      = {0.3, 0.3, 0.1, 2., 0.};
+  for (unsigned int i = 0; i < to.size(); ++i)
+  {
+    EXPECT_NEAR(errors[i].loss, 2. * loss[i], 1e-12) << i;
+    EXPECT_NEAR(errors[i].speed, 2. * speed[i], 1e-12) << i;
+    EXPECT_NEAR(errors[i].torque, i == 4 ? 2. * 0.2 : 0., 1e-12) << i;
+  }
 }

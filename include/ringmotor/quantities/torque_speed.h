@@ -154,10 +154,11 @@ namespace ringmotor
                                       PointMemory *memory = nullptr);
 
   /**
-   * Error bars of points from how they change from one discretisation to another: @p factor times
-   * the change, or that of all points together (root mean square) where it is larger, since a
-   * change can be small by accident. Prescribed quantities have no error. Points at more than 0.95
-   * of the largest torque tell nothing of others: there the speed hangs on the last bit of torque.
+   * Error bars of points from how they change from one discretisation to another. A change can be
+   * small by accident: a bar is @p factor times the largest of the point's own change, those of its
+   * neighbours in the list, and the median of all relative changes. Prescribed quantities have no
+   * error. Speeds at more than 0.95 of the largest torque tell nothing of others: there the speed
+   * hangs on the last bit of torque.
    */
   std::vector<PointError> errors_by_change(const std::vector<CurvePoint> &from,
                                            const std::vector<CurvePoint> &to, const double factor);
