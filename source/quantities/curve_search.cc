@@ -232,7 +232,9 @@ namespace ringmotor
     for (unsigned int level = 1; level <= finest; ++level)
     {
       motors.erase(motors.begin(), motors.lower_bound(compared_with(level)));
-      for (unsigned int n_parts = first; n_parts <= 2 * first; n_parts *= 2)
+      // Half the step on the finest mesh would cost more than all other settings together.
+      const unsigned int last = level < finest_level ? 2 * first : first;
+      for (unsigned int n_parts = first; n_parts <= last; n_parts *= 2)
       {
         rungs.push_back(rung_of({level, n_parts}));
         after_rung(rungs.back());

@@ -78,13 +78,13 @@ namespace ringmotor
       unsigned int n_nodes, n_dofs;
       unsigned int n_steps;          ///< in a period
       double largest_error;          ///< relative, see worst_error()
-      double distance;               ///< largest change to the finest setting, relative
+      double distance;               ///< largest change to the last setting, relative
       double seconds;                ///< of the motor and all its points
       double seconds_with_error_bar; ///< with those that the error bars take
     };
-    /** Computes a ladder of settings, the finest one last: all interface meshes or, `Accuracy/Mode
-     * = fixed`, those up to `Accuracy/Interface refinement`. @p after_rung is called after each,
-     * when its distance is not known yet. */
+    /** Computes a ladder of settings, the finest mesh last: all interface meshes or, `Accuracy/Mode
+     * = fixed`, those up to `Accuracy/Interface refinement`, each but the finest with half the time
+     * step, too. @p after_rung is called after each, when its distance is not known yet. */
     std::vector<Rung> climb(const std::function<void(const Rung &)> &after_rung);
 
   private:
