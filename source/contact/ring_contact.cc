@@ -260,7 +260,7 @@ namespace ringmotor
 
   ContactState RingContact::pressed_down() const
   {
-    constexpr double share = 0.04;
+    constexpr double share = 0.1;
     ContactState state{std::vector<PointVector>(n_points()), std::vector<double>(n_rigid(), 0.)};
     const unsigned int n_of_moment = n_sectors * n_nodes;
     for (unsigned int m = 0; m < n_moments; ++m)
