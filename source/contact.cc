@@ -69,6 +69,17 @@ namespace ringmotor
              std::to_string(rung.n_steps) + " steps in a period";
     }
 
+    /** @throws UserError if steps are so long that a tooth comes and goes unseen */
+    void check_time_step(const Parameters &parameters, const StatorWave &wave)
+    {
+      const double half_period = numbers::PI / wave.angular_frequency;
+      if (is_marched(parameters) && parameters.time.time_step > half_period)
+        throw UserError("Time/Time step = " + scientific(parameters.time.time_step) +
+                        " s is longer than half a period of the wave, within which a tooth comes "
+                        "and goes; allowed: up to " +
+                        scientific(half_period) + " s, and a tenth of that for good results");
+    }
+
     ContactProgram::ContactProgram(const Parameters &parameters)
         : parameters(parameters), folder(parameters.output.directory + "/contact/"),
           speaks(Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0), log(speaks),
@@ -81,6 +92,7 @@ namespace ringmotor
     {
       for (const std::string &warning : check_for_contact(parameters))
         log.line("warning: " + warning);
+      check_time_step(parameters, wave);
       if (speaks)
         prepare_directory(folder);
     }

@@ -171,6 +171,7 @@ class Mistakes(WithWave):
                 (["Time/Average to step = 20"], "Time/Average to step"),
                 (["Output/History points = 0:0.031"], "0.0332 to 0.0342 m"),
                 (["Output/History points = 90:0.034"], "from 0 to less than 90"),
+                (["Time/Scheme = marching", "Time/Time step = 2e-5"], "longer than half a period of the wave"),
                 (["Motor/Number of waves = 6"], "belongs to another motor"),
                 (["Stator/Tooth height = 0.0021"], "Stator/Tooth height = 0.002"),
                 (["Wave/Amplitude = 1e-6"], "Wave/Amplitude")):
@@ -192,6 +193,14 @@ class Mistakes(WithWave):
             self.assertIn("does not exist", self.refused(1))
         finally:
             modes.write_bytes(kept)
+
+    def test_long_steps_are_warned_of_and_not_certified(self):
+        # Other teeth touch at the end of such a step than at its begin.
+        done = self.contact("Time/Scheme = marching", "Time/Time step = 5e-6", "Loading/Values = 0",
+                            "Accuracy/Mode = fixed", "Friction/Law = coulomb")
+        self.assertEqual(done.returncode, 2, done.stderr)  # solved, but with no use
+        self.assertIn("power put in against power out", done.stderr)
+        self.assertIn("is not short against the time for which a tooth is in contact", done.stdout)
 
     def test_unusual_friction_is_warned_of(self):
         done = self.contact("Friction/Static coefficient = 0.7", "Friction/Dynamic coefficient = 0.84",
