@@ -8,9 +8,10 @@ from contact_case import ContactCase, has_contact
 
 PARTS = ("friction_loss", "internal_loss_stator_metal", "internal_loss_piezoceramic", "internal_loss_rotor",
          "support_loss")
-NUMBERS = {"losses.csv": [f"{name}{end}" for name in (*PARTS, "total_loss") for end in ("_mW", "_error_mW")],
-           "efficiency.csv": ["input_power_mW", "output_power_mW", "output_power_error_mW", "efficiency",
-                              "efficiency_error"]}
+LOAD = ["torque_mNm", "speed_rpm"]
+NUMBERS = {"losses.csv": LOAD + [f"{name}{end}" for name in (*PARTS, "total_loss") for end in ("_mW", "_error_mW")],
+           "efficiency.csv": LOAD + ["input_power_mW", "output_power_mW", "output_power_error_mW", "efficiency",
+                                     "efficiency_error"]}
 
 
 def has_losses(case_folder):

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/contact/contact_surface.h>
+#include <ringmotor/parameters/errors.h>
 
 #include <deal.II/fe/fe_q.h>
 
@@ -82,8 +83,9 @@ namespace ringmotor
               face[j] = entry->second;
         }
         for (const unsigned int node : face)
-          AssertThrow(node != numbers::invalid_unsigned_int,
-                      ExcMessage("a face of the interface is too distorted"));
+          if (node == numbers::invalid_unsigned_int)
+            throw UserError("a face that can touch is too distorted for contact; make it more like "
+                            "a rectangle in r and theta (Stator/Mesh file, Rotor/Mesh file)");
         surface.corners.push_back(corner);
         surface.faces.push_back(face);
       }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/contact/mortar.h>
+#include <ringmotor/parameters/errors.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_q.h>
@@ -183,8 +184,10 @@ namespace ringmotor
       const double largest = *std::max_element(area.begin(), area.end());
       for (unsigned int i = 0; i < area.size(); ++i)
       {
-        AssertThrow(area[i] > -1e-9 * largest,
-                    ExcMessage("too little of a face is covered for its quadratic functions"));
+        if (area[i] <= -1e-9 * largest)
+          throw UserError("the rotor covers a face of the tooth's top so little that the face's "
+                          "quadratic functions cannot carry it; let lines of the tooth's mesh run "
+                          "along the edges of the lip (Stator/Mesh file, Rotor/Mesh file)");
         if (area[i] <= 1e-9 * largest)
           continue;
         MortarCoupling::Node node{i, area[i], {}};

@@ -13,6 +13,7 @@
 #include "support/plane_surface.h"
 
 #include <ringmotor/contact/mortar.h>
+#include <ringmotor/parameters/errors.h>
 
 #include <deal.II/base/polynomial.h>
 #include <deal.II/lac/full_matrix.h>
@@ -297,7 +298,7 @@ TEST(Mortar, RefusesQuadraticFacesOfWhichTooLittleIsCovered)
   const double h = 0.01;
   EXPECT_THROW(couple(plane_surface({0.03, 0.031}, {0., h}, 2),
                       plane_surface({0.03, 0.031}, {0.3 * h, 2. * h}, 2), 10. * h),
-               dealii::ExcMessage);
+               UserError);
 }
 
 TEST(Mortar, TakesTrapezoids)

@@ -200,7 +200,9 @@ class Mistakes(WithMotor):
                        "a row less": "\n".join([head, *rows[:-1]]),
                        "another column": kept.replace("torque_mNm", "load", 1).replace("power", "work").replace(
                            "friction_loss", "friction"),
-                       "no number": kept.replace(rows[0].split(",")[4], "nan", 1),
+                       "no number": "\n".join([head, *rows[:-1], re.sub("[^,]*", "nan", rows[-1], count=1)]),
+                       "no number in another column": "\n".join([head, *rows[:-1], re.sub("[^,]*$", "nan", rows[-1],
+                                                                                         count=1)]),
                        "empty": "", "binary": "\0\1\2"}
             try:
                 for damage, content in damages.items():

@@ -35,7 +35,8 @@ namespace ringmotor
   dealii::Point<2> unit_point(const std::array<dealii::Point<2>, 4> &corner,
                               const dealii::Point<2> &x);
 
-  /** The faces of solids with this boundary id; of the meshed part of the sector. */
+  /** The faces of solids with this boundary id; of the meshed part of the sector.
+   * @throws UserError if a face is too far from a parallelogram in the plane (r, theta) */
   ContactSurface solid_surface(const SectorElements &sector,
                                const dealii::types::boundary_id faces);
 

@@ -44,6 +44,8 @@ namespace ringmotor
    *
    * Faces are straight in that plane, while quadratic arcs of a body are not run through at quite
    * even speed: with half an arc a (rad) a constant pressure comes out to some 0.1 a^2.
+   *
+   * @throws UserError if too little of a quadratic face is covered
    */
   MortarCoupling couple(const ContactSurface &tooth, const ContactSurface &rotor,
                         const double pitch, const double shift = 0.);
