@@ -12,10 +12,10 @@
 namespace ringmotor
 {
   /**
-   * The finite-element model of one sector of a cyclic body, of solids, shells and bars in one
-   * numbering. Stiffness and mass are assembled once,
-   * with no condition on the cuts; a nodal diameter k only changes how the unknowns of the two real
-   * fields (real and imaginary part of U) are tied to each other:
+   * The finite-element model of one sector of a cyclic body, of solids, shells, bars and
+   * foundations in one numbering. Stiffness and mass are assembled once, with no condition on the
+   * cuts; a nodal diameter k only changes how the unknowns of the two real fields (real and
+   * imaginary part of U) are tied to each other:
    *
    * - half sector: the mirror plane theta = 0 fixes u_theta of the real and u_r, u_z of the
    * imaginary part, and of a shell's rotations the other components; on the cut theta = alpha/2,

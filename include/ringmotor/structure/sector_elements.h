@@ -42,9 +42,9 @@ namespace ringmotor
   };
 
   /**
-   * The solids, shells and bars of a sector in finite elements of one degree: their degrees of
-   * freedom in one numbering, those of the shell after those of the solids, and what ties some of
-   * them to others whatever the wave.
+   * The solids, shells, bars and foundations of a sector in finite elements of one degree: their
+   * degrees of freedom in one numbering, those of the shell after those of the solids, and what
+   * ties some of them to others whatever the wave.
    */
   class SectorElements
   {
