@@ -58,7 +58,7 @@ def draw_efficiency(losses, contact):
 
 
 def range_text(values):
-    low, high = (f"{value:.0f}" if value > 100 or value < 1e-3 else f"{value:.3g}"
+    low, high = (f"{round(value)}" if value > 100 or value < 1e-3 else f"{value:.3g}"
                  for value in (values.min(), values.max()))
     return f"{low} mW" if low == high else f"{low} to {high} mW"
 
