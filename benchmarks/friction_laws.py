@@ -14,17 +14,17 @@ import sys
 import tempfile
 
 sys.dont_write_bytecode = True
+from contact_cost import PLAIN as COULOMB, points_on_a_tooth  # noqa: E402
 from timed_run import program, timed_run  # noqa: E402
 
-LAWS = {"one coefficient, 0.40": {"Friction/Law": "coulomb"},
-        "one coefficient, 0.48": {"Friction/Law": "coulomb", "Friction/Dynamic coefficient": "0.48"},
-        "static-dynamic": {},
+LAWS = {"one coefficient, 0.40": {},
+        "one coefficient, 0.48": {"Friction/Dynamic coefficient": "0.48"},
+        "static-dynamic": {"Friction/Law": "static-dynamic"},
         "velocity": {"Friction/Law": "velocity", "Friction/Decay velocity": "0.05"},
         "slip-weakening": {"Friction/Law": "slip-weakening", "Friction/Weakening length": "20e-9"}}
-PLAIN = {"Rotor/Flange element": "solid", "Accuracy/Mode": "fixed", "Accuracy/Refinement": "1",
-         "Output/VTU": "false", "Loading/Values": "0, 0.05"}
-POINTS_ON_A_TOOTH = {0: 15, 1: 25, 2: 63}  # by interface mesh
-STEPS_IN_A_PERIOD = {1: 90, 2: 180, 4: 360}  # by moments in a snapshot
+PLAIN = {**COULOMB, "Loading/Values": "0, 0.05"}
+LEVELS = (0, 1, 2)  # of the interface mesh
+MOMENTS = (1, 2, 4)  # in a snapshot, each of ninety steps in a period
 
 
 def cell(folder, law, level, moments, seconds):
@@ -33,7 +33,7 @@ def cell(folder, law, level, moments, seconds):
         taken, _ = timed_run("contact", folder, entries, most_seconds=seconds)
     except TimeoutError:
         return "-"
-    except RuntimeError:
+    except SystemExit:
         return "refused"
     with open(pathlib.Path(folder) / "contact" / "torque_speed.csv") as file:
         speeds = ", ".join(f"{float(row['speed_rpm']):.2f}" for row in csv.DictReader(file))
@@ -47,8 +47,8 @@ def main():
     parser.add_argument("--markdown", help="also write the table to this file")
     options = parser.parse_args()
     program("contact")
-    columns = [(level, moments) for level in POINTS_ON_A_TOOTH for moments in STEPS_IN_A_PERIOD]
-    lines = ["| law | " + " | ".join(f"{POINTS_ON_A_TOOTH[level]} points, {STEPS_IN_A_PERIOD[moments]} steps"
+    columns = [(level, moments) for level in LEVELS for moments in MOMENTS]
+    lines = ["| law | " + " | ".join(f"{points_on_a_tooth(level)} points, {90 * moments} steps"
                                      for level, moments in columns) + " |", "|" + "---|" * (len(columns) + 1)]
     with tempfile.TemporaryDirectory() as folder:
         timed_run("stator", folder, PLAIN)

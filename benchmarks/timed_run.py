@@ -22,7 +22,7 @@ def program(name):
 
 def timed_run(name, folder, entries, n_ranks=1, most_seconds=None):
     """One run on the reference motor; returns wall seconds and largest resident set in MB (of the launcher
-    where there are several ranks). Raises RuntimeError if it fails, TimeoutError if it takes too long."""
+    where there are several ranks). Ends the benchmark if it fails; raises TimeoutError if it takes too long."""
     command = [str(program(name)), str(MOTOR), "--output", folder]
     for entry, value in entries.items():
         command += ["--set", f"{entry} = {value}"]
@@ -41,5 +41,5 @@ def timed_run(name, folder, entries, n_ranks=1, most_seconds=None):
     if status == signal.SIGKILL and most_seconds:
         raise TimeoutError(f"more than {most_seconds} s: {' '.join(command)}")
     if status != 0:
-        raise RuntimeError(f"failed: {' '.join(command)}")
+        sys.exit(f"failed: {' '.join(command)}")
     return time.perf_counter() - begin, usage.ru_maxrss / 1000.0

@@ -42,7 +42,7 @@ namespace ringmotor
       Log log;
       Phases phases;
       WaveEnergies wave;
-      SectorField body; ///< its strain energy from place to place
+      SectorField body; ///< its strain energy from place to place, for ParaView
       std::vector<PointLosses> points;
     };
 
@@ -66,7 +66,8 @@ namespace ringmotor
       const auto scope        = phases.measure("losses");
       const std::string &from = parameters.output.directory;
       wave                    = read_wave_energies(from + "/stator/modes.h5", parameters);
-      body                    = read_wave_body(from + "/stator/modes.h5", parameters);
+      if (speaks && parameters.output.vtu)
+        body = read_wave_body(from + "/stator/modes.h5", parameters);
       for (const CurvePoint &point : read_contact_points(from + "/contact/contact.h5", parameters))
         points.push_back({point, loss_budget(point, wave, parameters.materials, parameters.support),
                           budgets_by_cause(point, wave, parameters.materials, parameters.support)});

@@ -22,8 +22,8 @@ namespace ringmotor
 
   OperatingState MarchingDriver::step(const RotorLoad &load, const double length)
   {
-    const auto contact = std::make_shared<const RingContact>(
-        motor, load, TimeStep{now + length, length, positions}, heights);
+    const TimeStep time_step{now + length, length, positions};
+    const auto contact = std::make_shared<const RingContact>(motor, load, time_step, heights);
     std::vector<FrictionMemory> limits = memory;
     const PointFriction law            = [&](const unsigned int point, const double slip)
     { return friction_coefficient(friction, limits[point], slip, length); };
@@ -41,8 +41,7 @@ namespace ringmotor
     catch (const ComputationError &)
     {
       // In a long step others than the points of its begin come to touch.
-      const RingContact sliding(motor, {load.preload, {}, last_speed},
-                                TimeStep{now + length, length, positions}, heights);
+      const RingContact sliding(motor, {load.preload, {}, last_speed}, time_step, heights);
       solution = solved_from(solve_without_friction(sliding, motor.constants, state).state);
     }
     while (lose_static_limits(solution, limits))

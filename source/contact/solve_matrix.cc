@@ -10,17 +10,28 @@ namespace ringmotor
 {
   using namespace dealii;
 
+  namespace
+  {
+    /** Whether a matrix is factorised the faster without its zeros. */
+    bool is_large_and_sparse(const FullMatrix<double> &matrix)
+    {
+      // Few rows take milliseconds anyway, and LAPACK keeps zeros exact that UMFPACK's scaling
+      // rounds.
+      constexpr unsigned int few = 600;
+      constexpr double sparse = 0.3; // that of six moments; the order of elimination has its price
+      if (matrix.m() < few)
+        return false;
+      const double *entries = &matrix(0, 0);
+      const auto n_zeros    = std::count(entries, entries + matrix.n_elements(), 0.);
+      return matrix.n_elements() - n_zeros <= sparse * matrix.n_elements();
+    }
+  } // namespace
+
   bool solve_matrix(const FullMatrix<double> &matrix, Vector<double> &solution)
   {
-    constexpr double sparse = 0.3; // that of six moments; the order of elimination has its price
-    // Few rows take milliseconds anyway, and LAPACK keeps zeros exact that UMFPACK's scaling
-    // rounds.
-    constexpr unsigned int few = 600;
-    const double *entries      = &matrix(0, 0);
-    const auto n_zeros         = std::count(entries, entries + matrix.n_elements(), 0.);
     try
     {
-      if (matrix.m() < few || matrix.n_elements() - n_zeros > sparse * matrix.n_elements())
+      if (!is_large_and_sparse(matrix))
       {
         LAPACKFullMatrix<double> factors(matrix.m());
         factors = matrix;

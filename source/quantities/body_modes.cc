@@ -19,17 +19,6 @@ namespace ringmotor
   {
     constexpr unsigned int most_passes = 12, most_dofs = 400000;
 
-    MaterialTable material_table(const Materials &materials, const Body body)
-    {
-      if (body == Body::rotor)
-        return {{ids::rotor, materials.rotor_metal}, {ids::lip_shell, materials.rotor_metal}};
-      if (body == Body::tooth)
-        return {{ids::tooth, materials.stator_metal}};
-      return {{ids::base, materials.stator_metal},
-              {ids::tooth, materials.stator_metal},
-              {ids::piezoceramic, materials.piezoceramic}};
-    }
-
     /** A tooth knows nothing of waves around the ring: one nodal diameter stands for all. */
     Modes request_for(Modes modes)
     {
@@ -65,6 +54,17 @@ namespace ringmotor
                                 : Discretisation{4, 3};
     }
   } // namespace
+
+  MaterialTable material_table(const Materials &materials, const Body body)
+  {
+    if (body == Body::rotor)
+      return {{ids::rotor, materials.rotor_metal}, {ids::lip_shell, materials.rotor_metal}};
+    if (body == Body::tooth)
+      return {{ids::tooth, materials.stator_metal}};
+    return {{ids::base, materials.stator_metal},
+            {ids::tooth, materials.stator_metal},
+            {ids::piezoceramic, materials.piezoceramic}};
+  }
 
   BodyModes::BodyModes(const Parameters &parameters, MPI_Comm communicator)
       : parameters(parameters), communicator(communicator),

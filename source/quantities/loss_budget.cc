@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <ringmotor/mesh/ids.h>
+#include <ringmotor/quantities/body_modes.h>
 #include <ringmotor/quantities/loss_budget.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -94,14 +94,13 @@ namespace ringmotor
 
   std::vector<std::vector<double>> loss_density(const SectorField &wave, const Materials &materials)
   {
+    const MaterialTable table = material_table(materials, Body::stator);
     std::vector<std::vector<double>> density;
     for (const SectorField::Cell &cell : wave.cells)
     {
-      const Material &material =
-          cell.material == ids::piezoceramic ? materials.piezoceramic : materials.stator_metal;
       density.push_back(cell.strain_energy);
       for (double &value : density.back())
-        value *= 2. * material.loss_factor * wave.angular_frequency;
+        value *= 2. * table.at(cell.material).loss_factor * wave.angular_frequency;
     }
     return density;
   }

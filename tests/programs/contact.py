@@ -7,7 +7,6 @@ Usage: tests/programs/contact.py STATOR CONTACT [unittest arguments]
 What is compared: files with each other and with the loads that were asked for; an independent model of
 the motor turns at 85.3 rpm without load (see tests/quantities/motor.cc).
 """
-import base64
 import json
 import pathlib
 import re
@@ -17,27 +16,15 @@ import sys
 import tempfile
 import time
 import unittest
-import zlib
 
 import h5py
 import numpy as np
 
 sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
-from program import QUICK, ROOT, rows_of, run  # noqa: E402
+from program import QUICK, ROOT, rows_of, run, settings, vtu_array  # noqa: E402
 
 STATOR, CONTACT = sys.argv.pop(1), sys.argv.pop(1)
 PRELOAD = 14.0
-
-
-def settings(*entries):
-    return [part for entry in entries for part in ("--set", entry)]
-
-
-def array(path, name):
-    """Of a VTU file by the name of the array, floats; "" for the positions."""
-    tag = f'Name="{name}"' if name else "<Points>"
-    code = re.search(re.escape(tag) + r'[^\n]*\n?[^\n]*format="binary">\n(\S+)', path.read_text()).group(1)
-    return np.frombuffer(zlib.decompress(base64.b64decode(code[24:])), np.float32)
 
 
 class WithWave(unittest.TestCase):
@@ -108,11 +95,11 @@ class Results(WithWave):
         self.assertEqual([name for _, _, name in files],
                          [f"{body}_{number:03d}.vtu" for number in range(3) for body in ("rotor", "teeth")])
         self.assertEqual([part for _, part, _ in files], ["0", "1"] * 3)
-        place = array(self.folder / "teeth_001.vtu", "").reshape(-1, 3)
-        moved = array(self.folder / "teeth_001.vtu", "displacement").reshape(-1, 3)
-        gap = array(self.folder / "teeth_001.vtu", "gap")
-        status = array(self.folder / "teeth_001.vtu", "status")
-        pressure = array(self.folder / "teeth_001.vtu", "pressure")
+        place = vtu_array(self.folder / "teeth_001.vtu", "").reshape(-1, 3)
+        moved = vtu_array(self.folder / "teeth_001.vtu", "displacement").reshape(-1, 3)
+        gap = vtu_array(self.folder / "teeth_001.vtu", "gap")
+        status = vtu_array(self.folder / "teeth_001.vtu", "status")
+        pressure = vtu_array(self.folder / "teeth_001.vtu", "pressure")
         self.assertTrue(np.all((pressure > 0) == (status > 0)))
         with h5py.File(self.folder / "contact.h5") as file:
             radius, angle = file["nodes/radius"][()], file["nodes/angle"][()]
@@ -130,7 +117,7 @@ class Results(WithWave):
                 self.assertLess(abs(gap[point]), 1e-14)
                 n_found += 1
             self.assertGreater(n_found, 20)
-        rise = array(self.folder / "rotor_001.vtu", "displacement").reshape(-1, 3)[:, 2]
+        rise = vtu_array(self.folder / "rotor_001.vtu", "displacement").reshape(-1, 3)[:, 2]
         self.assertTrue(np.all(np.isfinite(rise)))
         self.assertGreater(lift.max(), rise.min())
 

@@ -6,32 +6,22 @@ Usage: tests/programs/losses.py STATOR CONTACT LOSSES [unittest arguments]
 
 What is compared: files with each other; losses that a change of a loss factor must scale.
 """
-import base64
 import json
 import pathlib
 import shutil
 import sys
 import tempfile
 import unittest
-import zlib
 
 import h5py
 import numpy as np
 
 sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
-from program import QUICK, rows_of, run  # noqa: E402
+from program import QUICK, rows_of, run, settings, vtu_array  # noqa: E402
 
 STATOR, CONTACT, LOSSES = sys.argv.pop(1), sys.argv.pop(1), sys.argv.pop(1)
 PARTS = ("friction_loss", "internal_loss_stator_metal", "internal_loss_piezoceramic", "internal_loss_rotor",
          "support_loss")
-
-
-def vtu_array(path, name, dtype=np.float32):
-    """An array of a VTU file by its name, the positions for none."""
-    text = path.read_text()
-    tag = text.index(f'Name="{name}"' if name else "<Points>")
-    code = text[text.index("\n", text.index("binary", tag)):].split()[0]
-    return np.frombuffer(zlib.decompress(base64.b64decode(code[24:])), dtype=dtype)
 
 
 def numbers(path):
@@ -51,8 +41,7 @@ class Losses(unittest.TestCase):
         shutil.rmtree(cls.case)
 
     def losses(self, *entries):
-        return run(LOSSES, QUICK, "--output", self.case,
-                   *[part for entry in entries for part in ("--set", entry)])
+        return run(LOSSES, QUICK, "--output", self.case, *settings(*entries))
 
     def results(self, *entries):
         """losses.csv, efficiency.csv, summary.json"""

@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the tests of the programs share."""
+import base64
 import csv
 import os
 import pathlib
 import subprocess
+import zlib
+
+import numpy as np
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 QUICK = ROOT / "prm" / "quick.prm"
@@ -20,3 +24,16 @@ def run(*command, file_size_limit=None):
 def rows_of(path):
     with open(path, newline="") as file:
         return list(csv.DictReader(file))
+
+
+def settings(*entries):
+    """Options that change entries of the parameter file."""
+    return [part for entry in entries for part in ("--set", entry)]
+
+
+def vtu_array(path, name, dtype=np.float32):
+    """An array of a VTU file by its name; "" for the positions."""
+    text = path.read_text()
+    tag = text.index(f'Name="{name}"' if name else "<Points>")
+    code = text[text.index("\n", text.index("binary", tag)):].split(maxsplit=1)[0]
+    return np.frombuffer(zlib.decompress(base64.b64decode(code[24:])), dtype)

@@ -18,7 +18,7 @@ import h5py
 import numpy as np
 
 sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
-from program import ROOT, rows_of, run  # noqa: E402
+from program import ROOT, rows_of, run, settings  # noqa: E402
 
 PROGRAMS = [sys.argv.pop(1) for _ in range(3)]
 MOTOR = ROOT / "prm" / "ring60.prm"
@@ -64,7 +64,7 @@ class SecondMotor(unittest.TestCase):
     def setUpClass(cls):
         cls.case = pathlib.Path(tempfile.mkdtemp())
         for program in PROGRAMS:
-            done = run(program, MOTOR, "--output", cls.case, *[part for entry in COARSE for part in ("--set", entry)])
+            done = run(program, MOTOR, "--output", cls.case, *settings(*COARSE))
             assert done.returncode == 0, done.stdout + done.stderr
         cls.curve = rows_of(cls.case / "contact" / "torque_speed.csv")
         with h5py.File(cls.case / "stator" / "modes.h5") as file:

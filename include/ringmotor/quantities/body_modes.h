@@ -8,6 +8,9 @@
 
 namespace ringmotor
 {
+  /** What the parts of a body are made of. */
+  MaterialTable material_table(const Materials &materials, const Body body);
+
   /** One computation on the way to the wanted accuracy. */
   struct Pass
   {
