@@ -2,6 +2,8 @@
 #include <ringmotor/contact/marching.h>
 #include <ringmotor/parameters/errors.h>
 
+#include <string>
+
 namespace ringmotor
 {
   MarchingDriver::MarchingDriver(const CondensedMotor &motor, const Friction &friction,
@@ -38,11 +40,13 @@ namespace ringmotor
     {
       solution = solved_from(state);
     }
-    catch (const ComputationError &)
+    catch (const ComputationError &error)
     {
       // In a long step others than the points of its begin come to touch.
       const RingContact sliding(motor, {load.preload, {}, last_speed}, time_step, heights);
-      solution = solved_from(solve_without_friction(sliding, motor.constants, state).state);
+      solution     = solved_from(solve_without_friction(sliding, motor.constants, state).state);
+      solution.how = std::string(error.what()) + "; found from the state without friction" +
+                     (solution.how.empty() ? "" : ", " + solution.how);
     }
     while (lose_static_limits(solution, limits))
     {
