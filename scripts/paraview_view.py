@@ -99,7 +99,9 @@ def command(png_folder):
         return [program, "--force-offscreen-rendering", SCENES]
     if not shutil.which("xvfb-run"):
         raise ViewError("there is no display and no program xvfb-run to do without: apt-get install xvfb")
-    return ["xvfb-run", "-a", program, SCENES]
+    # ParaView looks at the server and leaves before it draws: without -noreset the server starts anew just then, and at
+    # times is not there.
+    return ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -noreset", program, SCENES]
 
 
 def main(arguments):

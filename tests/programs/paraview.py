@@ -102,7 +102,7 @@ class Mistakes(WithFolder):
         done = self.view(self.case, f"--png={self.folder}/new", "--torque", "-2e1")
         *left_out, start, told = done.stdout.splitlines()
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        self.assertEqual(start, f"xvfb-run -a pvpython {scenes}")
+        self.assertEqual(start, f"xvfb-run -a -s -screen 0 1280x1024x24 -noreset pvpython {scenes}")
         self.assertEqual(told, f"{self.case}|wave loss_density|-20.0|{self.folder}/new")
         self.assertEqual(left_out, [f"paraview_view: no {view}, as {self.case}/contact/motor.pvd is missing; run the "
                                     "program contact with Output/VTU = true" for view in VIEWS[1:3]])
