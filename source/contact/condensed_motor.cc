@@ -251,7 +251,7 @@ namespace ringmotor
     motor.tooth_inertia_indicator = tooth.inertia_indicator;
     add_teeth(motor, tooth, rotor.mortar, parameters);
     if (motor.compliance.table_size() <= largest_table)
-      motor.compliance = motor.compliance.tabulated();
+      motor.compliance.tabulate();
     if (motor.n_repeats() > 1)
       motor.folded = motor.compliance.folded(motor.n_repeats());
     motor.constants = constants_for(motor.compliance);

@@ -1,54 +1,122 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/contact/contact_solver.h>
+#include <ringmotor/contact/proximal_problem.h>
 #include <ringmotor/parameters/errors.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 
 namespace ringmotor
 {
   namespace
   {
-    constexpr unsigned int most_newton        = 40;
-    constexpr unsigned int most_from_smoothed = 15;
-    constexpr unsigned int n_smoothings       = 10;
+    constexpr unsigned int most_newton = 30, most_proximal = 12, most_finishing = 10;
+
+    /** Springs as strong as the bodies themselves, times @p strength. Those of a rigid motion are
+     * measured by what it does at the nodes that touch. */
+    ProximalProblem::Springs springs_of(const ContactProblem &problem,
+                                        const ComplementarityConstants &constants,
+                                        const ContactState &state, const double strength)
+    {
+      ProximalProblem::Springs springs{strength / constants.normal, strength / constants.tangential,
+                                       std::vector<double>(problem.n_rigid(), 0.)};
+      std::vector<unsigned int> all(problem.n_points());
+      std::iota(all.begin(), all.end(), 0u);
+      dealii::FullMatrix<double> balance;
+      if (problem.n_rigid() > 0)
+        problem.balance_derivatives(all, balance);
+      for (unsigned int r = 0; r < problem.n_rigid(); ++r)
+      {
+        ContactState unit{std::vector<PointVector>(problem.n_points()),
+                          std::vector<double>(problem.n_rigid())};
+        unit.rigid[r]                         = 1.;
+        const std::vector<PointVector> motion = problem.motion_by(unit);
+        double of_touching = 0., of_node = 0.; // of a rigid motion's own sign
+        for (const unsigned int i : all)
+        {
+          double stiffness = 0.;
+          for (unsigned int c = 0; c < 3; ++c)
+            stiffness += (c == 0 ? constants.normal : constants.tangential) *
+                         balance(r, 3 * i + c) * motion[i][c];
+          if (std::abs(stiffness) > std::abs(of_node))
+            of_node = stiffness;
+          if (state.force[i][0] > 0.)
+            of_touching += stiffness;
+        }
+        springs.rigid_stiffness[r] =
+            strength * (std::abs(of_node) > std::abs(of_touching) ? of_node : of_touching);
+      }
+      return springs;
+    }
 
     /**
-     * Newton's method from states of smoothed friction that is smoothed less and less. It begins
-     * where all points stick or, if they are too many for that, at @p start, and smooths over what
-     * the largest force moves.
+     * The proximal point algorithm: a chain of problems with springs, each of which begins where
+     * the one before ended; where Newton's method fails the springs are made stronger, where it
+     * succeeds weaker. When the laws are nearly fulfilled, Newton's method finishes without them.
      */
-    ContactIterate continuation(const ContactProblem &problem, const FrictionBoundOf &bound_of,
-                                const ComplementarityConstants &constants,
-                                const ContactState &start)
+    ContactIterate proximal_points(const ContactProblem &problem, const FrictionBoundOf &bound_of,
+                                   const ComplementarityConstants &constants,
+                                   const ContactState &start)
     {
-      const bool from_sticking = can_stick_everywhere(problem);
-      ContactIterate smooth;
-      if (from_sticking)
-        smooth = stick_everywhere(problem, bound_of, constants);
-      else
-        smooth.state = start;
-      unsigned int n_problems = smooth.n_iterations;
-      double smoothing        = 0.;
-      for (const PointVector &force : smooth.state.force)
-        smoothing = std::max(smoothing, (from_sticking ? tangential_norm(force) : force.norm()) /
-                                            constants.tangential);
-      for (unsigned int i = 0;; ++i)
+      constexpr unsigned int most_steps = 80;
+      constexpr double weakest = 1e-8, strongest = 1e5, nearly = 0.05, fulfilled = 1e-10;
+      ContactIterate found;
+      found.state             = start;
+      unsigned int n_problems = 0;
+      double strength         = 1.;
+      for (unsigned int step = 0; step < most_steps && strength < strongest; ++step)
       {
-        ContactIterate exact =
-            newton(problem, bound_of, constants, smooth.state, most_from_smoothed);
-        n_problems += exact.n_iterations;
-        if (exact.certified() || i == n_smoothings || smoothing == 0.)
+        const ContactState centre              = found.state;
+        const ProximalProblem::Springs springs = springs_of(problem, constants, centre, strength);
+        const ProximalProblem proximal(problem, centre, springs);
+        const ComplementarityConstants softer{constants.normal / (1. + strength),
+                                              constants.tangential / (1. + strength)};
+        const ContactIterate next = newton(proximal, bound_of, softer, centre, most_proximal);
+        n_problems += next.n_iterations;
+        if (!next.certified())
         {
-          exact.n_iterations = n_problems;
-          return exact;
+          strength *= 8.;
+          continue;
         }
-        smooth = smoothed_newton(problem, bound_of, constants, smooth.state, smoothing,
-                                 most_from_smoothed);
-        n_problems += smooth.n_iterations;
-        smoothing /= 6.;
+        found.state = next.state;
+        strength /= 4.;
+        const double distance =
+            certify(problem, bound_of, found.state, problem.relative_motion(found.state)).worst();
+        if (distance > nearly && strength > weakest)
+          continue;
+        // The springs' forces vanish as the chain converges, so its limit solves the problem
+        // itself, also where that has more solutions than one and Newton's systems are singular.
+        if (distance <= fulfilled)
+        {
+          found.motion       = problem.relative_motion(found.state);
+          found.certificate  = certify(problem, bound_of, found.state, found.motion);
+          found.n_iterations = n_problems;
+          return found;
+        }
+        ContactIterate exact = newton(problem, bound_of, constants, found.state, most_finishing);
+        n_problems += exact.n_iterations;
+        exact.n_iterations = n_problems;
+        if (exact.certified())
+          return exact;
       }
+      found.failed       = true;
+      found.n_iterations = n_problems;
+      return found;
+    }
+
+    ContactState nothing(const ContactProblem &problem)
+    {
+      return {std::vector<PointVector>(problem.n_points()), std::vector<double>(problem.n_rigid())};
+    }
+
+    bool is_finite(const ContactState &state)
+    {
+      return std::all_of(state.force.begin(), state.force.end(),
+                         [](const PointVector &force) { return std::isfinite(force.norm()); }) &&
+             std::all_of(state.rigid.begin(), state.rigid.end(),
+                         [](const double motion) { return std::isfinite(motion); });
     }
 
     std::vector<PointStatus> status_of(const ContactIterate &iterate,
@@ -87,7 +155,7 @@ namespace ringmotor
         return true;
       tried << (tried.str().empty() ? "" : ", ") << what << " (";
       if (iterate.failed)
-        tried << "singular, or too many points touched,";
+        tried << "a linear system was singular";
       else
         tried << iterate.certificate.worst();
       tried << " after " << iterate.n_iterations << ")";
@@ -99,18 +167,13 @@ namespace ringmotor
                              iterate.certificate, n_iterations,   tried.str()};
     };
 
-    const ContactIterate first = newton(problem, bound_of, constants, start, most_newton);
+    const ContactState begin   = is_finite(start) ? start : nothing(problem);
+    const ContactIterate first = newton(problem, bound_of, constants, begin, most_newton);
     if (solved(first, "Newton's method"))
       return solution(first);
-    // Too small a normal constant and too large a tangential one hurt least.
-    const ComplementarityConstants other{constants.normal / 16., constants.tangential * 16.};
-    const ContactIterate second = newton(problem, bound_of, other, start, most_newton);
-    if (solved(second, "the same with constants of " + std::to_string(other.normal) + " and " +
-                           std::to_string(other.tangential) + " N/m"))
+    const ContactIterate second = proximal_points(problem, bound_of, constants, begin);
+    if (solved(second, "the proximal point algorithm"))
       return solution(second);
-    const ContactIterate third = continuation(problem, bound_of, constants, start);
-    if (solved(third, "Newton's method from states of smoothed friction"))
-      return solution(third);
     throw ComputationError("the contact problem of " + std::to_string(problem.n_points()) +
                            " points was not solved; tried, with the largest violation of the laws "
                            "of contact and the linear problems solved: " +

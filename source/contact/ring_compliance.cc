@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/contact/ring_compliance.h>
+#include <ringmotor/structure/blas.h>
 #include <ringmotor/structure/rank_factors.h>
 
 #include <algorithm>
@@ -221,49 +222,40 @@ namespace ringmotor
           near[d].add(1., shares.of(seen[b], by_surface));
         }
     }
+    prepare();
   }
 
   void RingCompliance::add_within_sectors(const FullMatrix<double> &compliance)
   {
     near[0].Tadd(1., compliance);
+    Assert(table.empty(), ExcMessage("the table is made last"));
   }
 
-  void RingCompliance::add_motions(const double *forces, double *motions) const
+  void RingCompliance::add_motions(const double *forces, double *motions,
+                                   const unsigned int n_rings) const
   {
-    const std::size_t width = 3 * node_count, n_far = basis.n();
-    const unsigned int n = n_sectors();
-    const auto add = [](double *to, const double factor, const double *from, const std::size_t size)
-    {
-      for (std::size_t i = 0; i < size; ++i)
-        to[i] += factor * from[i];
-    };
-    std::vector<unsigned int> near_distances;
-    for (unsigned int d = 0; d < n; ++d)
-      if (!near[d].empty())
-        near_distances.push_back(d);
-    FullMatrix<double> far(n, n_far);
-    for (unsigned int s = 0; s < n; ++s)
-    {
-      std::vector<double> by_far(n_far, 0.);
-      bool is_loaded = false;
-      for (std::size_t i = 0; i < width; ++i)
-        if (const double force = forces[s * width + i]; force != 0.)
-        {
-          is_loaded = true;
-          for (const unsigned int d : near_distances)
-            add(motions + (s + d) % n * width, force, &near[d](i, 0), width);
-          if (n_far > 0)
-            add(by_far.data(), force, &basis(i, 0), n_far);
-        }
-      for (unsigned int t = 0; is_loaded && n_far > 0 && t < n; ++t)
-        for (std::size_t i = 0; i < n_far; ++i)
-          add(&far(t, 0), by_far[i], &kernel[(t + n - s) % n](i, 0), n_far);
-    }
+    const int n = n_sectors(), width = 3 * node_count, n_far = basis.n();
+    const double one = 1., zero = 0.;
+    const std::size_t of_ring = static_cast<std::size_t>(n) * width;
+    for (unsigned int ring = 0; ring < n_rings; ++ring)
+      for (int d = 0; d < n; ++d)
+        if (!near[d].empty())
+          // Sectors 0 .. n - d - 1 move d .. n - 1, and the others 0 .. d - 1.
+          for (const auto &[from, to, count] :
+               {std::array<int, 3>{{0, d, n - d}}, std::array<int, 3>{{n - d, 0, d}}})
+            if (count > 0)
+              dgemm_("N", "N", &width, &count, &width, &one, &near[d](0, 0), &width,
+                     forces + ring * of_ring + from * width, &width, &one,
+                     motions + ring * of_ring + to * width, &width);
     if (n_far == 0)
       return;
-    FullMatrix<double> moved(n, width);
-    far.mTmult(moved, basis);
-    add(motions, 1., &moved(0, 0), n * width);
+    const int columns = n * n_rings;
+    std::vector<double> by_far(static_cast<std::size_t>(columns) * n_far), far(by_far.size(), 0.);
+    dgemm_("N", "N", &n_far, &columns, &width, &one, &basis(0, 0), &n_far, forces, &width, &zero,
+           by_far.data(), &n_far);
+    ring_product.add(by_far, far, n_rings);
+    dgemm_("T", "N", &width, &columns, &n_far, &one, &basis(0, 0), &n_far, far.data(), &n_far, &one,
+           motions, &width);
   }
 
   void RingCompliance::add_entries(const unsigned int distance,
@@ -272,16 +264,17 @@ namespace ringmotor
                                    const unsigned int first, FullMatrix<double> &matrix,
                                    const unsigned int row, const unsigned int column) const
   {
-    if (!near[distance].empty())
+    const FullMatrix<double> &known = table.empty() ? near[distance] : table[distance];
+    if (!known.empty())
       for (unsigned int b = 0; b < columns.size(); ++b)
         for (unsigned int d = 0; d < 3; ++d)
         {
-          const double *by_force = &near[distance](3 * columns[b] + d, 0);
+          const double *by_force = &known(3 * columns[b] + d, 0);
           for (unsigned int a = 0; a < rows.size(); ++a)
             for (unsigned int c = first; c < 3; ++c)
               matrix(row + 3 * a + c, column + 3 * b + d) += factor * by_force[3 * rows[a] + c];
         }
-    if (basis.n() == 0)
+    if (!table.empty() || basis.n() == 0)
       return;
     const auto rows_of_basis = [&](const std::vector<unsigned int> &nodes)
     {
@@ -315,21 +308,28 @@ namespace ringmotor
     };
     add_to_folded(result.near);
     add_to_folded(result.kernel);
+    if (!table.empty())
+      add_to_folded(result.table);
+    result.prepare();
     return result;
   }
 
-  RingCompliance RingCompliance::tabulated() const
+  void RingCompliance::tabulate()
   {
-    RingCompliance result;
-    result.node_count = node_count;
     std::vector<unsigned int> nodes(node_count);
     std::iota(nodes.begin(), nodes.end(), 0u);
+    std::vector<FullMatrix<double>> all;
     for (unsigned int distance = 0; distance < n_sectors(); ++distance)
     {
       FullMatrix<double> entries(3 * node_count, 3 * node_count);
       add_entries(distance, nodes, nodes, 1., 0, entries, 0, 0);
-      result.near.push_back(transposed(entries));
+      all.push_back(transposed(entries));
     }
-    return result;
+    table = std::move(all);
+  }
+
+  void RingCompliance::prepare()
+  {
+    ring_product = basis.n() > 0 ? CirculantProduct(kernel) : CirculantProduct();
   }
 } // namespace ringmotor

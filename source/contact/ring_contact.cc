@@ -92,19 +92,22 @@ namespace ringmotor
     return (n_moments - 1) * n_of_moment + earlier_tooth * n_nodes + point % n_nodes;
   }
 
-  std::vector<PointVector> RingContact::positions(const ContactState &state) const
+  std::vector<PointVector> RingContact::positions_by(const ContactState &state) const
   {
     std::vector<PointVector> position(n_points());
     for (unsigned int point = 0; point < position.size(); ++point)
-    {
-      position[point] = -stator[point];
       for (unsigned int r = 0; r < n_rigid_of_moment; ++r)
         position[point] +=
             state.rigid[moment(point) * n_rigid_of_moment + r] * rigid_motion(point, r);
-    }
-    const unsigned int n_of_moment = n_sectors * n_nodes;
-    for (unsigned int m = 0; m < n_moments; ++m)
-      compliance.add_motions(&state.force[m * n_of_moment][0], &position[m * n_of_moment][0]);
+    compliance.add_motions(&state.force[0][0], &position[0][0], n_moments);
+    return position;
+  }
+
+  std::vector<PointVector> RingContact::positions(const ContactState &state) const
+  {
+    std::vector<PointVector> position = positions_by(state);
+    for (unsigned int point = 0; point < position.size(); ++point)
+      position[point] -= stator[point];
     return position;
   }
 
@@ -132,14 +135,26 @@ namespace ringmotor
 
   std::vector<PointVector> RingContact::relative_motion(const ContactState &state) const
   {
-    const std::vector<PointVector> position = positions(state);
-    const double turned                     = turn(state);
-    std::vector<PointVector> motion         = position;
+    return change_in_step(positions(state), given ? &*given : nullptr, turn(state));
+  }
+
+  std::vector<PointVector> RingContact::motion_by(const ContactState &change) const
+  {
+    const std::vector<PointVector> at_rest(given ? n_points() : 0);
+    return change_in_step(positions_by(change), given ? &at_rest : nullptr,
+                          load.torque ? change.rigid.back() : 0.);
+  }
+
+  std::vector<PointVector> RingContact::change_in_step(const std::vector<PointVector> &position,
+                                                       const std::vector<PointVector> *before,
+                                                       const double turned) const
+  {
+    std::vector<PointVector> motion = position;
     for (unsigned int point = 0; point < motion.size(); ++point)
     {
-      const PointVector &before = given ? (*given)[point] : position[earlier(point)];
+      const PointVector &start = before ? (*before)[point] : position[earlier(point)];
       for (unsigned int c = 1; c < 3; ++c)
-        motion[point][c] -= before[c];
+        motion[point][c] -= start[c];
       motion[point][1] += node(point).radius * turned;
     }
     return motion;

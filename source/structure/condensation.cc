@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/mesh/ids.h>
+#include <ringmotor/structure/blas.h>
 #include <ringmotor/structure/condensation_reduced.h>
 #include <ringmotor/structure/dense_ldlt.h>
 #include <ringmotor/structure/sparse_ldlt.h>
@@ -7,13 +8,6 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-
-extern "C"
-{
-  void dgemm_(const char *transpose_a, const char *transpose_b, const int *m, const int *n,
-              const int *k, const double *alpha, const double *a, const int *lda, const double *b,
-              const int *ldb, const double *beta, double *c, const int *ldc);
-}
 
 namespace ringmotor
 {

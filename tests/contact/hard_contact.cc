@@ -120,10 +120,11 @@ TEST(ContactHard, WithoutFriction)
 
 TEST(ContactHard, WithoutFrictionAndFreeToMove)
 {
-  // Nothing balances a tangential force; without one the motion is any.
+  // Nothing balances a tangential force; without one the motion is any, and one of them is found.
   const LineContact line = cylinders(steel);
   expect_refused(line.shift(load, 1.), 0., line.constants());
-  expect_refused(line.shift(load, 0.), 0., line.constants());
+  const DenseContact unloaded = line.shift(load, 0.);
+  expect_solved(unloaded, 0., line.constants(), unloaded.nothing());
 }
 
 TEST(ContactHard, WithMuchFriction)
@@ -246,7 +247,8 @@ TEST(ContactHard, OfTwinPoints)
       problem.compliance(i, j) = 1e-8;
   for (PointVector &motion : problem.free_motion)
     motion[0] = -1e-6;
-  expect_refused(problem, 0.3, {1e8, 1e8});
+  const ContactSolution found = expect_solved(problem, 0.3, {1e8, 1e8}, problem.nothing());
+  EXPECT_NEAR(total(found.state, 0), 100., 1e-5);
 }
 
 TEST(ContactHard, OfNoNumbers)
@@ -297,6 +299,8 @@ TEST(ContactHard, OfAnyCompliance)
               problem.load = {-0.3 * n_points, 0.3 * mu * n_points * random(-0.9, 0.9)};
             const ContactSolution found =
                 expect_solved(problem, mu, constants_of(problem), problem.nothing());
+            if (rigid_motions) // at first nothing touches that could hold them
+              continue;
             ++n_solved;
             n_helped += !found.how.empty();
           }

@@ -40,7 +40,15 @@ namespace ringmotor::tests
 
     std::vector<PointVector> relative_motion(const ContactState &state) const override
     {
-      std::vector<PointVector> motion = free_motion;
+      std::vector<PointVector> motion = motion_by(state);
+      for (unsigned int i = 0; i < n_points(); ++i)
+        motion[i] += free_motion[i];
+      return motion;
+    }
+
+    std::vector<PointVector> motion_by(const ContactState &state) const override
+    {
+      std::vector<PointVector> motion(n_points());
       for (unsigned int row = 0; row < 3 * n_points(); ++row)
       {
         double sum = 0.;

@@ -44,7 +44,15 @@ namespace ringmotor::tests
 
     std::vector<PointVector> relative_motion(const ContactState &state) const override
     {
-      std::vector<PointVector> motion = free_motion;
+      std::vector<PointVector> motion = motion_by(state);
+      for (unsigned int i = 0; i < n_points(); ++i)
+        motion[i] += free_motion[i];
+      return motion;
+    }
+
+    std::vector<PointVector> motion_by(const ContactState &state) const override
+    {
+      std::vector<PointVector> motion(n_points());
       for (unsigned int i = 0; i < 3 * n_points(); ++i)
       {
         motion[i / 3][i % 3] += preload && i % 3 == 0 ? state.rigid[0] : 0.;

@@ -43,6 +43,9 @@ namespace ringmotor
     /** For each point the gap (m), and the slip of the rotor over the stator in the step (m). */
     virtual std::vector<PointVector> relative_motion(const ContactState &state) const = 0;
 
+    /** The linear part of the relative motion: how forces and rigid motions alone change it. */
+    virtual std::vector<PointVector> motion_by(const ContactState &change) const = 0;
+
     /**
      * Derivatives of the relative motion of some points, three rows for each, by the forces at the
      * same points, three columns for each, and by the rigid motions, one column for each. Sets size

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/contact/circulant_product.h>
 #include <ringmotor/contact/mortar.h>
 #include <ringmotor/structure/interface_compliance.h>
 
@@ -47,7 +48,8 @@ namespace ringmotor
    *
    * Only a sector itself and its neighbours know where on a sector a force acts; for all others its
    * few far-reaching effects are enough. So this takes far less memory than a table of all entries,
-   * and far less work to apply; a small one is faster as such a table.
+   * and far less work to apply: K by FFT over the sectors, near_d by matrix products. Single
+   * entries are faster found in such a table, where it is small.
    */
   class RingCompliance
   {
@@ -71,8 +73,9 @@ namespace ringmotor
     unsigned int n_sectors() const { return near.size(); }
     unsigned int n_nodes() const { return node_count; }
 
-    /** Adds the motions (m) of all sectors under forces (N); both by sector, node, component. */
-    void add_motions(const double *forces, double *motions) const;
+    /** Adds the motions (m) of all sectors under forces (N); both by ring, sector, node, component;
+     * several equal rings at once. */
+    void add_motions(const double *forces, double *motions, const unsigned int n_rings = 1) const;
 
     /**
      * Adds the motions of nodes @p rows by unit forces on nodes @p columns of a sector that lies
@@ -89,8 +92,8 @@ namespace ringmotor
      * themselves. */
     RingCompliance folded(const unsigned int fold) const;
 
-    /** The same ring as a table of all entries: all distances are near. */
-    RingCompliance tabulated() const;
+    /** Makes a table of all entries, from which add_entries() reads them. */
+    void tabulate();
     /** Numbers that such a table has. */
     std::size_t table_size() const
     {
@@ -100,13 +103,19 @@ namespace ringmotor
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &node_count &near &basis &kernel;
+      archive &node_count &near &basis &kernel &table;
+      if (Archive::is_loading::value)
+        prepare();
     }
 
   private:
+    void prepare();
+
     unsigned int node_count = 0;
     std::vector<dealii::FullMatrix<double>> near;   ///< by distance, transposed; empty if far
     dealii::FullMatrix<double> basis;               ///< a row for each component of a node
     std::vector<dealii::FullMatrix<double>> kernel; ///< by distance, transposed
+    std::vector<dealii::FullMatrix<double>> table;  ///< of all entries, like near; may be empty
+    CirculantProduct ring_product;                  ///< with the kernel
   };
 } // namespace ringmotor

@@ -55,6 +55,7 @@ namespace ringmotor
       return n_moments * n_rigid_of_moment + (load.torque ? 1 : 0);
     }
     std::vector<PointVector> relative_motion(const ContactState &state) const override;
+    std::vector<PointVector> motion_by(const ContactState &change) const override;
     void derivatives(const std::vector<unsigned int> &points,
                      dealii::FullMatrix<double> &matrix) const override;
     std::vector<double> balances(const ContactState &state) const override;
@@ -101,6 +102,11 @@ namespace ringmotor
     void place_stator(const double first_time, const std::vector<double> &heights);
     void tabulate_rigid_motions();
     double turn(const ContactState &state) const;
+    /** Positions by forces and rigid motions alone, and the change of positions in a step. */
+    std::vector<PointVector> positions_by(const ContactState &state) const;
+    std::vector<PointVector> change_in_step(const std::vector<PointVector> &position,
+                                            const std::vector<PointVector> *before,
+                                            const double turned) const;
     const PointVector &rigid_motion(const unsigned int point, const unsigned int which) const
     {
       return rigid[point % (n_sectors * n_nodes) * n_rigid_of_moment + which];

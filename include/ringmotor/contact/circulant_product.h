@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <deal.II/lac/full_matrix.h>
+
+#include <complex>
+#include <memory>
+#include <vector>
+
+namespace ringmotor
+{
+  /**
+   * Products with a block-circulant matrix: n sectors in a ring, and a block that depends only on
+   * the distance of two sectors. The discrete Fourier transform over the sectors makes it block
+   * diagonal, so that a product takes a small matrix for each harmonic instead of one for each pair
+   * of sectors.
+   */
+  class CirculantProduct
+  {
+  public:
+    /** No sectors: to be assigned to. */
+    CirculantProduct() = default;
+
+    /** @param kernel by distance 0 .. n - 1, transposed: entry (i, j) is the motion j by a force i
+     * so many sectors lower */
+    explicit CirculantProduct(const std::vector<dealii::FullMatrix<double>> &kernel);
+
+    /** Adds the product to @p motions. Forces and motions by ring, sector, component; several rings
+     * with the same matrix at once. */
+    void add(const std::vector<double> &forces, std::vector<double> &motions,
+             const unsigned int n_rings) const;
+
+  private:
+    class Transforms;
+
+    int width = 0, n_sectors = 0;
+    std::shared_ptr<const Transforms> transforms;
+    std::vector<std::complex<double>> harmonics; ///< matrix by harmonic, column by column
+  };
+} // namespace ringmotor
