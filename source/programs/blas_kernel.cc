@@ -39,9 +39,8 @@ namespace ringmotor
 
   std::string faster_blas_kernel(const std::string &kernel, const VectorInstructions instructions)
   {
-    // What OpenBLAS takes for processors it does not know. Measured: two to three times slower than
-    // Haswell, of which Zen is a copy, and that 1.6 times slower than SkylakeX even on an AMD
-    // processor with AVX-512. All other kernels are for a processor that was recognised.
+    // What OpenBLAS takes for processors it does not know, and only these: all other kernels are
+    // for processors that it recognised. doc/accuracy_and_cost.md has the rates that were measured.
     const std::set<std::string> without_avx2 = {"Prescott", "Core2", "Nehalem", "Barcelona",
                                                 "Sandybridge"};
     const std::set<std::string> with_avx2    = {"Haswell", "Zen"};
