@@ -3,6 +3,7 @@
 // The main function of every test program: GoogleTest on one or more ranks. Each rank runs the same
 // tests; rank 0 prints, and a failure on any rank is a failure of all.
 
+#include <ringmotor/programs/blas_kernel.h>
 #include <ringmotor/programs/run_program.h>
 
 #include <deal.II/base/mpi.h>
@@ -10,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <iostream>
+#include <vector>
 
 namespace
 {
@@ -28,10 +30,12 @@ namespace
 
 int main(int argc, char **argv)
 {
+  std::vector<char *> arguments(argv, argv + argc + 1); // before GoogleTest takes its own out
   testing::InitGoogleTest(&argc, argv);
   if (testing::GTEST_FLAG(list_tests)) // ctest asks for the names: MPI would only take time
     return RUN_ALL_TESTS();
 
+  ringmotor::restart_with_faster_blas_kernel(arguments.data());
   ringmotor::spare_the_network_search();
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)

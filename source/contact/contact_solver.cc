@@ -86,6 +86,11 @@ namespace ringmotor
             certify(problem, bound_of, found.state, problem.relative_motion(found.state)).worst();
         if (distance > nearly && strength > weakest)
           continue;
+        ContactIterate exact = newton(problem, bound_of, constants, found.state, most_finishing);
+        n_problems += exact.n_iterations;
+        exact.n_iterations = n_problems;
+        if (exact.certified())
+          return exact;
         // The springs' forces vanish as the chain converges, so its limit solves the problem
         // itself, also where that has more solutions than one and Newton's systems are singular.
         if (distance <= fulfilled)
@@ -95,11 +100,6 @@ namespace ringmotor
           found.n_iterations = n_problems;
           return found;
         }
-        ContactIterate exact = newton(problem, bound_of, constants, found.state, most_finishing);
-        n_problems += exact.n_iterations;
-        exact.n_iterations = n_problems;
-        if (exact.certified())
-          return exact;
       }
       found.failed       = true;
       found.n_iterations = n_problems;

@@ -84,6 +84,7 @@ namespace ringmotor
         {"program", summary.program},
         {"version", summary.version},
         {"git", summary.git},
+        {"blas_kernel", summary.blas_kernel},
         {"prm", summary.prm},
         {"seconds", seconds},
         {"peak_memory_MB", summary.peak_memory_MB},

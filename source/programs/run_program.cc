@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/parameters/errors.h>
+#include <ringmotor/programs/blas_kernel.h>
 #include <ringmotor/programs/run_program.h>
 #include <ringmotor/version.h>
 
@@ -83,6 +84,12 @@ namespace ringmotor
       return line;
     }
 
+    std::string describe_blas()
+    {
+      const std::string kernel = blas_kernel();
+      return kernel.empty() ? "a BLAS other than OpenBLAS" : "BLAS kernel " + kernel;
+    }
+
     void work(int argc, char **argv, const std::string &name, const std::string &purpose,
               const std::function<void(const Parameters &)> &check,
               const std::function<void(const Parameters &)> &run,
@@ -94,7 +101,8 @@ namespace ringmotor
       if (line.version)
       {
         if (speaks)
-          std::cout << name << " of ringmotor " << version << " (" << git_revision << ")\n";
+          std::cout << name << " of ringmotor " << version << " (" << git_revision << "), "
+                    << describe_blas() << '\n';
       }
       else if (line.help)
       {
@@ -151,6 +159,7 @@ namespace ringmotor
                   const std::function<void(const Parameters &)> &study,
                   const std::function<void(const Parameters &)> &resume)
   {
+    restart_with_faster_blas_kernel(argv);
     spare_the_network_search();
     std::signal(SIGXFSZ, SIG_IGN); // a file grown too large shall be an error that can be told
     const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);

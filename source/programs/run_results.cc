@@ -2,6 +2,7 @@
 #include <ringmotor/output/files.h>
 #include <ringmotor/output/text.h>
 #include <ringmotor/parameters/errors.h>
+#include <ringmotor/programs/blas_kernel.h>
 #include <ringmotor/programs/run_results.h>
 #include <ringmotor/version.h>
 
@@ -45,9 +46,10 @@ namespace ringmotor
                         const Phases &phases)
   {
     Summary summary;
-    summary.program = program;
-    summary.version = version;
-    summary.git     = git_revision;
+    summary.program     = program;
+    summary.version     = version;
+    summary.git         = git_revision;
+    summary.blas_kernel = blas_kernel();
     std::ostringstream prm;
     print_parameters(prm, parameters);
     summary.prm            = prm.str();

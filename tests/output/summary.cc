@@ -24,6 +24,7 @@ namespace
     summary.program        = "stator";
     summary.version        = "0.1.0";
     summary.git            = "abcdef";
+    summary.blas_kernel    = "SkylakeX";
     summary.prm            = "subsection Motor\n  set Name = \"x\"\nend\n";
     summary.seconds        = {{"mesh", 0.25}, {"factorise", 1.5}, {"assemble", 0.5}};
     summary.peak_memory_MB = 123.5;
@@ -51,7 +52,7 @@ TEST(Summary, HoldsEverythingUnderItsName)
   const std::string text = content_of(scratch.path("summary.json"));
 
   const auto expected = nlohmann::json::parse(R"({
-    "program": "stator", "version": "0.1.0", "git": "abcdef",
+    "program": "stator", "version": "0.1.0", "git": "abcdef", "blas_kernel": "SkylakeX",
     "prm": "subsection Motor\n  set Name = \"x\"\nend\n",
     "seconds": {"mesh": 0.25, "factorise": 1.5, "assemble": 0.5},
     "peak_memory_MB": 123.5,

@@ -47,7 +47,8 @@ namespace ringmotor
     };
 
     std::string program, version, git;
-    std::string prm;                                     ///< the parameters of the run, as text
+    std::string blas_kernel; ///< see blas_kernel(); empty for a BLAS other than OpenBLAS
+    std::string prm;         ///< the parameters of the run, as text
     std::vector<std::pair<std::string, double>> seconds; ///< per phase, in the order of the run
     double peak_memory_MB = 0.;
     std::uint64_t dofs    = 0;

@@ -15,8 +15,9 @@ namespace ringmotor
   void spare_the_network_search();
 
   /**
-   * Everything a program's main() does around its work: starts MPI, reads the command line
-   * `FILE.prm [--set 'Section/Sub/Entry = value']... [--output DIR] [--study] [--resume] [--help]
+   * Everything a program's main() does around its work: sees to a fast BLAS, starts MPI, reads the
+   * command line `FILE.prm [--set 'Section/Sub/Entry = value']... [--output DIR] [--study]
+   * [--resume] [--help]
    * [--version]` and the parameters, calls @p check and then @p run or, with `--study`, @p study
    * or, with `--resume`, @p resume with them (a program without @p resume refuses the option), and
    * turns errors into one line on standard error and an exit status: 0 done and certified, 1 the

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/programs/blas_kernel.h>
+
+#include <dlfcn.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+#include <system_error>
+
+namespace ringmotor
+{
+  namespace
+  {
+    constexpr const char *variable = "OPENBLAS_CORETYPE";
+  }
+
+  VectorInstructions vector_instructions()
+  {
+#ifdef __x86_64__
+    // The compiler's test asks the operating system, too, which must save the registers.
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512cd") &&
+        __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
+        __builtin_cpu_supports("avx512vl"))
+      return VectorInstructions::avx512;
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+      return VectorInstructions::avx2;
+#endif
+    return VectorInstructions::older;
+  }
+
+  std::string blas_kernel()
+  {
+    // Any BLAS may be linked, so the function is looked for when the program runs.
+    const auto name = reinterpret_cast<char *(*)()>(dlsym(RTLD_DEFAULT, "openblas_get_corename"));
+    return name == nullptr ? "" : name();
+  }
+
+  std::string faster_blas_kernel(const std::string &kernel, const VectorInstructions instructions)
+  {
+    // What OpenBLAS takes for processors it does not know, and only these: all other kernels are
+    // for processors that it recognised. doc/accuracy_and_cost.md has the rates that were measured.
+    const std::set<std::string> without_avx2 = {"Prescott", "Core2", "Nehalem", "Barcelona",
+                                                "Sandybridge"};
+    const std::set<std::string> with_avx2    = {"Haswell", "Zen"};
+    const bool is_older                      = without_avx2.count(kernel) == 1;
+    if (instructions == VectorInstructions::avx512 && (is_older || with_avx2.count(kernel) == 1))
+      return "SkylakeX";
+    if (instructions == VectorInstructions::avx2 && is_older)
+      return "Haswell";
+    return "";
+  }
+
+  void restart_with_faster_blas_kernel(char **argv)
+  {
+    if (std::getenv(variable) != nullptr)
+      return;
+    const std::string kernel = faster_blas_kernel(blas_kernel(), vector_instructions());
+    if (kernel.empty())
+      return;
+    // By its own name: started as /proc/self/exe, it would be listed as "exe".
+    std::error_code error;
+    const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+    if (error)
+      return;
+    setenv(variable, kernel.c_str(), /*overwrite =*/0);
+    execv(program.c_str(), argv);
+    unsetenv(variable); // only reached if it failed
+  }
+} // namespace ringmotor
