@@ -215,12 +215,13 @@ class OtherStators(unittest.TestCase):
                 self.assertEqual(len(refused.stderr.strip().splitlines()), 1, refused.stderr)
                 for text in (said, entry.split(" = ")[0] + " = ", "belongs to another motor", "run the program stator"):
                     self.assertIn(text, refused.stderr)
+                if "Mesh file" in entry:  # contact builds its own teeth
+                    continue
                 taken = outcome(CONTACT, "--set", entry)
                 self.assertEqual(taken.returncode, 0, taken.stderr)
                 # The other way round: the wave of the plain stator.
                 self.assertEqual(outcome(STATOR).returncode, 0)
-                self.assertEqual(outcome(CONTACT, "--set", entry).returncode, 1)
-                self.assertEqual(outcome(CONTACT).returncode, 0)
+                self.assertIn("belongs to another motor", outcome(CONTACT, "--set", entry).stderr)
 
 
 class Targets(unittest.TestCase):
@@ -250,8 +251,8 @@ class Targets(unittest.TestCase):
         self.assertIn("the last mesh was made for Accuracy/Target = 0.0003", said)
 
     def test_a_fresh_wave_is_never_too_coarse_for_the_contact(self):
-        entries = settings("Accuracy/Target = 3e-2", "Accuracy/Contact target = 1e-2", "Loading/Values = 0.05",
-                           "Output/VTU = false")
+        plain = settings("Accuracy/Target = 3e-2", "Loading/Values = 0.05", "Output/VTU = false")
+        entries = plain + settings("Accuracy/Contact target = 1e-2")
         with tempfile.TemporaryDirectory() as case:
             for program in (STATOR, CONTACT):
                 done = run(program, QUICK, "--output", case, *entries)
@@ -259,7 +260,7 @@ class Targets(unittest.TestCase):
             # A wave from elsewhere may be.
             coarse = settings("Accuracy/Mode = fixed", "Accuracy/Polynomial degree = 2")
             self.assertEqual(run(STATOR, QUICK, "--output", case, *coarse).returncode, 0)
-            done = run(CONTACT, QUICK, "--output", case, *entries, "--set", "Accuracy/Contact target = 1e-3")
+            done = run(CONTACT, QUICK, "--output", case, *plain, "--set", "Accuracy/Contact target = 1e-3")
             self.assertEqual(done.returncode, 2, done.stdout)
             self.assertIn("run the program stator with these parameters", done.stderr)
 
