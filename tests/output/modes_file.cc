@@ -51,12 +51,14 @@ namespace
            entry.find("Materials/Target plate/") == 0;
   }
 
-  class ModesFileOwner : public testing::TestWithParam<std::string>
+  class ModesFileOwner : public testing::TestWithParam<EffectChoice>
   {
   protected:
-    /** Writes `modes.h5` of a motor, coarsely. */
-    void write(const Parameters &parameters) const
+    /** Writes `modes.h5` of a motor, from a coarse mesh. */
+    void write(Parameters parameters) const
     {
+      parameters.accuracy.mode              = AccuracyMode::fixed;
+      parameters.accuracy.polynomial_degree = 2;
       BodyModes body(parameters, MPI_COMM_SELF);
       body.find([](const Pass &) {});
       write_modes_h5(path, parameters, body.search().sector(), body.search().modes(), body.wave());
@@ -69,17 +71,14 @@ namespace
 
     const Scratch scratch;
     const std::string path = scratch.path("modes.h5");
-    const std::vector<std::string> coarse{"Accuracy/Mode = fixed",
-                                          "Accuracy/Polynomial degree = 2"};
   };
 } // namespace
 
 TEST_P(ModesFileOwner, IsToldByEveryEntryThatTheWaveDependsOn)
 {
-  const bool has_plates            = GetParam() == "on";
-  std::vector<std::string> entries = coarse;
-  entries.push_back("Effects/Target plates = " + GetParam());
-  const Parameters motor = with(entries);
+  const bool has_plates       = GetParam() == EffectChoice::on;
+  Parameters motor            = with({});
+  motor.effects.target_plates = GetParam();
   write(motor);
   EXPECT_GT(read_stator_wave(path, motor).angular_frequency, 0.);
 
@@ -90,13 +89,12 @@ TEST_P(ModesFileOwner, IsToldByEveryEntryThatTheWaveDependsOn)
   for (std::size_t i = 0; i < values.size(); ++i)
   {
     const std::string &entry = values[i].path;
-    std::string change       = changed(entry);
+    const std::string change = changed(entry);
     ASSERT_NE(change, "") << entry << ": the test knows no other value";
-    if (entry == "Effects/Target plates")
-      change = entry + (has_plates ? " = off" : " = on");
-    std::vector<std::string> changed_entries = entries;
-    changed_entries.push_back(change);
-    const Parameters other = with(changed_entries);
+    Parameters other            = with({change});
+    other.effects.target_plates = entry != "Effects/Target plates" ? GetParam()
+                                  : has_plates                     ? EffectChoice::off
+                                                                   : EffectChoice::on;
     if (is_of_the_wave(entry) && (has_plates || !is_of_the_plates(entry)))
     {
       expect_message(refusal(other), {path + " belongs to another motor: " + entry + " = " +
@@ -114,7 +112,8 @@ TEST_P(ModesFileOwner, IsToldByEveryEntryThatTheWaveDependsOn)
   EXPECT_GT(n_accepted, 60u);
 }
 
-INSTANTIATE_TEST_SUITE_P(TargetPlates, ModesFileOwner, testing::Values("off", "on"));
+INSTANTIATE_TEST_SUITE_P(TargetPlates, ModesFileOwner,
+                         testing::Values(EffectChoice::off, EffectChoice::on));
 
 class ModesFileMesh : public ModesFileOwner
 {
@@ -126,16 +125,11 @@ TEST_F(ModesFileMesh, CountsByItsContentNotByItsPlace)
   const std::string here = scratch.path("here.msh"), there = scratch.path("there.msh");
   std::filesystem::copy_file(source, here);
   std::filesystem::copy_file(source, there);
-  const auto motor = [&](const std::string &mesh)
-  {
-    std::vector<std::string> entries = coarse;
-    entries.push_back("Stator/Mesh file = " + mesh);
-    return with(entries);
-  };
+  const auto motor = [](const std::string &mesh) { return with({"Stator/Mesh file = " + mesh}); };
   write(motor(here));
   EXPECT_NO_THROW(read_stator_wave(path, motor(here)));
   EXPECT_NO_THROW(read_stator_wave(path, motor(there)));
-  expect_message(refusal(with(coarse)), {"Stator/Mesh file = content ", " there, none here"});
+  expect_message(refusal(with({})), {"Stator/Mesh file = content ", " there, none here"});
   std::ofstream(here, std::ios::app) << "\n";
   expect_message(refusal(motor(here)), {"Stator/Mesh file = content ", " there, content "});
   EXPECT_NO_THROW(read_stator_wave(path, motor(there)));
@@ -143,8 +137,6 @@ TEST_F(ModesFileMesh, CountsByItsContentNotByItsPlace)
 
 TEST_F(ModesFileMesh, WithoutTheWaveIsRefused)
 {
-  std::vector<std::string> entries = coarse;
-  entries.push_back("Modes/Nodal diameters = 6");
-  write(with(entries));
-  expect_message(refusal(with(coarse)), {path, "wave"});
+  write(with({"Modes/Nodal diameters = 6"}));
+  expect_message(refusal(with({})), {path, "wave"});
 }
