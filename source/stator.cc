@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <ringmotor/mesh/ids.h>
 #include <ringmotor/output/files.h>
 #include <ringmotor/output/log.h>
 #include <ringmotor/output/stator_files.h>
@@ -27,13 +26,6 @@ namespace ringmotor
 
   namespace
   {
-    struct Quantity
-    {
-      std::string name;
-      double value;
-      std::string unit;
-    };
-
     std::string to_string(const Body body)
     {
       return body == Body::stator ? "stator" : body == Body::rotor ? "rotor" : "tooth";
@@ -53,13 +45,10 @@ namespace ringmotor
 
     private:
       void after_pass(const Pass &pass);
-      /** The mode of the motor's wave; null if it was not asked for. */
-      const FoundMode *working_mode() const;
       /** The motor's wave or, if it was not asked for, the first mode. */
       const FoundMode &shown() const;
-      WaveResult make_wave(const FoundMode &working) const;
-      std::vector<Quantity> quantities_of(const WaveResult &wave) const;
       void report();
+      void report_wave(const WaveResult &wave);
       void report_inertia();
       /** (omega/omega_1)^2, omega_1 the lowest mode of the tooth or, with the waves of the motor,
        * of the rotor: how much its inertia would matter. None if that mode or omega is not known.
@@ -71,9 +60,8 @@ namespace ringmotor
       void write_fields();
       /** @param plate_shift relative, of the frequency by target plates */
       Summary make_summary(const double plate_shift) const;
-      /** The numbers of the wave's shape with their error bars, from the last two passes. */
-      void estimate_shape();
-      void add_wave_quantities(Summary &summary, const double seconds) const;
+      void add_wave_quantities(Summary &summary, const WaveResult &wave,
+                               const double seconds) const;
 
       const Parameters &parameters;
       const bool of_stator;     ///< else of the rotor or a tooth
@@ -83,16 +71,6 @@ namespace ringmotor
       BodyModes body;
       std::vector<std::pair<std::string, double>> pass_seconds;
       Phases phases; ///< what comes after the passes
-
-      // Quantities of the wave's shape, pass by pass: their change is what their error bars are
-      // made from.
-      struct ShapeSample
-      {
-        std::vector<Quantity> quantities;
-        FrequencySample frequency;
-      };
-      std::vector<ShapeSample> shape_samples;
-      std::optional<WaveResult> wave;
     };
 
     /** `f(n = 7, out-of-plane) = 30.00238 +- 0.00222 kHz` */
@@ -152,103 +130,56 @@ namespace ringmotor
       log.line("study in " + folder + "study.csv");
     }
 
-    const FoundMode *StatorProgram::working_mode() const
-    {
-      return of_stator ? body.search().working_mode(parameters.motor.n_waves) : nullptr;
-    }
-
     const FoundMode &StatorProgram::shown() const
     {
-      const FoundMode *working = working_mode();
-      return working != nullptr ? *working : body.search().modes().front();
+      return body.wave() != nullptr ? body.wave()->found : body.search().modes().front();
     }
 
     void StatorProgram::after_pass(const Pass &pass)
     {
       pass_seconds.emplace_back("modes, pass " + std::to_string(pass.number), pass.seconds);
       const ModeSearch &search = body.search();
-      const FoundMode *working = working_mode();
+      const WaveResult *wave   = body.wave();
       std::ostringstream line;
       line << "pass " << pass.number << ": degree " << pass.degree << ", " << pass.n_cells
            << " cells, " << pass.n_dofs << " dofs: " << describe(shown(), parameters.modes.body)
-           << ", largest relative error " << scientific(search.worst_relative_error()) << ", "
-           << std::fixed << std::setprecision(2) << pass.seconds << " s";
+           << ", largest relative error " << scientific(search.worst_relative_error()) << ", ";
+      if (wave != nullptr && !wave->shape.empty())
+        line << "of the wave " << scientific(wave->relative_error()) << ", ";
+      line << std::fixed << std::setprecision(2) << pass.seconds << " s";
       log.line(line.str());
-
-      wave.reset();
-      if (working != nullptr)
-      {
-        wave = make_wave(*working);
-        shape_samples.push_back({quantities_of(*wave), working->samples.back()});
-      }
-    }
-
-    WaveResult StatorProgram::make_wave(const FoundMode &working) const
-    {
-      const std::vector<ToothPoint> points = tooth_points(body.search().sector());
-      WaveResult result;
-      result.found     = working;
-      result.amplitude = parameters.wave.amplitude;
-      result.angular_frequency =
-          2. * numbers::PI * parameters.wave.frequency.value_or(working.frequency.value);
-      normalise_to_amplitude(result.found.mode, points, result.amplitude);
-      for (const ToothPoint &point : points)
-        result.points.push_back({point, elliptic_motion(point, result.found.mode)});
-      result.energy     = wave_energy(body.search().sector(), result.found.mode);
-      result.modal_mass = modal_mass(result.energy, result.found.mode, result.amplitude);
-      for (const FoundMode &other : body.search().modes())
-        if (other.mode.nodal_diameter == working.mode.nodal_diameter)
-        {
-          const double gap = other.frequency.value / working.frequency.value - 1.;
-          double &nearest  = gap > 0. ? result.gap_above : result.gap_below;
-          if (gap != 0. && (nearest == 0. || std::abs(gap) < nearest))
-            nearest = std::abs(gap);
-        }
-      return result;
-    }
-
-    std::vector<Quantity> StatorProgram::quantities_of(const WaveResult &wave) const
-    {
-      const auto motion = [&](const std::string &name)
-      {
-        return std::find_if(wave.points.begin(), wave.points.end(),
-                            [&](const PointResult &result) { return result.point.name == name; })
-            ->motion;
-      };
-      const EllipticMotion center = motion("top_outer_C");
-      return {{"A_t/A_n", center.tangential / center.normal, "1"},
-              {"A_r/A_n", center.radial / center.normal, "1"},
-              {"phi_edge", motion("top_outer_R").phi * 180. / numbers::PI, "deg"},
-              {"modal_mass", wave.modal_mass, "kg"},
-              {"strain_energy", wave.energy.total_strain, "J"},
-              {"strain_energy_base", wave.energy.strain.at(ids::base), "J"},
-              {"strain_energy_tooth", wave.energy.strain.at(ids::tooth), "J"},
-              {"strain_energy_piezoceramic", wave.energy.strain.at(ids::piezoceramic), "J"}};
     }
 
     void StatorProgram::report()
     {
       for (const FoundMode &found : body.search().modes())
         log.line(describe(found, parameters.modes.body));
-      if (wave && shape_samples.size() < 2)
-        throw ComputationError(
-            "the motor's wave was recognised on the last mesh only, so that nothing tells the "
-            "error of its shape; choose a smaller Accuracy/Target or a finer mesh");
-      if (wave)
-        estimate_shape();
-      if (wave)
-        log.line("motor's wave: A_t/A_n = " + text(shape_samples.back().quantities[0].value, 4) +
-                 " at the outer edge of the tooth top" +
-                 (wave->gap_above > 0.
-                      ? ", next mode of n = " + std::to_string(parameters.motor.n_waves) + " " +
-                            text(100. * wave->gap_above, 1) + " % above"
-                      : ""));
+      if (body.wave() != nullptr)
+        report_wave(*body.wave());
       else if (!of_stator)
         report_inertia();
       else
         log.line("the motor's wave (n = " + std::to_string(parameters.motor.n_waves) +
                  ", out-of-plane) is not among the modes asked for: no ellipses, no wave for the "
                  "contact");
+    }
+
+    void StatorProgram::report_wave(const WaveResult &wave)
+    {
+      if (wave.shape.empty())
+        throw ComputationError(
+            "the motor's wave was recognised on the last mesh only, so that nothing tells the "
+            "error of its shape; choose a finer mesh");
+      log.line("motor's wave: A_t/A_n = " + text(wave.shape.front().estimate.value, 4) +
+               " at the outer edge of the tooth top" +
+               (wave.gap_above > 0.
+                    ? ", next mode of n = " + std::to_string(parameters.motor.n_waves) + " " +
+                          text(100. * wave.gap_above, 1) + " % above"
+                    : ""));
+      log.line("relative error of the wave, for the contact: " + scientific(wave.relative_error()) +
+               (body.last_refined_for().empty()
+                    ? ""
+                    : "; the last mesh was made for " + body.last_refined_for()));
     }
 
     void StatorProgram::report_inertia()
@@ -295,16 +226,17 @@ namespace ringmotor
       require_certified(make_summary(plate_shift));
       if (speaks)
       {
-        const auto scope = phases.measure("output");
+        const auto scope       = phases.measure("output");
+        const WaveResult *wave = body.wave();
         write_used_prm(folder + "used.prm", "stator", parameters);
         write_frequencies(folder + "frequencies.csv", body.search().modes());
         if (of_stator)
           write_modes_h5(folder + "modes.h5", parameters, body.search().sector(),
-                         body.search().modes(), wave ? &*wave : nullptr);
-        if (wave)
+                         body.search().modes(), wave);
+        if (wave != nullptr)
           write_ellipses(folder + "ellipses.csv", *wave);
       }
-      if (speaks && parameters.output.vtu && (wave || !of_stator))
+      if (speaks && parameters.output.vtu && (body.wave() != nullptr || !of_stator))
         write_fields();
       if (speaks)
         write_summary(folder + "summary.json", make_summary(plate_shift));
@@ -315,10 +247,11 @@ namespace ringmotor
     {
       const auto scope           = phases.measure("output for ParaView");
       const CyclicSector &sector = body.search().sector();
+      const WaveResult *wave     = body.wave();
       write_sector(folder + "sector.vtu",
-                   sample_sector(sector, wave ? wave->found.mode : scaled(shown().mode),
+                   sample_sector(sector, wave != nullptr ? wave->found.mode : scaled(shown().mode),
                                  sector.dofs().get_fe().degree));
-      if (!wave)
+      if (wave == nullptr)
         return;
       // Many frames of all sectors: where cells are small already, straight ones will do.
       const bool fine = sector.sector_mesh().n_cells() > 50;
@@ -343,8 +276,8 @@ namespace ringmotor
              {{"body mesh", found.frequency.error}},
              seconds,
              {{"n", found.mode.nodal_diameter}, {"family", to_string(found.content.family())}}});
-      if (wave)
-        add_wave_quantities(summary, seconds);
+      if (body.wave() != nullptr)
+        add_wave_quantities(summary, *body.wave(), seconds);
       if (const auto ratio = of_stator ? std::nullopt : inertia_ratio())
       {
         const double error = 2. * *ratio * body.search().worst_relative_error();
@@ -357,31 +290,25 @@ namespace ringmotor
              parameters.effects.target_plates == EffectChoice::on ? "on" : "off", 0., 0});
       summary.certificate.push_back({"modes counted (Sturm) but not found",
                                      static_cast<double>(body.search().n_missed()), 0.});
-      if (wave)
+      if (body.wave() != nullptr)
         summary.certificate.push_back(
             {"eigenvalue of the wave: eigensolver against energies, relative difference",
-             wave->found.mode.algebra_error, 1e-7});
+             body.wave()->found.mode.algebra_error, 1e-7});
       if (parameters.accuracy.mode == AccuracyMode::adaptive)
         summary.certificate.push_back({"largest relative error bar of a frequency",
                                        body.search().worst_relative_error(),
                                        parameters.accuracy.target});
+      if (parameters.accuracy.mode == AccuracyMode::adaptive && body.wave() != nullptr)
+        summary.certificate.push_back({"relative error of the wave, for the contact",
+                                       body.wave()->relative_error(),
+                                       wave_target(parameters.accuracy)});
       return summary;
     }
 
-    void StatorProgram::estimate_shape()
+    void StatorProgram::add_wave_quantities(Summary &summary, const WaveResult &wave,
+                                            const double seconds) const
     {
-      const ShapeSample &last = shape_samples.back(), &earlier = *(shape_samples.end() - 2);
-      for (unsigned int i = 0; i < last.quantities.size(); ++i)
-        wave->shape.push_back(
-            {last.quantities[i].name, last.quantities[i].unit,
-             shape_estimate(last.quantities[i].value, earlier.quantities[i].value, last.frequency,
-                            earlier.frequency,
-                            wave->found.frequency.error / wave->found.frequency.value)});
-    }
-
-    void StatorProgram::add_wave_quantities(Summary &summary, const double seconds) const
-    {
-      for (const WaveResult::ShapeNumber &number : wave->shape)
+      for (const WaveResult::ShapeNumber &number : wave.shape)
         summary.quantities.push_back({number.name,
                                       number.estimate.value,
                                       number.unit,
@@ -390,8 +317,8 @@ namespace ringmotor
                                       seconds,
                                       {}});
       const double gap_error = 2. * body.search().worst_relative_error();
-      for (const auto &[name, gap] : {std::make_pair("gap_above", wave->gap_above),
-                                      std::make_pair("gap_below", wave->gap_below)})
+      for (const auto &[name, gap] : {std::make_pair("gap_above", wave.gap_above),
+                                      std::make_pair("gap_below", wave.gap_below)})
         if (gap > 0.)
           summary.quantities.push_back(
               {name, gap, "1", gap_error, {{"body mesh", gap_error}}, seconds, {}});

@@ -9,7 +9,7 @@ namespace ringmotor
                         const ComplementarityConstants &constants, const ContactState &start,
                         const unsigned int most_iterations)
   {
-    constexpr double converged = 1e-10; // of certificates
+    constexpr double converged = 1e-11; // of certificates
     ContactIterate iterate;
     iterate.state               = start;
     iterate.motion              = problem.relative_motion(start);

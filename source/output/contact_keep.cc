@@ -2,13 +2,12 @@
 #include <ringmotor/output/contact_keep.h>
 #include <ringmotor/output/files.h>
 #include <ringmotor/output/kept_file.h>
+#include <ringmotor/parameters/fingerprint.h>
 #include <ringmotor/parameters/relevant.h>
 #include <ringmotor/version.h>
 
 #include <filesystem>
-#include <fstream>
 #include <iomanip>
-#include <iterator>
 #include <limits>
 
 namespace ringmotor
@@ -27,21 +26,11 @@ namespace ringmotor
              std::to_string(fs::last_write_time(program).time_since_epoch().count()) + "\n";
     }
 
-    std::string content_of(const std::string &path)
-    {
-      std::ifstream file(path, std::ios::binary);
-      return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    }
-
     std::string key_of(const std::string &what, const Parameters &relevant, const StatorWave &wave,
                        const unsigned int level)
     {
-      std::string key = what + " by " + this_build() + "wave " + wave.fingerprint +
-                        "\ninterface mesh " + std::to_string(level) + "\n" + text_of(relevant);
-      for (const std::string &mesh : {relevant.stator.mesh_file, relevant.rotor.mesh_file})
-        if (!mesh.empty())
-          key += mesh + " " + fingerprint(content_of(mesh)) + "\n";
-      return key;
+      return what + " by " + this_build() + "wave " + wave.fingerprint + "\ninterface mesh " +
+             std::to_string(level) + "\n" + text_of(relevant);
     }
   } // namespace
 

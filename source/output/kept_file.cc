@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/output/files.h>
 #include <ringmotor/output/kept_file.h>
-
-#include <boost/uuid/name_generator_sha1.hpp>
-#include <boost/uuid/uuid_io.hpp>
+#include <ringmotor/parameters/fingerprint.h>
 
 #include <fstream>
 
@@ -20,12 +18,6 @@ namespace ringmotor
       return std::to_string(key.size()) + "\n" + key;
     }
   } // namespace
-
-  std::string fingerprint(const std::string_view bytes)
-  {
-    const boost::uuids::name_generator_sha1 generator(boost::uuids::ns::oid());
-    return boost::uuids::to_string(generator(bytes.data(), bytes.size()));
-  }
 
   void write_kept_file(const std::string &path, const std::string &key, const std::string &bytes)
   {

@@ -4,13 +4,14 @@
 #include <ringmotor/output/modes_file.h>
 #include <ringmotor/output/stator_files.h>
 #include <ringmotor/parameters/errors.h>
+#include <ringmotor/parameters/fingerprint.h>
+#include <ringmotor/parameters/relevant.h>
 
 #include <deal.II/base/polynomial.h>
 
 #include <cmath>
 #include <filesystem>
 #include <memory>
-#include <sstream>
 
 namespace ringmotor
 {
@@ -95,35 +96,6 @@ namespace ringmotor
       std::vector<Polynomials::Polynomial<double>> basis;
     };
 
-    void check_same(const std::string &path, const std::string &entry, const double stored,
-                    const double wanted)
-    {
-      if (std::abs(stored - wanted) <= 1e-9 * std::abs(wanted))
-        return;
-      std::ostringstream text;
-      text << path << " belongs to another motor: it has " << entry << " = " << stored
-           << ", the parameters have " << wanted
-           << "; run the program stator with these parameters first";
-      throw UserError(text.str());
-    }
-    void check_motor(const Hdf5Reader &file, const std::string &path, const Parameters &parameters)
-    {
-      check_same(path, "Motor/Number of waves", file.attribute<unsigned int>("/", "n_waves"),
-                 parameters.motor.n_waves);
-      check_same(path, "Motor/Number of teeth", file.attribute<unsigned int>("/", "n_teeth"),
-                 parameters.motor.n_teeth);
-      for (const StatorEntry &entry : stator_fingerprint(parameters))
-        check_same(path, entry.entry, file.attribute<double>(entry.group, entry.attribute),
-                   entry.value);
-      check_same(path, "Wave/Amplitude", file.attribute<double>("/wave", "amplitude_m"),
-                 parameters.wave.amplitude);
-      if (parameters.wave.frequency)
-        check_same(path, "Wave/Frequency",
-                   file.attribute<double>("/wave", "angular_frequency_rad_per_s") /
-                       (2. * numbers::PI),
-                   *parameters.wave.frequency);
-    }
-
     const std::string &existing(const std::string &path)
     {
       if (!std::filesystem::exists(path))
@@ -139,7 +111,11 @@ namespace ringmotor
       ModesFile(const std::string &path, const Parameters &parameters)
           : Hdf5Reader(existing(path), "ringmotor modes", modes_format_version)
       {
-        check_motor(*this, path, parameters);
+        const std::string other =
+            difference(attribute<std::string>("/", "parameters"), relevant_for_wave(parameters));
+        if (!other.empty())
+          throw UserError(path + " belongs to another motor: " + other +
+                          "; run the program stator with these parameters first");
       }
     };
 
@@ -171,12 +147,11 @@ namespace ringmotor
   StatorWave read_stator_wave(const std::string &path, const Parameters &parameters)
   {
     const ModesFile file(path, parameters);
-    const Estimate tangential = shape_number(file, "A_t/A_n");
     StatorWave wave;
     wave.n_waves           = file.attribute<unsigned int>("/wave", "nodal_diameter");
     wave.angular_frequency = file.attribute<double>("/wave", "angular_frequency_rad_per_s");
     const auto foot = trace_of(file, "tooth_foot"), top = trace_of(file, "tooth_top");
-    wave.relative_error = frequency_error(file) + tangential.error / tangential.value;
+    wave.relative_error = file.attribute<double>("/wave", "relative_error");
     wave.foot           = motion_of(foot);
     wave.top            = motion_of(top);
     wave.fingerprint    = fingerprint(foot->bytes() + top->bytes() + to_bytes(wave.n_waves) +

@@ -3,11 +3,11 @@
 #include <ringmotor/output/hdf5.h>
 #include <ringmotor/output/stator_files.h>
 #include <ringmotor/output/table.h>
+#include <ringmotor/parameters/relevant.h>
 #include <ringmotor/quantities/sector_field.h>
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 namespace ringmotor
 {
@@ -92,6 +92,7 @@ namespace ringmotor
       file.set_attribute(group, "natural_frequency_error_Hz", wave.found.frequency.error);
       file.set_attribute(group, "angular_frequency_rad_per_s", wave.angular_frequency);
       file.set_attribute(group, "amplitude_m", wave.amplitude);
+      file.set_attribute(group, "relative_error", wave.relative_error());
       for (const WaveResult::ShapeNumber &number : wave.shape)
       {
         file.set_attribute(group + "/shape", number.name, number.estimate.value);
@@ -138,35 +139,6 @@ namespace ringmotor
     table.write(path);
   }
 
-  std::vector<StatorEntry> stator_fingerprint(const Parameters &parameters)
-  {
-    std::vector<StatorEntry> entries;
-    const auto add_material =
-        [&](const std::string &name, const std::string &entry, const Material &material)
-    {
-      const std::string group = "materials/" + name, path = "Materials/" + entry + "/";
-      entries.push_back(
-          {group, "young_modulus_Pa", path + "Young modulus", material.young_modulus});
-      entries.push_back({group, "poisson_ratio", path + "Poisson ratio", material.poisson_ratio});
-      entries.push_back({group, "density_kg_per_m3", path + "Density", material.density});
-    };
-    add_material("stator_metal", "Stator metal", parameters.materials.stator_metal);
-    add_material("piezoceramic", "Piezoceramic", parameters.materials.piezoceramic);
-    const StatorGeometry &stator = parameters.stator;
-    for (const auto &[attribute, entry, length] :
-         {std::make_tuple("base_inner_radius_m", "Base inner radius", stator.base_inner_radius),
-          std::make_tuple("base_outer_radius_m", "Base outer radius", stator.base_outer_radius),
-          std::make_tuple("tip_inner_radius_m", "Tip inner radius", stator.tip_inner_radius),
-          std::make_tuple("tip_outer_radius_m", "Tip outer radius", stator.tip_outer_radius),
-          std::make_tuple("base_thickness_m", "Base thickness", stator.base_thickness),
-          std::make_tuple("tooth_height_m", "Tooth height", stator.tooth_height),
-          std::make_tuple("slot_width_m", "Slot width", stator.slot_width),
-          std::make_tuple("piezoceramic_thickness_m", "Piezoceramic thickness",
-                          stator.piezoceramic_thickness)})
-      entries.push_back({"stator", attribute, std::string("Stator/") + entry, length});
-    return entries;
-  }
-
   void write_modes_h5(const std::string &path, const Parameters &parameters,
                       const CyclicSector &sector, const std::vector<FoundMode> &modes,
                       const WaveResult *wave)
@@ -176,12 +148,7 @@ namespace ringmotor
     file.set_attribute("/", "n_waves", parameters.motor.n_waves);
     file.set_attribute("/", "n_teeth", parameters.motor.n_teeth);
     file.set_attribute("/", "polynomial_degree", sector.dofs().get_fe().degree);
-    for (const StatorEntry &entry : stator_fingerprint(parameters))
-      file.set_attribute(entry.group, entry.attribute, entry.value);
-    file.set_attribute("materials/stator_metal", "loss_factor",
-                       parameters.materials.stator_metal.loss_factor);
-    file.set_attribute("materials/piezoceramic", "loss_factor",
-                       parameters.materials.piezoceramic.loss_factor);
+    file.set_attribute("/", "parameters", text_of(relevant_for_wave(parameters)));
     write_mode_list(file, modes);
     if (wave != nullptr)
       write_wave(file, sector, *wave);

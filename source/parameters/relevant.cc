@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/parameter_handler.h>
 
+#include <ringmotor/parameters/fingerprint.h>
 #include <ringmotor/parameters/prm_file.h>
 #include <ringmotor/parameters/relevant.h>
 
@@ -10,6 +11,18 @@
 namespace ringmotor
 {
   using namespace dealii;
+
+  namespace
+  {
+    /** Only the program losses looks at them. */
+    void reset_loss_factors(Materials &materials)
+    {
+      const Materials defaults;
+      for (Material Materials::*material : {&Materials::stator_metal, &Materials::piezoceramic,
+                                            &Materials::rotor_metal, &Materials::target_plate})
+        (materials.*material).loss_factor = (defaults.*material).loss_factor;
+    }
+  } // namespace
 
   Parameters relevant_for_points(const Parameters &parameters)
   {
@@ -25,9 +38,7 @@ namespace ringmotor
     relevant.output                        = defaults.output;
     relevant.modes                         = defaults.modes;
     relevant.support                       = defaults.support;
-    for (Material Materials::*material : {&Materials::stator_metal, &Materials::piezoceramic,
-                                          &Materials::rotor_metal, &Materials::target_plate})
-      (relevant.materials.*material).loss_factor = (defaults.materials.*material).loss_factor;
+    reset_loss_factors(relevant.materials);
     return relevant;
   }
 
@@ -46,9 +57,40 @@ namespace ringmotor
     return relevant;
   }
 
+  Parameters relevant_for_wave(const Parameters &parameters)
+  {
+    const Parameters defaults;
+    Parameters relevant            = parameters;
+    relevant.motor.name            = defaults.motor.name;
+    relevant.rotor                 = defaults.rotor;
+    relevant.materials.rotor_metal = defaults.materials.rotor_metal;
+    relevant.modes                 = defaults.modes;
+    relevant.loading               = defaults.loading;
+    relevant.friction              = defaults.friction;
+    relevant.initial_deformation   = defaults.initial_deformation;
+    relevant.support               = defaults.support;
+    relevant.contact               = defaults.contact;
+    relevant.time                  = defaults.time;
+    relevant.accuracy              = defaults.accuracy;
+    relevant.output                = defaults.output;
+    relevant.effects               = defaults.effects;
+    relevant.effects.target_plates = parameters.effects.target_plates;
+    relevant.effects.felt_support  = parameters.effects.felt_support;
+    reset_loss_factors(relevant.materials);
+    if (parameters.effects.target_plates == EffectChoice::off)
+    {
+      relevant.stator.target_plate_area = defaults.stator.target_plate_area;
+      relevant.materials.target_plate   = defaults.materials.target_plate;
+    }
+    return relevant;
+  }
+
   std::string text_of(const Parameters &parameters)
   {
     Parameters copy = parameters;
+    for (std::string *const mesh_file : {&copy.stator.mesh_file, &copy.rotor.mesh_file})
+      if (!mesh_file->empty())
+        *mesh_file = "content " + fingerprint_of_file(*mesh_file);
     ParameterHandler prm;
     copy.declare(prm);
     std::ostringstream text;

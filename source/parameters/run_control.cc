@@ -45,11 +45,12 @@ namespace ringmotor
   void Accuracy::declare(ParameterHandler &prm)
   {
     add_entry(prm, "Target", target, number_within(1.e-8, 0.1, "a number from 1e-8 to 0.1"),
-              "Relative error below which the estimated errors of frequencies have to be. Units: "
-              "none.");
+              "Relative error below which the estimated errors of frequencies have to be; those of "
+              "a stator may have to be smaller for Contact target. Units: none.");
     add_entry(prm, "Contact target", contact_target,
               number_within(1.e-3, 0.5, "a number from 1e-3 to 0.5"),
-              "The same for speed and torque, relative to those without load and at stall. Units: "
+              "The same for speed and torque, relative to those without load and at stall; the "
+              "program stator refines until the wave's share is a fifth of it at most. Units: "
               "none.");
     add_entry(prm, "Mode", mode,
               selection<AccuracyMode>(

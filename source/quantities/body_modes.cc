@@ -4,6 +4,7 @@
 #include <ringmotor/mesh/rotor_sector.h>
 #include <ringmotor/mesh/stator_sector.h>
 #include <ringmotor/parameters/errors.h>
+#include <ringmotor/parameters/relevant.h>
 #include <ringmotor/quantities/body_modes.h>
 #include <ringmotor/quantities/effects.h>
 
@@ -26,6 +27,22 @@ namespace ringmotor
         modes.nodal_diameters = {0};
       return modes;
     }
+
+    /** What the modes may depend on: others are not known here, so that none is forgotten by
+     * relevant_for_wave(). */
+    Parameters relevant_for_modes(const Parameters &parameters)
+    {
+      if (parameters.modes.body != Body::stator)
+        return parameters;
+      Parameters relevant = relevant_for_wave(parameters);
+      relevant.modes      = parameters.modes;
+      relevant.accuracy   = parameters.accuracy;
+      return relevant;
+    }
+
+    /** WaveResult::relative_error() is at least so many times that of the frequency, see
+     * shape_estimate(). */
+    constexpr double wave_to_frequency_error = 3.;
 
     struct Discretisation
     {
@@ -66,10 +83,16 @@ namespace ringmotor
             {ids::piezoceramic, materials.piezoceramic}};
   }
 
-  BodyModes::BodyModes(const Parameters &parameters, MPI_Comm communicator)
-      : parameters(parameters), communicator(communicator),
+  double wave_target(const Accuracy &accuracy)
+  {
+    return 0.2 * accuracy.contact_target;
+  }
+
+  BodyModes::BodyModes(const Parameters &all_parameters, MPI_Comm communicator)
+      : parameters(relevant_for_modes(all_parameters)), communicator(communicator),
         mode_search(material_table(parameters.materials, parameters.modes.body),
-                    request_for(parameters.modes))
+                    request_for(parameters.modes)),
+        motor_wave(parameters.motor.n_waves, parameters.wave)
   {
   }
 
@@ -87,22 +110,39 @@ namespace ringmotor
 
     make_mesh(scout.level);
     compute_pass(scout.degree, after_pass);
-    const double target = parameters.accuracy.target;
+    const Accuracy &accuracy = parameters.accuracy;
+    const double by_wave     = wave() ? wave_target(accuracy) / wave_to_frequency_error : 1.;
+    aim_at(by_wave < accuracy.target);
     // Errors go as (h k)^(2p), k a wave number: what is q times harder for degree 2 is q^2 times
     // harder for degree 4.
     const double difficulty = std::pow(mode_search.worst_relative_error() / error_of_scout, 2);
-    const Discretisation discretisation =
-        fit_for(parameters.modes.body, target / std::max(1., difficulty));
+    const Discretisation discretisation = fit_for(
+        parameters.modes.body, std::min(accuracy.target, by_wave) / std::max(1., difficulty));
     if (is_generated())
       make_mesh(discretisation.level);
     compute_pass(discretisation.degree, after_pass);
-    while (mode_search.worst_relative_error() > target)
+    const auto excess = [&]() { return mode_search.worst_relative_error() / accuracy.target; };
+    const auto excess_of_wave = [&]()
+    { return wave() ? wave()->relative_error() / wave_target(accuracy) : 0.; };
+    while (excess() > 1. || excess_of_wave() > 1.)
     {
+      aim_at(excess_of_wave() > excess());
       if (n_passes == most_passes || mode_search.sector().n_dofs() > most_dofs)
         give_up();
       mode_search.refine(mesh);
       compute_pass(discretisation.degree, after_pass);
     }
+  }
+
+  void BodyModes::aim_at(const bool for_wave)
+  {
+    std::ostringstream entry;
+    if (for_wave)
+      entry << "Accuracy/Contact target = " << parameters.accuracy.contact_target
+            << " (a fifth of it for the motor's wave)";
+    else
+      entry << "Accuracy/Target = " << parameters.accuracy.target;
+    refined_for = entry.str();
   }
 
   void BodyModes::climb(const std::function<void(const Pass &)> &after_pass)
@@ -154,6 +194,8 @@ namespace ringmotor
     const auto begin = std::chrono::steady_clock::now();
     mode_search.compute(mesh, degree);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+    if (parameters.modes.body == Body::stator)
+      motor_wave.add_pass(mode_search);
     after_pass({++n_passes, degree, level, mesh.n_cells(), mode_search.sector().n_dofs(),
                 seconds.count()});
   }
@@ -161,10 +203,11 @@ namespace ringmotor
   void BodyModes::give_up() const
   {
     std::ostringstream message;
-    message << "the frequencies are known to " << mode_search.worst_relative_error()
-            << " (relative) after " << n_passes << " passes, the last one with "
-            << mode_search.sector().n_dofs()
-            << " degrees of freedom; Accuracy/Target = " << parameters.accuracy.target
+    message << "the frequencies are known to " << mode_search.worst_relative_error();
+    if (wave())
+      message << " and the motor's wave to " << wave()->relative_error();
+    message << " (relative) after " << n_passes << " passes, the last one with "
+            << mode_search.sector().n_dofs() << " degrees of freedom; " << refined_for
             << " was not reached: choose a larger one";
     throw ComputationError(message.str());
   }

@@ -43,7 +43,7 @@ namespace ringmotor
       throw ComputationError(
           "the stator's wave is known to " + short_text(wave_error) +
           " (relative) only, but Accuracy/Contact target = " + short_text(accuracy.contact_target) +
-          "; run the program stator with a smaller Accuracy/Target");
+          "; run the program stator with these parameters (and Accuracy/Mode = adaptive) first");
     reached = {is_fixed ? accuracy.interface_refinement : 1, parts_to_start_with()};
     estimate_errors(reached);
     while (!is_fixed && worst_error() > accuracy.contact_target)

@@ -17,31 +17,11 @@
 
 using namespace ringmotor;
 using namespace ringmotor::tests;
+using ringmotor::sample::changed;
 using ringmotor::sample::with;
 
 namespace
 {
-  /** `Section/Entry = value` with another value than that of the reference motor. */
-  std::string changed(const std::string &entry)
-  {
-    const std::string reference = text_of(with({}));
-    for (const std::string value :
-         {"3",       "4",      "0.31",   "1e-5",     "off",    "on",      "true",   "false",
-          "solid",   "shell",  "stator", "rotor",    "torque", "speed",   "mortar", "penalty",
-          "coulomb", "steady", "auto",   "adaptive", "fixed",  "0:0.034", "text"})
-      try
-      {
-        const std::string change = entry + " = " + value;
-        if (text_of(with({change})) != reference)
-          return change;
-      }
-      catch (const UserError &)
-      {
-        // not a value of this entry
-      }
-    return "";
-  }
-
   StatorWave some_wave()
   {
     StatorWave wave;

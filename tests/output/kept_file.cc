@@ -6,6 +6,7 @@
 #include "scratch.h"
 
 #include <ringmotor/output/kept_file.h>
+#include <ringmotor/parameters/fingerprint.h>
 
 #include <boost/serialization/vector.hpp>
 #include <gtest/gtest.h>

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/parameters/parameters.h>
+#include <ringmotor/parameters/relevant.h>
 
 #include <sstream>
 #include <string>
@@ -23,6 +24,27 @@ namespace ringmotor::sample
   inline Parameters with(const std::vector<std::string> &overrides)
   {
     return read_parameters_from_text(complete_text(), "complete.prm", overrides);
+  }
+
+  /** `Section/Entry = value` with another value than that of the reference motor. */
+  inline std::string changed(const std::string &entry)
+  {
+    const std::string reference = text_of(with({}));
+    for (const std::string value :
+         {"3",       "4",      "0.31",   "1e-5",     "off",    "on",      "true",   "false",
+          "solid",   "shell",  "stator", "rotor",    "torque", "speed",   "mortar", "penalty",
+          "coulomb", "steady", "auto",   "adaptive", "fixed",  "0:0.034", "text"})
+      try
+      {
+        const std::string change = entry + " = " + value;
+        if (text_of(with({change})) != reference)
+          return change;
+      }
+      catch (const UserError &)
+      {
+        // not a value of this entry
+      }
+    return "";
   }
 
   /** The message of the UserError that @p action throws; a failure of the test without one. */

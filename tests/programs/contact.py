@@ -196,6 +196,75 @@ class Mistakes(WithWave):
         self.assertIn("warning: Friction/Dynamic coefficient", done.stdout)
 
 
+class OtherStators(unittest.TestCase):
+    """A wave is taken for the stator that it was found for, and for no other."""
+
+    def test_parts_that_are_missing_in_the_parameters_are_named(self):
+        mesh = ROOT / "meshes" / "canon_half_sector.msh"
+        quickly = settings("Accuracy/Mode = fixed", "Loading/Values = 0.05", "Output/VTU = false")
+        for entry, said in (("Effects/Target plates = on", "Effects/Target plates = on there, off here"),
+                            (f"Stator/Mesh file = {mesh}", " there, none here"),
+                            ("Stator/Piezoceramic element = shell",
+                             "Stator/Piezoceramic element = shell there, solid here")):
+            with self.subTest(entry), tempfile.TemporaryDirectory() as case:
+                def outcome(program, *options):
+                    return run(program, QUICK, "--output", case, *quickly, *options)
+                self.assertEqual(outcome(STATOR, "--set", entry).returncode, 0)
+                refused = outcome(CONTACT)
+                self.assertEqual(refused.returncode, 1, refused.stdout)
+                self.assertEqual(len(refused.stderr.strip().splitlines()), 1, refused.stderr)
+                for text in (said, entry.split(" = ")[0] + " = ", "belongs to another motor", "run the program stator"):
+                    self.assertIn(text, refused.stderr)
+                if "Mesh file" in entry:  # contact builds its own teeth
+                    continue
+                taken = outcome(CONTACT, "--set", entry)
+                self.assertEqual(taken.returncode, 0, taken.stderr)
+                # The other way round: the wave of the plain stator.
+                self.assertEqual(outcome(STATOR).returncode, 0)
+                self.assertIn("belongs to another motor", outcome(CONTACT, "--set", entry).stderr)
+
+
+class Targets(unittest.TestCase):
+    """The accuracy that the contact asks for is that of the stator's wave, too."""
+
+    def relative_error(self, *entries):
+        """Of the wave in modes.h5, and what the program says."""
+        with tempfile.TemporaryDirectory() as case:
+            done = run(STATOR, QUICK, "--output", case, *settings("Output/VTU = false", *entries))
+            self.assertEqual(done.returncode, 0, done.stderr)
+            with h5py.File(pathlib.Path(case) / "stator" / "modes.h5") as file:
+                wave, shape = file["wave"].attrs, file["wave/shape"].attrs
+                error = wave["relative_error"]
+                self.assertAlmostEqual(error, wave["natural_frequency_error_Hz"] / wave["natural_frequency_Hz"]
+                                       + shape["A_t/A_n error"] / shape["A_t/A_n"], delta=1e-12)
+            return error, done.stdout
+
+    def test_the_wave_is_a_fifth_of_what_the_contact_asks_for(self):
+        loose = "Accuracy/Target = 3e-2"
+        for target in (0.5, 1e-2, 3e-3):
+            error, said = self.relative_error(loose, f"Accuracy/Contact target = {target}")
+            self.assertLessEqual(error, target / 5)
+            driven_by = "Accuracy/Target = 0.03" if target == 0.5 else f"Accuracy/Contact target = {target:g} (a fifth"
+            self.assertIn(f"the last mesh was made for {driven_by}", said)
+        error, said = self.relative_error("Accuracy/Target = 3e-4", "Accuracy/Contact target = 0.1")
+        self.assertLessEqual(error, 0.02)
+        self.assertIn("the last mesh was made for Accuracy/Target = 0.0003", said)
+
+    def test_a_fresh_wave_is_never_too_coarse_for_the_contact(self):
+        plain = settings("Accuracy/Target = 3e-2", "Loading/Values = 0.05", "Output/VTU = false")
+        entries = plain + settings("Accuracy/Contact target = 1e-2")
+        with tempfile.TemporaryDirectory() as case:
+            for program in (STATOR, CONTACT):
+                done = run(program, QUICK, "--output", case, *entries)
+                self.assertEqual(done.returncode, 0, done.stderr)
+            # A wave from elsewhere may be.
+            coarse = settings("Accuracy/Mode = fixed", "Accuracy/Polynomial degree = 2")
+            self.assertEqual(run(STATOR, QUICK, "--output", case, *coarse).returncode, 0)
+            done = run(CONTACT, QUICK, "--output", case, *plain, "--set", "Accuracy/Contact target = 1e-3")
+            self.assertEqual(done.returncode, 2, done.stdout)
+            self.assertIn("run the program stator with these parameters", done.stderr)
+
+
 class Histories(WithWave):
     def test_teeth_live_alike_one_after_the_other(self):
         """In the steady state tooth 12 lives as tooth 0 does, 12 n T / N later."""

@@ -27,17 +27,9 @@ namespace ringmotor::tests
   {
     BodyModes body(parameters, MPI_COMM_SELF);
     body.find([](const Pass &) {});
-    const ModeSearch &search = body.search();
-    WaveResult wave;
-    wave.found             = *search.working_mode(parameters.motor.n_waves);
-    wave.amplitude         = parameters.wave.amplitude;
-    wave.angular_frequency = 2. * M_PI * wave.found.frequency.value;
-    normalise_to_amplitude(wave.found.mode, tooth_points(search.sector()), wave.amplitude);
-    wave.energy = wave_energy(search.sector(), wave.found.mode);
-    wave.shape  = {{"A_t/A_n", "1", {0.84, 1e-4}}};
     const Scratch scratch;
     const std::string path = scratch.path("modes.h5");
-    write_modes_h5(path, parameters, search.sector(), search.modes(), &wave);
+    write_modes_h5(path, parameters, body.search().sector(), body.search().modes(), body.wave());
     return read_stator_wave(path, parameters);
   }
 } // namespace ringmotor::tests

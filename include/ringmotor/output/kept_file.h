@@ -9,13 +9,9 @@
 #include <optional>
 #include <sstream>
 #include <string>
-#include <string_view>
 
 namespace ringmotor
 {
-  /** 36 characters that tell these bytes from all others (a name-based UUID: SHA-1, RFC 4122). */
-  std::string fingerprint(const std::string_view bytes);
-
   /** What a file of write_kept_file() gave. */
   struct KeptContent
   {

@@ -20,7 +20,13 @@ namespace ringmotor
    * and time. */
   Parameters relevant_for_condensation(const Parameters &parameters);
 
-  /** All entries and their values as text, without comments, one on each line. */
+  /** The same for the modes of the stator and its wave, but for the choice of modes (`Modes`) and
+   * their error (`Accuracy`): whichever it was, the wave is that of this motor and knows its error.
+   */
+  Parameters relevant_for_wave(const Parameters &parameters);
+
+  /** All entries and their values as text, without comments, one on each line. A mesh file is told
+   * by its content, wherever it lies. */
   std::string text_of(const Parameters &parameters);
 
   /** The first entry in which a text of text_of() differs from parameters, as `Section/Entry = 1

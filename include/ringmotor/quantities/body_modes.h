@@ -2,7 +2,7 @@
 #pragma once
 
 #include <ringmotor/parameters/parameters.h>
-#include <ringmotor/quantities/mode_search.h>
+#include <ringmotor/quantities/motor_wave.h>
 
 #include <functional>
 
@@ -22,10 +22,16 @@ namespace ringmotor
     double seconds      = 0.; ///< wall clock
   };
 
+  /** The largest WaveResult::relative_error() of the stator's wave that leaves the contact room for
+   * its own errors: a fifth of `Accuracy/Contact target`. */
+  double wave_target(const Accuracy &accuracy);
+
   /**
    * The modes of a body of the motor (`Modes/Body`), from a mesh of its sector that is refined
-   * until the frequencies are as accurate as `Accuracy/Target` asks for (or, `Accuracy/Mode =
-   * fixed`, from the mesh asked for).
+   * until the frequencies are as accurate as `Accuracy/Target` asks for and the motor's wave, if it
+   * is among the modes, as wave_target() (or, `Accuracy/Mode = fixed`, from the mesh asked for).
+   * Looks at relevant_for_wave() of the parameters of a stator only, apart from `Modes` and
+   * `Accuracy`.
    */
   class BodyModes
   {
@@ -35,7 +41,7 @@ namespace ringmotor
     /**
      * Computes them; @p after_pass is called after each pass, when search() holds its results.
      * @throws UserError for a mesh file that is not fit
-     * @throws ComputationError if the target is out of reach
+     * @throws ComputationError if a target is out of reach
      */
     void find(const std::function<void(const Pass &)> &after_pass);
 
@@ -47,18 +53,29 @@ namespace ringmotor
 
     const ModeSearch &search() const { return mode_search; }
 
+    /** The motor's wave, as the last pass found it; null without a stator, or if it is not among
+     * the modes asked for. */
+    const WaveResult *wave() const { return motor_wave.result(); }
+
+    /** The entry for whose sake find() made the last mesh, with its value; empty with
+     * `Accuracy/Mode = fixed`. */
+    const std::string &last_refined_for() const { return refined_for; }
+
   private:
     bool is_generated() const;
     void make_mesh(const unsigned int new_level);
     void make_stator_mesh();
     void compute_pass(const unsigned int degree,
                       const std::function<void(const Pass &)> &after_pass);
+    void aim_at(const bool for_wave);
     [[noreturn]] void give_up() const;
 
-    const Parameters &parameters;
+    const Parameters parameters;
     const MPI_Comm communicator;
     SectorMesh mesh;
     ModeSearch mode_search;
+    MotorWave motor_wave;
     unsigned int n_passes = 0, level = 0;
+    std::string refined_for;
   };
 } // namespace ringmotor
