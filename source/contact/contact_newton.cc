@@ -7,14 +7,14 @@ namespace ringmotor
 {
   ContactIterate newton(const ContactProblem &problem, const FrictionBoundOf &bound_of,
                         const ComplementarityConstants &constants, const ContactState &start,
-                        const unsigned int most_iterations)
+                        const NewtonLimits &limits)
   {
-    constexpr double converged = 1e-11; // of certificates
     ContactIterate iterate;
-    iterate.state               = start;
-    iterate.motion              = problem.relative_motion(start);
-    iterate.certificate.balance = std::numeric_limits<double>::infinity();
-    while (iterate.n_iterations < most_iterations)
+    iterate.state        = start;
+    iterate.motion       = problem.relative_motion(start);
+    double smallest      = std::numeric_limits<double>::infinity();
+    unsigned int of_gain = 0; // iteration of the last gain
+    while (iterate.n_iterations < limits.most_iterations)
     {
       const NewtonSystem system(problem, bound_of, constants, iterate.state, iterate.motion);
       ++iterate.n_iterations;
@@ -22,12 +22,18 @@ namespace ringmotor
       if (iterate.failed)
         break;
       iterate.motion      = problem.relative_motion(iterate.state);
-      const double before = iterate.certificate.worst();
       iterate.certificate = certify(problem, bound_of, iterate.state, iterate.motion);
       const double worst  = iterate.certificate.worst();
-      // No better than before: rounding is all that is left.
-      if (worst <= converged || (iterate.certificate.holds() && worst >= before))
+      const bool gains    = worst < smallest;
+      // Without a gain below the limit of certificates rounding is all that is left.
+      if (worst <= limits.converged || (iterate.certificate.holds() && !gains) ||
+          (!gains && iterate.n_iterations >= of_gain + limits.most_without_gain))
         break;
+      if (gains)
+      {
+        smallest = worst;
+        of_gain  = iterate.n_iterations;
+      }
     }
     return iterate;
   }

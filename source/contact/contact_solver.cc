@@ -12,7 +12,7 @@ namespace ringmotor
 {
   namespace
   {
-    constexpr unsigned int most_newton = 30, most_proximal = 12, most_finishing = 10;
+    constexpr NewtonLimits alone{40}, finishing{12}, of_proximal{12, 1e-3};
 
     /** Springs as strong as the bodies themselves, times @p strength. Those of a rigid motion are
      * measured by what it does at the nodes that touch. */
@@ -73,20 +73,20 @@ namespace ringmotor
         const ProximalProblem proximal(problem, centre, springs);
         const ComplementarityConstants softer{constants.normal / (1. + strength),
                                               constants.tangential / (1. + strength)};
-        const ContactIterate next = newton(proximal, bound_of, softer, centre, most_proximal);
+        const ContactIterate next = newton(proximal, bound_of, softer, centre, of_proximal);
         n_problems += next.n_iterations;
-        if (!next.certified())
+        if (next.failed || !(next.certificate.worst() <= of_proximal.converged))
         {
           strength *= 8.;
           continue;
         }
         found.state = next.state;
-        strength /= 4.;
+        strength /= 6.;
         const double distance =
             certify(problem, bound_of, found.state, problem.relative_motion(found.state)).worst();
         if (distance > nearly && strength > weakest)
           continue;
-        ContactIterate exact = newton(problem, bound_of, constants, found.state, most_finishing);
+        ContactIterate exact = newton(problem, bound_of, constants, found.state, finishing);
         n_problems += exact.n_iterations;
         exact.n_iterations = n_problems;
         if (exact.certified())
@@ -168,7 +168,7 @@ namespace ringmotor
     };
 
     const ContactState begin   = is_finite(start) ? start : nothing(problem);
-    const ContactIterate first = newton(problem, bound_of, constants, begin, most_newton);
+    const ContactIterate first = newton(problem, bound_of, constants, begin, alone);
     if (solved(first, "Newton's method"))
       return solution(first);
     const ContactIterate second = proximal_points(problem, bound_of, constants, begin);

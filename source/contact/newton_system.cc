@@ -17,7 +17,7 @@ namespace ringmotor
     using Tangential = Tensor<1, 2>;
 
     /** Unknowns up to which the dense matrix is the faster one. */
-    constexpr unsigned int most_dense = 2000;
+    constexpr unsigned int most_dense = 2500;
 
     Tangential tangential(const PointVector &vector)
     {
@@ -285,7 +285,7 @@ namespace ringmotor
 
   bool NewtonSystem::solve_krylov(Vector<double> &solution) const
   {
-    constexpr unsigned int most_steps = 1500, basis = 300;
+    constexpr unsigned int most_steps = 1200, basis = 1200;
     constexpr double reduction = 1e-9;
     const MatrixFreeSystem system(problem, touching, rows);
     Vector<double> right_hand_side = this->right_hand_side();

@@ -118,9 +118,7 @@ namespace ringmotor
           std::max(crest, motor.angular_frequency * std::abs(node.free_motion[1]) / node.radius);
     const RotorLoad load{preload, {}, 0.97 * crest};
     const RingContact contact(motor, load, n_moments);
-    const ContactSolution pressed =
-        solve_without_friction(contact, motor.constants, contact.pressed_down());
-    last = find(load, pressed.state, load.speed);
+    last = find(load, contact.pressed_down(), load.speed);
   }
 
   OperatingState SteadyDriver::at(const RotorLoad &load)

@@ -19,11 +19,21 @@ namespace ringmotor
     bool certified() const { return !failed && certificate.holds(); }
   };
 
+  /** When Newton's method ends. */
+  struct NewtonLimits
+  {
+    unsigned int most_iterations;
+    double converged = 1e-11; ///< of the certificate
+    /** Iterations without a smaller violation of the laws than ever before. Newton's method gains
+     * in nearly every iteration, or jumps from one set of touching nodes to another for ever. */
+    unsigned int most_without_gain = 6;
+  };
+
   /**
    * The semi-smooth Newton method, see NewtonSystem.
    * @return the last iterate, whether it has converged or not
    */
   ContactIterate newton(const ContactProblem &problem, const FrictionBoundOf &bound_of,
                         const ComplementarityConstants &constants, const ContactState &start,
-                        const unsigned int most_iterations);
+                        const NewtonLimits &limits);
 } // namespace ringmotor
