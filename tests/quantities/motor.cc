@@ -176,7 +176,7 @@ TEST_F(ReferenceMotor, BalancesItsPower)
 
 TEST_F(ReferenceMotor, IsSteadyAfterFiveOfThePapersSteps)
 {
-  const MarchingDriver fresh(motor, parameters.friction, std::vector<double>(90, 0.), 14.);
+  const MarchingDriver fresh(motor, parameters.friction, Warp(), 14.);
   MarchingDriver driver = fresh;
   const RotorLoad load{14., {}, 60. * rpm};
   std::vector<double> torque;
@@ -197,7 +197,7 @@ TEST_F(ReferenceMotor, IsSteadyAfterFiveOfThePapersSteps)
 TEST_F(ReferenceMotor, MarchesToItsSteadyState)
 {
   // With the step of the steady scheme both see the same equations.
-  MarchingDriver driver(motor, parameters.friction, std::vector<double>(90, 0.), 14.);
+  MarchingDriver driver(motor, parameters.friction, Warp(), 14.);
   const RotorLoad load{14., 0.08};
   double speed = 0.;
   for (unsigned int step = 0; step < 90; ++step)

@@ -138,7 +138,7 @@ TEST(MotorIndependence, OfHowACommonFactorIsUsed)
   const CondensedMotor motor       = condense_motor(parameters, stator_wave(parameters), coarse());
   constexpr unsigned int n_moments = 4;
   const double speed               = speed_of(parameters, motor, 0.05, n_moments);
-  MarchingDriver driver(motor, parameters.friction, std::vector<double>(90, 0.), 14.);
+  MarchingDriver driver(motor, parameters.friction, Warp(), 14.);
   const double step = motor.period() / (10 * n_moments);
   double mean       = 0.;
   for (unsigned int number = 0; number < 80; ++number)
