@@ -139,8 +139,9 @@ namespace ringmotor
 
     MarchedSpan Settling::settle(MarchedRun &run)
     {
-      // Short periods are taken together: half a period of the wave changes who touches.
-      const unsigned int n_periods = (n_parts + 1) / 2;
+      // Short periods are taken together, to a quarter of the wave's: most teeth are in contact for
+      // less, and forget how they rubbed when they let go.
+      const unsigned int n_periods = (n_parts + 3) / 4;
       const auto n_steps           = static_cast<unsigned int>(
           std::lround(n_periods * motor.period() / n_parts / step_length()));
       constexpr unsigned int most_spans = 60;

@@ -10,6 +10,7 @@
 #include "support/motor_model.h"
 #include "support/record.h"
 
+#include <ringmotor/parameters/errors.h>
 #include <ringmotor/quantities/marched_point.h>
 
 #include <gtest/gtest.h>
@@ -176,7 +177,7 @@ TEST_F(WarpedMotor, IsTheSameHalfAPeriodLaterAndHalfATurnOn)
       worst   = std::max(worst, std::abs(force - later));
     }
   record("worst", worst / largest);
-  EXPECT_LT(worst, 0.02 * largest);
+  EXPECT_LT(worst, 1e-6 * largest);
 }
 
 TEST_F(WarpedMotor, StepsAreShortenedToFillThePeriod)
