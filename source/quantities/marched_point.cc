@@ -73,7 +73,6 @@ namespace ringmotor
       Settling(const Parameters &parameters, const CondensedMotor &motor,
                const PointRequest &request);
 
-      const RingPattern &ring() const { return pattern; }
       /** Of a step, s: a period of the solution is a whole number of them. */
       double step_length() const;
 
