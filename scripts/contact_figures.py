@@ -246,7 +246,8 @@ def history_touches(case):
 
 
 def covers_a_period(case, rows):
-    return max(row["time_us"] for row in rows) > 0.9 * case.period / MICRO
+    times = [row["time_us"] for row in rows]
+    return max(times) - min(times) > 0.85 * case.period / MICRO
 
 
 def history_from_table(case, point):
@@ -284,9 +285,7 @@ def history_from_fields(case, point):
     angle = case.angle[node] + 2 * np.pi * tooth / case.n_teeth
     lag = (case.n_waves * angle / case.angular_frequency) % case.period  # when the crest comes by
     shown = (time - lag) / MICRO
-    shown += case.period / MICRO * np.round((time.mean() - shown.mean() * MICRO) / case.period)
-    if shown.mean() > 0.5 * case.period / MICRO:
-        shown -= case.period / MICRO
+    shown -= case.period / MICRO * np.round(shown.mean() * MICRO / case.period)
     return (shown, fields["force"][:, tooth, node], fields["gap_and_slip"][:, tooth, node, TANGENTIAL] / MICRO,
             fields["status"][:, tooth, node])
 

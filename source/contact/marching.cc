@@ -7,15 +7,14 @@
 namespace ringmotor
 {
   MarchingDriver::MarchingDriver(const CondensedMotor &motor, const Friction &friction,
-                                 const std::vector<double> &heights, const double preload)
-      : motor(motor), friction(friction), heights(heights)
+                                 const Warp &warp, const double preload)
+      : motor(motor), friction(friction), warp(warp)
   {
     const unsigned int n_points = motor.n_teeth * motor.nodes.size();
     const TimeStep at_rest{now, motor.period(), std::vector<PointVector>(n_points)};
     const RotorLoad load{preload, {}};
     // On teeth without warp it is plain how many of them will touch.
-    const RingContact even(motor, load, at_rest, std::vector<double>(motor.n_teeth, 0.)),
-        contact(motor, load, at_rest, heights);
+    const RingContact even(motor, load, at_rest, Warp()), contact(motor, load, at_rest, warp);
     state     = solve_without_friction(even, motor.constants, even.pressed_down()).state;
     state     = solve_without_friction(contact, motor.constants, state).state;
     positions = contact.positions(state);
@@ -25,7 +24,7 @@ namespace ringmotor
   OperatingState MarchingDriver::step(const RotorLoad &load, const double length)
   {
     const TimeStep time_step{now + length, length, positions};
-    const auto contact = std::make_shared<const RingContact>(motor, load, time_step, heights);
+    const auto contact = std::make_shared<const RingContact>(motor, load, time_step, warp);
     std::vector<FrictionMemory> limits = memory;
     const PointFriction law            = [&](const unsigned int point, const double slip)
     { return friction_coefficient(friction, limits[point], slip, length); };
@@ -43,7 +42,7 @@ namespace ringmotor
     catch (const ComputationError &error)
     {
       // In a long step others than the points of its begin come to touch.
-      const RingContact sliding(motor, {load.preload, {}, last_speed}, time_step, heights);
+      const RingContact sliding(motor, {load.preload, {}, last_speed}, time_step, warp);
       solution     = solved_from(solve_without_friction(sliding, motor.constants, state).state);
       solution.how = std::string(error.what()) + "; found from the state without friction" +
                      (solution.how.empty() ? "" : ", " + solution.how);

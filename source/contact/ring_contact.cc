@@ -31,21 +31,21 @@ namespace ringmotor
         n_rigid_of_moment(fold > 1 ? 1 : 1 + 2 * motor.loose_motions.size()),
         compliance(motor.repeating())
   {
-    place_stator(0., std::vector<double>(n_sectors, 0.));
+    place_stator(0., Warp());
     tabulate_rigid_motions();
   }
 
   RingContact::RingContact(const CondensedMotor &motor, const RotorLoad &load,
-                           const TimeStep &time_step, const std::vector<double> &heights)
+                           const TimeStep &time_step, const Warp &warp)
       : motor(motor), load(load), fold(1), n_sectors(motor.n_teeth), n_nodes(motor.nodes.size()),
         n_moments(1), step(time_step.length), given(time_step.earlier), steady_neighbour(0),
         n_rigid_of_moment(1 + 2 * motor.loose_motions.size()), compliance(motor.compliance)
   {
-    place_stator(time_step.time, heights);
+    place_stator(time_step.time, warp);
     tabulate_rigid_motions();
   }
 
-  void RingContact::place_stator(const double first_time, const std::vector<double> &heights)
+  void RingContact::place_stator(const double first_time, const Warp &warp)
   {
     for (unsigned int point = 0; point < n_points(); ++point)
     {
@@ -54,7 +54,7 @@ namespace ringmotor
       PointVector motion;
       for (unsigned int c = 0; c < 3; ++c)
         motion[c] = (node(point).free_motion[c] * std::polar(1., phase)).real();
-      motion[0] += heights[tooth(point)];
+      motion[0] += warp.height(motor.pitch() * tooth(point) + node(point).angle);
       stator.push_back(motion);
     }
   }

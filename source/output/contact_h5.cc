@@ -54,12 +54,16 @@ namespace ringmotor
       for (const auto &[name, number] : attributes_of(numbers))
         file.set_attribute(group, name, *number);
       std::vector<double> errors;
-      for (const PointError &error :
-           {point.errors.mesh, point.errors.time, point.errors.wave, point.errors.algebra})
+      std::string causes;
+      for (const auto &[cause, error] : point.errors.causes())
+      {
         errors.insert(errors.end(), {error.speed, error.torque, error.loss, error.rotor_power});
-      file.write(group + "/errors", errors, {4, 4}, "SI",
-                 "error bars by cause (meshes, time step, wave of the stator, algebra) of speed "
-                 "(rad/s), torque (N m), friction loss (W), rotor power per loss factor (W)");
+        causes += (causes.empty() ? "" : ", ") + cause;
+      }
+      file.write(group + "/errors", errors, {errors.size() / 4, 4}, "SI",
+                 "error bars by cause (" + causes +
+                     ") of speed (rad/s), torque (N m), friction loss (W), rotor power per loss "
+                     "factor (W)");
       file.write(group + "/rotor_energy", point.rotor_energies, {point.rotor_energies.size()}, "J",
                  "strain energy of the rotor by multiple of the wave's frequency");
       file.set_attribute(group, "time_step_s", fields.time_step);
@@ -90,12 +94,12 @@ namespace ringmotor
         *number = file.attribute<double>(group, name);
       point.rotor_energies =
           file.read<double>(group + "/rotor_energy", {Hdf5Reader::any_size}, "J");
-      const std::vector<double> errors = file.read<double>(group + "/errors", {4, 4}, "SI");
-      const double *error              = errors.data();
-      for (PointError *of_cause :
-           {&point.errors.mesh, &point.errors.time, &point.errors.wave, &point.errors.algebra})
+      const std::vector<double> errors =
+          file.read<double>(group + "/errors", {PointErrors::members().size(), 4}, "SI");
+      const double *error = errors.data();
+      for (const auto &[cause, member] : PointErrors::members())
       {
-        *of_cause = {error[0], error[1], error[2], error[3]};
+        point.errors.*member = {error[0], error[1], error[2], error[3]};
         error += 4;
       }
       return point;

@@ -336,15 +336,17 @@ namespace ringmotor
 
     void check_time(const Parameters &parameters)
     {
-      const Time &time = parameters.time;
-      if (time.average_from_step < 2 || time.average_from_step > time.average_to_step ||
-          time.average_to_step > time.n_steps)
-        throw UserError(entry("Time/Average from step", time.average_from_step) + " and " +
-                        entry("Time/Average to step", time.average_to_step) + " do not go with " +
-                        entry("Time/Number of steps", time.n_steps) +
-                        "; allowed: 2 <= Average from step <= Average to step <= Number of steps");
-      if (time.scheme == TimeScheme::steady && parameters.initial_deformation.amplitude > 0. &&
-          parameters.effects.initial_deformation != EffectChoice::off)
+      const Time &time  = parameters.time;
+      const auto &first = time.average_from_step, &last = time.average_to_step, &n = time.n_steps;
+      const auto shown = [](const std::string &path, const std::optional<unsigned int> &count)
+      { return count ? entry(path, *count) : path + " = auto"; };
+      if ((first || last || n) &&
+          !(first >= 2u && first <= last && last <= n)) // auto is less than any
+        throw UserError(shown("Time/Average from step", first) + " and " +
+                        shown("Time/Average to step", last) + " do not go with " +
+                        shown("Time/Number of steps", n) + "; allowed: all three auto, or " +
+                        "2 <= Average from step <= Average to step <= Number of steps");
+      if (time.scheme == TimeScheme::steady && is_warped(parameters))
         throw UserError(
             "Time/Scheme = steady does not go with " +
             entry("Initial deformation/Amplitude", parameters.initial_deformation.amplitude) +

@@ -84,22 +84,6 @@ namespace ringmotor
     return number_within(0., largest, "a number from 0");
   }
 
-  Notation<std::optional<double>> number_or(const std::string &word, const Notation<double> &number)
-  {
-    using Value      = std::optional<double>;
-    const auto write = [word, number](const Value &value)
-    { return value ? number.write(*value) : word; };
-    const auto read = [word, number](const std::string &text) -> std::optional<Value>
-    {
-      if (text == word)
-        return Value();
-      if (const auto value = number.read(text))
-        return Value(value);
-      return {};
-    };
-    return {write, read, word + ", or " + number.allowed};
-  }
-
   Notation<std::vector<double>> numbers_or(const std::string &word, const Notation<double> &number)
   {
     using Values     = std::vector<double>;

@@ -48,8 +48,10 @@ namespace ringmotor
 
   void InitialDeformation::declare(ParameterHandler &prm)
   {
-    add_entry(prm, "Amplitude", amplitude, non_negative_number(),
-              "Amplitude A of the warp A cos(m theta) of the tooth tops at rest. Units: m.");
+    add_entry(
+        prm, "Amplitude", amplitude, non_negative_number(),
+        "Amplitude A of the warp A cos(m theta) of the tooth tops at rest: how much higher each "
+        "place of a tooth's top stands, theta from the centre of tooth 0. Units: m.");
     add_entry(prm, "Number of waves", n_waves, whole_number(0, 5000),
               "Number of waves m of the warp around the ring.");
   }
@@ -93,16 +95,21 @@ namespace ringmotor
               "rests on the standing wave without friction; \"auto\" "
               "takes the steady state where the ring is uniform.");
     add_entry(prm, "Time step", time_step, positive_number(),
-              "Step of the scheme \"marching\". Units: s.");
-    add_entry(prm, "Number of steps", n_steps, whole_number(1, most_steps),
-              "Number of steps of the scheme \"marching\".");
-    add_entry(prm, "Average from step", average_from_step, whole_number(1, most_steps),
-              "First step, counted from 1, over which results are averaged.");
-    add_entry(prm, "Average to step", average_to_step, whole_number(1, most_steps),
-              "Last step over which results are averaged.");
+              "Step of the scheme \"marching\", shortened where a period of the solution has to be "
+              "a whole number of steps. Units: s.");
+    add_entry(prm, "Number of steps", n_steps, number_or("auto", whole_number(1, most_steps)),
+              "Number of steps of the scheme \"marching\"; \"auto\" goes on until the means over "
+              "whole periods of the solution repeat themselves.");
+    add_entry(prm, "Average from step", average_from_step,
+              number_or("auto", whole_number(1, most_steps)),
+              "First step, counted from 1, over which results are averaged; \"auto\" averages over "
+              "the last whole period of the solution.");
+    add_entry(prm, "Average to step", average_to_step,
+              number_or("auto", whole_number(1, most_steps)),
+              "Last step over which results are averaged, \"auto\" as before.");
     add_entry(
         prm, "Snapshots", n_snapshots, whole_number(1, 1000),
-        "Number of interleaved snapshots of the scheme \"steady\"; more of them mean a smaller "
-        "time step.");
+        "Number of interleaved snapshots of the scheme \"steady\", and of parts into which each "
+        "step of the scheme \"marching\" is divided; more of them mean a smaller time step.");
   }
 } // namespace ringmotor

@@ -153,4 +153,17 @@ namespace ringmotor
     copy.declare(prm);
     prm.print_parameters(out, ParameterHandler::PRM | ParameterHandler::KeepDeclarationOrder);
   }
+
+  bool is_warped(const Parameters &parameters)
+  {
+    return parameters.initial_deformation.amplitude > 0. &&
+           parameters.effects.initial_deformation != EffectChoice::off;
+  }
+
+  bool is_marched(const Parameters &parameters)
+  {
+    if (parameters.time.scheme != TimeScheme::automatic)
+      return parameters.time.scheme == TimeScheme::marching;
+    return is_warped(parameters);
+  }
 } // namespace ringmotor

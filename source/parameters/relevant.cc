@@ -27,12 +27,13 @@ namespace ringmotor
   Parameters relevant_for_points(const Parameters &parameters)
   {
     const Parameters defaults;
-    Parameters relevant                    = parameters;
-    relevant.motor.name                    = defaults.motor.name;
-    relevant.loading.control               = defaults.loading.control;
-    relevant.loading.values                = defaults.loading.values;
-    relevant.loading.n_curve_points        = defaults.loading.n_curve_points;
-    relevant.accuracy.contact_target       = defaults.accuracy.contact_target;
+    Parameters relevant             = parameters;
+    relevant.motor.name             = defaults.motor.name;
+    relevant.loading.control        = defaults.loading.control;
+    relevant.loading.values         = defaults.loading.values;
+    relevant.loading.n_curve_points = defaults.loading.n_curve_points;
+    if (!is_marched(parameters)) // marching goes on until what changes is small against the target
+      relevant.accuracy.contact_target = defaults.accuracy.contact_target;
     relevant.accuracy.mode                 = defaults.accuracy.mode;
     relevant.accuracy.interface_refinement = defaults.accuracy.interface_refinement;
     relevant.output                        = defaults.output;
@@ -47,6 +48,7 @@ namespace ringmotor
     const Parameters defaults;
     Parameters relevant                   = relevant_for_points(parameters);
     relevant.loading                      = defaults.loading;
+    relevant.accuracy.contact_target      = defaults.accuracy.contact_target;
     relevant.friction.law                 = defaults.friction.law;
     relevant.friction.static_coefficient  = defaults.friction.static_coefficient;
     relevant.friction.dynamic_coefficient = defaults.friction.dynamic_coefficient;

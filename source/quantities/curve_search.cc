@@ -153,7 +153,7 @@ namespace ringmotor
                           of_torque ? 0. : relative * std::abs(result.torque),
                           relative * result.friction_loss(), relative * points[i].rotor_power};
       };
-      points[i].errors = {by_mesh[i], by_time[i], share(wave_error),
+      points[i].errors = {by_mesh[i], by_time[i], points[i].window, share(wave_error),
                           share(points[i].largest_violation)};
     }
   }

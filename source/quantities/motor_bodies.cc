@@ -138,13 +138,12 @@ namespace ringmotor
   {
     const unsigned int n_teeth = parameters.motor.n_teeth, n_nodes = mortar.nodes.size();
     const Condensation condensation       = tooth_body.condensed(true);
-    const std::vector<double> heights     = warp_heights(parameters);
+    const Warp warp                       = warp_of(parameters);
     const SectorMotion at_rest            = tooth_body.sector.at_rest();
     const RingBody::Amplitude free_motion = tooth_ring.amplitude(
         condensation.inside(0, {}, {{{}, tooth_body.foot_motion(wave.foot), {}}}).front(), at_rest);
-    RingBody::Amplitude up(free_motion.size());
-    for (auto &vector : up)
-      vector = {{0., 0., 1.}};
+    const RingBody::Amplitude lift = tooth_ring.lift(
+        [&](const double theta) { return std::polar(warp.amplitude, warp.n_waves * theta); });
 
     std::vector<RingBody::Displacement> displacements;
     for (const auto &[fields, moment] : moments)
@@ -157,7 +156,8 @@ namespace ringmotor
         const double phase = wave.angular_frequency * fields.times[moment] -
                              2. * numbers::PI * wave.n_waves * tooth / n_teeth;
         tooth_ring.add(tooth, std::polar(1., phase), free_motion, displacements.back());
-        tooth_ring.add(tooth, heights[tooth], up, displacements.back());
+        const double angle = 2. * numbers::PI * tooth / n_teeth;
+        tooth_ring.add(tooth, std::polar(1., warp.n_waves * angle), lift, displacements.back());
 
         Amplitudes forces(tooth_body.whole_top.origin.size());
         bool is_pressed = false;

@@ -208,6 +208,20 @@ namespace ringmotor
     return amplitude;
   }
 
+  RingBody::Amplitude
+  RingBody::lift(const std::function<std::complex<double>(const double theta)> &height_at) const
+  {
+    const unsigned int n_half = half_points.size();
+    Amplitude amplitude(2 * n_half, {{0., 0., 0.}});
+    for (unsigned int p = 0; p < n_half; ++p)
+    {
+      const double theta       = std::atan2(half_points[p][1], half_points[p][0]);
+      amplitude[p][2]          = height_at(theta);
+      amplitude[n_half + p][2] = height_at(-theta);
+    }
+    return amplitude;
+  }
+
   void RingBody::add(const unsigned int sector, const std::complex<double> factor,
                      const Amplitude &amplitude, Displacement &displacement) const
   {

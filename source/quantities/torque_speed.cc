@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/parameters/relevant.h>
+#include <ringmotor/quantities/marched_point.h>
 #include <ringmotor/quantities/torque_speed.h>
 
 #include <algorithm>
@@ -12,31 +13,6 @@ namespace ringmotor
 
   namespace
   {
-    /** Adds what happens at all points at the moments of a state. */
-    void append_fields(ContactFields &fields, const OperatingState &state, const double first_time)
-    {
-      const RingContact &contact       = *state.contact;
-      const ContactSolution &solution  = state.solution;
-      const std::vector<PointVector> t = contact.tooth_motion(solution.state),
-                                     r = contact.rotor_motion(solution.state);
-      for (unsigned int moment = 0; moment < contact.n_times(); ++moment)
-        fields.times.push_back(first_time + moment * contact.time_step());
-      fields.n_teeth    = contact.n_teeth();
-      fields.time_step  = contact.time_step();
-      const auto append = [](auto &to, const auto &from)
-      { to.insert(to.end(), from.begin(), from.end()); };
-      append(fields.force, solution.state.force);
-      append(fields.motion, solution.motion);
-      append(fields.tooth, t);
-      append(fields.rotor, r);
-      const auto rigid       = solution.state.rigid.begin(); // a turn may follow
-      const std::size_t size = contact.n_times() * contact.n_rigid_motions();
-      fields.rigid.insert(fields.rigid.end(), rigid, rigid + size);
-      fields.turn = solution.state.rigid.size() > size ? solution.state.rigid.back() : 0.;
-      for (const PointStatus status : solution.status)
-        fields.status.push_back(static_cast<unsigned char>(status));
-    }
-
     /** The state that a point of the steady state was found in. */
     ContactState state_of(const CurvePoint &point)
     {
@@ -45,37 +21,25 @@ namespace ringmotor
         state.rigid.push_back(point.fields.turn);
       return state;
     }
-
-    void add_certificate(CurvePoint &point, const ContactSolution &solution)
-    {
-      point.largest_violation = std::max(point.largest_violation, solution.certificate.worst());
-      point.n_iterations += solution.n_iterations;
-      if (!solution.how.empty())
-        point.remark = solution.how;
-    }
-
-    /** Adds what the rotor stores. The fields must be there. */
-    void add_rotor_energy(CurvePoint &point, const CondensedMotor &motor,
-                          const unsigned int warp_waves, const unsigned int first_moment)
-    {
-      point.rotor_energies =
-          rotor_energies(point.fields, {motor.n_waves, motor.n_teeth, warp_waves}, first_moment);
-      point.rotor_power = power_per_loss_factor(point.rotor_energies, motor.angular_frequency);
-    }
-
-    bool is_warped(const Parameters &parameters)
-    {
-      return parameters.initial_deformation.amplitude > 0. &&
-             parameters.effects.initial_deformation != EffectChoice::off;
-    }
   } // namespace
+
+  const std::vector<std::pair<std::string, PointError PointErrors::*>> &PointErrors::members()
+  {
+    static const std::vector<std::pair<std::string, PointError PointErrors::*>> members{
+        {"meshes of bodies and interface", &PointErrors::mesh},
+        {"time step", &PointErrors::time},
+        {"averaging window", &PointErrors::window},
+        {by_wave, &PointErrors::wave},
+        {"algebra", &PointErrors::algebra}};
+    return members;
+  }
 
   std::vector<std::pair<std::string, PointError>> PointErrors::causes() const
   {
-    return {{"meshes of bodies and interface", mesh},
-            {"time step", time},
-            {by_wave, wave},
-            {"algebra", algebra}};
+    std::vector<std::pair<std::string, PointError>> causes;
+    for (const auto &[name, member] : members())
+      causes.emplace_back(name, this->*member);
+    return causes;
   }
 
   PointError PointErrors::total() const
@@ -86,39 +50,32 @@ namespace ringmotor
     return sum;
   }
 
-  std::vector<double> warp_heights(const Parameters &parameters)
+  void CurvePoint::add_certificate(const ContactSolution &solution)
   {
-    std::vector<double> heights;
-    const InitialDeformation &deformation = parameters.initial_deformation;
-    for (unsigned int tooth = 0; tooth < parameters.motor.n_teeth; ++tooth)
-      heights.push_back(is_warped(parameters)
-                            ? deformation.amplitude *
-                                  std::cos(2. * numbers::PI * tooth * deformation.n_waves /
-                                           parameters.motor.n_teeth)
-                            : 0.);
-    return heights;
+    largest_violation = std::max(largest_violation, solution.certificate.worst());
+    n_iterations += solution.n_iterations;
+    if (!solution.how.empty())
+      remark = solution.how;
   }
 
-  bool is_marched(const Parameters &parameters)
+  Warp warp_of(const Parameters &parameters)
   {
-    if (parameters.time.scheme != TimeScheme::automatic)
-      return parameters.time.scheme == TimeScheme::marching;
-    return is_warped(parameters);
+    const InitialDeformation &deformation = parameters.initial_deformation;
+    return is_warped(parameters) ? Warp{deformation.amplitude, deformation.n_waves} : Warp();
+  }
+
+  RotorLoad load_of(const Loading &loading, const PointRequest &request)
+  {
+    RotorLoad load{loading.preload, {}, request.value};
+    if (request.control == Control::torque)
+      load.torque = request.value;
+    return load;
   }
 
   Parameters with_parts_of_a_step(const Parameters &parameters, const unsigned int n_parts)
   {
-    Parameters divided = parameters;
-    Time &time         = divided.time;
-    if (!is_marched(parameters))
-    {
-      time.n_snapshots = n_parts;
-      return divided;
-    }
-    time.time_step /= n_parts;
-    time.n_steps *= n_parts;
-    time.average_from_step = n_parts * (time.average_from_step - 1) + 1;
-    time.average_to_step *= n_parts;
+    Parameters divided       = parameters;
+    divided.time.n_snapshots = (is_marched(parameters) ? parameters.time.n_snapshots : 1) * n_parts;
     return divided;
   }
 
@@ -133,17 +90,8 @@ namespace ringmotor
   OperatingPointFinder::OperatingPointFinder(const Parameters &all_parameters,
                                              const CondensedMotor &motor, PointMemory *memory)
       : parameters(relevant_for_points(all_parameters)), motor(motor),
-        friction(effective_friction(parameters)),
-        steady(motor, friction, parameters.time.n_snapshots), memory(memory)
+        steady(motor, effective_friction(parameters), parameters.time.n_snapshots), memory(memory)
   {
-  }
-
-  RotorLoad OperatingPointFinder::load_of(const PointRequest &request) const
-  {
-    RotorLoad load{parameters.loading.preload, {}, request.value};
-    if (request.control == Control::torque)
-      load.torque = request.value;
-    return load;
   }
 
   CurvePoint OperatingPointFinder::find(const PointRequest &request)
@@ -152,12 +100,13 @@ namespace ringmotor
       if (std::optional<CurvePoint> known = memory->recall(request))
       {
         if (!is_marched(parameters))
-          steady.go_on_from(load_of(request), state_of(*known));
+          steady.go_on_from(load_of(parameters.loading, request), state_of(*known));
         return *known;
       }
     const auto begin = std::chrono::steady_clock::now();
-    CurvePoint point = is_marched(parameters) ? march(request) : find_steady(request);
-    point.request    = request;
+    CurvePoint point =
+        is_marched(parameters) ? find_marched(parameters, motor, request) : find_steady(request);
+    point.request = request;
     point.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     if (memory)
       memory->keep(point);
@@ -166,38 +115,13 @@ namespace ringmotor
 
   CurvePoint OperatingPointFinder::find_steady(const PointRequest &request)
   {
-    const OperatingState state = steady.at(load_of(request));
+    const OperatingState state = steady.at(load_of(parameters.loading, request));
     CurvePoint point;
     point.result = evaluate(state);
-    add_certificate(point, state.solution);
-    append_fields(point.fields, state, 0.);
-    add_rotor_energy(point, motor, 0, 0);
-    return point;
-  }
-
-  CurvePoint OperatingPointFinder::march(const PointRequest &request) const
-  {
-    const Time &time = parameters.time;
-    MarchingDriver driver(motor, friction, warp_heights(parameters), parameters.loading.preload);
-    CurvePoint point;
-    OperatingState before;
-    std::vector<OperatingPoint> averaged;
-    for (unsigned int number = 1; number <= time.n_steps; ++number)
-    {
-      RotorLoad load = load_of(request);
-      if (load.torque && number == 1) // the load comes with the second step
-        load.torque = 0.;
-      OperatingState state = driver.step(load, time.time_step);
-      add_certificate(point, state.solution);
-      append_fields(point.fields, state, driver.time());
-      if (before.contact && number >= time.average_from_step && number <= time.average_to_step)
-        averaged.push_back(evaluate_step(before, state));
-      before = std::move(state);
-    }
-    point.result = mean(averaged);
-    add_rotor_energy(point, motor,
-                     is_warped(parameters) ? parameters.initial_deformation.n_waves : 0,
-                     time.average_from_step - 1);
+    point.add_certificate(state.solution);
+    point.fields         = fields_of(state, 0.);
+    point.rotor_energies = rotor_energies(point.fields, {motor.n_waves, motor.n_teeth, 0});
+    point.rotor_power    = power_per_loss_factor(point.rotor_energies, motor.angular_frequency);
     return point;
   }
 

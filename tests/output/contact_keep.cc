@@ -92,6 +92,15 @@ TEST(ContactKeepKeys, HoldEveryEntryButThoseThatMakeNoDifference)
   }
 }
 
+TEST(ContactKeepKeys, HoldTheTargetThatMarchedPointsSettleTo)
+{
+  const StatorWave wave   = some_wave();
+  const std::string warp  = "Initial deformation/Amplitude = 4e-6";
+  const Parameters warped = with({warp}), other = with({warp, "Accuracy/Contact target = 0.01"});
+  EXPECT_NE(points_key(warped, wave, 1), points_key(other, wave, 1));
+  EXPECT_EQ(condensation_key(warped, wave, 1), condensation_key(other, wave, 1));
+}
+
 TEST(ContactKeepKeys, HoldWaveAndInterfaceMesh)
 {
   const Parameters parameters = with({});

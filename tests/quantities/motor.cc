@@ -11,6 +11,7 @@
 #include "support/motor_model.h"
 #include "support/record.h"
 
+#include <ringmotor/contact/marching.h>
 #include <ringmotor/quantities/torque_speed.h>
 
 #include <gtest/gtest.h>
@@ -176,7 +177,7 @@ TEST_F(ReferenceMotor, BalancesItsPower)
 
 TEST_F(ReferenceMotor, IsSteadyAfterFiveOfThePapersSteps)
 {
-  const MarchingDriver fresh(motor, parameters.friction, std::vector<double>(90, 0.), 14.);
+  const MarchingDriver fresh(motor, parameters.friction, Warp(), 14.);
   MarchingDriver driver = fresh;
   const RotorLoad load{14., {}, 60. * rpm};
   std::vector<double> torque;
@@ -197,7 +198,7 @@ TEST_F(ReferenceMotor, IsSteadyAfterFiveOfThePapersSteps)
 TEST_F(ReferenceMotor, MarchesToItsSteadyState)
 {
   // With the step of the steady scheme both see the same equations.
-  MarchingDriver driver(motor, parameters.friction, std::vector<double>(90, 0.), 14.);
+  MarchingDriver driver(motor, parameters.friction, Warp(), 14.);
   const RotorLoad load{14., 0.08};
   double speed = 0.;
   for (unsigned int step = 0; step < 90; ++step)

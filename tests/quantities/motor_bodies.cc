@@ -104,9 +104,8 @@ TEST(MotorBodies, TiltAndStandOnWarpedTeeth)
   Parameters parameters                    = reference_motor();
   parameters.initial_deformation.amplitude = 4e-6;
   parameters.initial_deformation.n_waves   = 1;
-  parameters.time.n_steps                  = 3;
-  parameters.time.average_from_step        = 2;
-  parameters.time.average_to_step          = 3;
+  parameters.time.time_step                = 2e-6;
+  parameters.accuracy.contact_target       = 0.5;
   const StatorWave wave                    = stator_wave(parameters);
   for (const double bars : {0., 1e9})
   {

@@ -7,6 +7,7 @@
 
 #include "support/motor_model.h"
 
+#include <ringmotor/contact/marching.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/quantities/torque_speed.h>
 
@@ -138,7 +139,7 @@ TEST(MotorIndependence, OfHowACommonFactorIsUsed)
   const CondensedMotor motor       = condense_motor(parameters, stator_wave(parameters), coarse());
   constexpr unsigned int n_moments = 4;
   const double speed               = speed_of(parameters, motor, 0.05, n_moments);
-  MarchingDriver driver(motor, parameters.friction, std::vector<double>(90, 0.), 14.);
+  MarchingDriver driver(motor, parameters.friction, Warp(), 14.);
   const double step = motor.period() / (10 * n_moments);
   double mean       = 0.;
   for (unsigned int number = 0; number < 80; ++number)

@@ -13,10 +13,9 @@ namespace ringmotor
   class MarchingDriver
   {
   public:
-    /** @p heights (m) of the teeth at rest. @p motor must outlive this object and all its states.
-     */
-    MarchingDriver(const CondensedMotor &motor, const Friction &friction,
-                   const std::vector<double> &heights, const double preload);
+    /** @p motor must outlive this object and all its states. */
+    MarchingDriver(const CondensedMotor &motor, const Friction &friction, const Warp &warp,
+                   const double preload);
 
     /** Goes on by one step (s) under a load. @throws ComputationError */
     OperatingState step(const RotorLoad &load, const double length);
@@ -31,7 +30,7 @@ namespace ringmotor
 
     const CondensedMotor &motor;
     const Friction friction;
-    const std::vector<double> heights;
+    const Warp warp;
     double now = 0.;
     ContactState state;                 ///< without the turn
     std::vector<PointVector> positions; ///< at the end of the last step

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <ringmotor/contact/condensed_motor.h>
+#include <ringmotor/contact/warp.h>
 
 #include <optional>
 #include <vector>
@@ -45,9 +46,9 @@ namespace ringmotor
     /** The steady state with @p n_moments moments. @p motor must outlive this object. */
     RingContact(const CondensedMotor &motor, const RotorLoad &load, const unsigned int n_moments);
 
-    /** One step. @p heights (m) of the teeth at rest. */
+    /** One step of a ring that may be warped at rest. */
     RingContact(const CondensedMotor &motor, const RotorLoad &load, const TimeStep &step,
-                const std::vector<double> &heights);
+                const Warp &warp);
 
     unsigned int n_points() const override { return n_moments * n_sectors * n_nodes; }
     unsigned int n_rigid() const override
@@ -99,7 +100,7 @@ namespace ringmotor
     ContactState pressed_down() const;
 
   private:
-    void place_stator(const double first_time, const std::vector<double> &heights);
+    void place_stator(const double first_time, const Warp &warp);
     void tabulate_rigid_motions();
     double turn(const ContactState &state) const;
     /** Positions by forces and rigid motions alone, and the change of positions in a step. */

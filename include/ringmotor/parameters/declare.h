@@ -82,8 +82,22 @@ namespace ringmotor
   Notation<double> number_within(double lower, double upper, const std::string &allowed);
 
   /** A number, or the @p word that stands for no value. */
-  Notation<std::optional<double>> number_or(const std::string &word,
-                                            const Notation<double> &number);
+  template <typename T>
+  Notation<std::optional<T>> number_or(const std::string &word, const Notation<T> &number)
+  {
+    using Value      = std::optional<T>;
+    const auto write = [word, number](const Value &value)
+    { return value ? number.write(*value) : word; };
+    const auto read = [word, number](const std::string &text) -> std::optional<Value>
+    {
+      if (text == word)
+        return Value();
+      if (const auto value = number.read(text))
+        return Value(value);
+      return {};
+    };
+    return {write, read, word + ", or " + number.allowed};
+  }
 
   /** Numbers separated by commas, or the @p word that stands for the empty list. */
   Notation<std::vector<double>> numbers_or(const std::string &word, const Notation<double> &number);

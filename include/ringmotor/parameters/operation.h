@@ -106,12 +106,17 @@ namespace ringmotor
   /** How an operating point is resolved in time. */
   struct Time
   {
-    TimeScheme scheme              = TimeScheme::automatic;
-    double time_step               = 5.e-7; ///< s, of the marching scheme
-    unsigned int n_steps           = 15;    ///< of the marching scheme
-    unsigned int average_from_step = 6;     ///< first step of the averages, counted from 1
-    unsigned int average_to_step   = 15;    ///< last step of the averages
-    unsigned int n_snapshots       = 1;     ///< interleaved snapshots of the steady scheme
+    TimeScheme scheme = TimeScheme::automatic;
+    double time_step  = 5.e-7; ///< s, of the marching scheme, which may take shorter ones
+
+    /** A part of the marching scheme to average over: all three or, for whole periods of the
+     * solution once it has settled, none. */
+    std::optional<unsigned int> n_steps;
+    std::optional<unsigned int> average_from_step; ///< first step of the averages, counted from 1
+    std::optional<unsigned int> average_to_step;   ///< last step of the averages
+
+    /** Interleaved snapshots of the steady scheme, parts of each step of the marching scheme. */
+    unsigned int n_snapshots = 1;
 
     /** Declares the entries; reading them changes the members. */
     void declare(dealii::ParameterHandler &prm);

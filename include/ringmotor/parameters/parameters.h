@@ -61,6 +61,12 @@ namespace ringmotor
    */
   void print_parameters(std::ostream &out, const Parameters &parameters);
 
+  /** Whether the ring is warped at rest, and the warp takes part. */
+  bool is_warped(const Parameters &parameters);
+
+  /** Whether a motor has to be marched through time: it says so, or its ring is not uniform. */
+  bool is_marched(const Parameters &parameters);
+
   /**
    * Looks for entries that contradict each other, and for choices the program `stator` does not
    * offer, before any mesh is built. Ranges of single entries are the business of

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/contact/contact_problem.h>
+#include <ringmotor/contact/steady.h>
 
 #include <vector>
 
@@ -20,10 +20,16 @@ namespace ringmotor
     std::vector<unsigned char> status;     ///< see PointStatus
     double turn = 0.; ///< rad, of the rotor in the last step, if the torque was given
 
+    /** Adds moments that follow. */
+    void append(const ContactFields &later);
+
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
       archive &times &n_teeth &time_step &force &motion &tooth &rotor &rigid &turn &status;
     }
   };
+
+  /** The fields of a state whose first moment is at @p first_time (s). */
+  ContactFields fields_of(const OperatingState &state, const double first_time);
 } // namespace ringmotor

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <complex>
+#include <functional>
 #include <map>
 #include <optional>
 #include <utility>
@@ -39,6 +40,9 @@ namespace ringmotor
     /** The motion @p one + i @p two of sector 0. Both parts have the symmetry
      * U(-theta) = S conj(U(theta)), which their sum has not. */
     Amplitude amplitude(const SectorMotion &one, const SectorMotion &two) const;
+
+    /** The motion of sector 0 straight up by a height (m) at each angle (rad) from its middle. */
+    Amplitude lift(const std::function<std::complex<double>(const double theta)> &height_at) const;
 
     /** Adds the real part of @p factor times a motion, turned to its place, in sector @p sector. */
     void add(const unsigned int sector, const std::complex<double> factor,

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/contact/marching.h>
+#include <ringmotor/contact/steady.h>
+#include <ringmotor/contact/warp.h>
 #include <ringmotor/quantities/contact_fields.h>
 #include <ringmotor/quantities/operating_point.h>
 #include <ringmotor/quantities/rotor_energy.h>
@@ -49,10 +50,13 @@ namespace ringmotor
   {
     PointError mesh;    ///< meshes of bodies and interface
     PointError time;    ///< time step
+    PointError window;  ///< see CurvePoint::window
     PointError wave;    ///< the stator's wave, as the program `stator` knows it
     PointError algebra; ///< what the solver leaves of the laws of contact and friction
 
     static constexpr const char *by_wave = "wave of the stator"; ///< name of that cause
+    /** All members with their names. */
+    static const std::vector<std::pair<std::string, PointError PointErrors::*>> &members();
     /** Each of them with its name. */
     std::vector<std::pair<std::string, PointError>> causes() const;
     /** The sum of all. */
@@ -61,7 +65,7 @@ namespace ringmotor
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &mesh &time &wave &algebra;
+      archive &mesh &time &window &wave &algebra;
     }
   };
 
@@ -72,6 +76,9 @@ namespace ringmotor
     OperatingPoint result;
     std::vector<double> rotor_energies; ///< J, see rotor_energies()
     double rotor_power = 0.;            ///< W, see power_per_loss_factor()
+    /** By the steps that a marched motor is averaged over: how far the result is from where it
+     * settles. */
+    PointError window;
     PointErrors errors;
     double largest_violation  = 0.; ///< of the laws of contact and friction, see ContactCertificate
     unsigned int n_iterations = 0;
@@ -79,10 +86,13 @@ namespace ringmotor
     std::string remark; ///< what was tried if Newton's method alone did not do
     ContactFields fields;
 
+    /** Takes in what the solver tells of a state. */
+    void add_certificate(const ContactSolution &solution);
+
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &request.control &request.value &result &errors &rotor_energies &rotor_power;
+      archive &request.control &request.value &result &window &errors &rotor_energies &rotor_power;
       archive &largest_violation &n_iterations &seconds &remark &fields;
     }
   };
@@ -115,25 +125,22 @@ namespace ringmotor
     CurvePoint find(const PointRequest &request);
 
   private:
-    RotorLoad load_of(const PointRequest &request) const;
     CurvePoint find_steady(const PointRequest &request);
-    CurvePoint march(const PointRequest &request) const;
 
     const Parameters parameters;
     const CondensedMotor &motor;
-    const Friction friction;
     SteadyDriver steady;
     PointMemory *const memory;
   };
 
-  /** How far the teeth stand above the plane of an even ring at rest, m. */
-  std::vector<double> warp_heights(const Parameters &parameters);
+  /** The warp of the ring at rest, none if that effect is off. */
+  Warp warp_of(const Parameters &parameters);
 
-  /** Whether a motor has to be marched through time: it says so, or its ring is not uniform. */
-  bool is_marched(const Parameters &parameters);
+  /** What loads the rotor at an operating point that is asked for. */
+  RotorLoad load_of(const Loading &loading, const PointRequest &request);
 
   /** The parameters with a step of a part of its length: of the steady state, with so many moments;
-   * when marching, with Time/Time step divided by so much. */
+   * when marching, with each step divided by so much. */
   Parameters with_parts_of_a_step(const Parameters &parameters, const unsigned int n_parts);
 
   /** The friction law with the effects that are switched off left out. */

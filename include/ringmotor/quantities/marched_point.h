@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/contact/marching.h>
+#include <ringmotor/quantities/torque_speed.h>
+
+namespace ringmotor
+{
+  /**
+   * Into how many equal parts a period of the wave falls, after each of which a motor's steady
+   * pattern is the same, turned by some teeth. A turn by m teeth maps N teeth with a warp of p
+   * waves onto themselves if N divides m p; the wave of n waves is there n m / N of a period later.
+   */
+  unsigned int parts_of_period(const RingPattern &pattern);
+
+  /**
+   * How far the last of several means over equal spans of time may be from where they lead to: the
+   * larger one of the last two changes or, where changes shrink slowly, what is still to come if
+   * they go on shrinking as they do. Infinite for fewer than three means.
+   */
+  double remaining_change(const std::vector<double> &means);
+
+  /** Some equal steps of a marched motor. */
+  struct MarchedSpan
+  {
+    OperatingState before, after; ///< at its begin, unless it is the first one, and at its end
+    OperatingPoint mean;          ///< over its steps, but for the first one of all
+    ContactFields fields;         ///< at the ends of its steps
+  };
+
+  /** A motor on its way through time under one load, which comes after the first span. */
+  class MarchedRun
+  {
+  public:
+    /** @p motor must outlive this object and all that it returns. */
+    MarchedRun(const Parameters &parameters, const CondensedMotor &motor,
+               const PointRequest &request);
+
+    /** Goes on by some steps of a length (s). @throws ComputationError */
+    MarchedSpan advance(const unsigned int n_steps, const double length);
+
+    /** Has the certificate of all steps so far, and what it took to find them. */
+    const CurvePoint &effort() const { return taken; }
+
+  private:
+    const RotorLoad load;
+    MarchingDriver driver;
+    OperatingState last;
+    CurvePoint taken;
+  };
+
+  /**
+   * Finds an operating point by marching. Averages over whole periods of the solution once their
+   * means have settled to a tenth of `Accuracy/Contact target`, the steps being shortened so that a
+   * period is a whole number of them; the fields are those of the last period. If `Time` gives
+   * steps to average over, the point has these and the fields of all steps that are asked for, and
+   * what the settled means differ from it by is an error of it, see CurvePoint::window.
+   *
+   * @throws ComputationError if a step fails or the means do not settle
+   */
+  CurvePoint find_marched(const Parameters &parameters, const CondensedMotor &motor,
+                          const PointRequest &request);
+} // namespace ringmotor

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/quantities/contact_fields.h>
+
+namespace ringmotor
+{
+  void ContactFields::append(const ContactFields &later)
+  {
+    if (later.times.empty())
+      return;
+    const auto append = [](auto &to, const auto &from)
+    { to.insert(to.end(), from.begin(), from.end()); };
+    append(times, later.times);
+    append(force, later.force);
+    append(motion, later.motion);
+    append(tooth, later.tooth);
+    append(rotor, later.rotor);
+    append(rigid, later.rigid);
+    append(status, later.status);
+    n_teeth   = later.n_teeth;
+    time_step = later.time_step;
+    turn      = later.turn;
+  }
+
+  ContactFields fields_of(const OperatingState &state, const double first_time)
+  {
+    const RingContact &contact      = *state.contact;
+    const ContactSolution &solution = state.solution;
+    ContactFields fields;
+    for (unsigned int moment = 0; moment < contact.n_times(); ++moment)
+      fields.times.push_back(first_time + moment * contact.time_step());
+    fields.n_teeth                   = contact.n_teeth();
+    fields.time_step                 = contact.time_step();
+    fields.force                     = solution.state.force;
+    fields.motion                    = solution.motion;
+    fields.tooth                     = contact.tooth_motion(solution.state);
+    fields.rotor                     = contact.rotor_motion(solution.state);
+    const std::vector<double> &rigid = solution.state.rigid; // a turn may follow
+    const std::size_t size           = contact.n_times() * contact.n_rigid_motions();
+    fields.rigid.assign(rigid.begin(), rigid.begin() + size);
+    fields.turn = rigid.size() > size ? rigid.back() : 0.;
+    for (const PointStatus status : solution.status)
+      fields.status.push_back(static_cast<unsigned char>(status));
+    return fields;
+  }
+} // namespace ringmotor

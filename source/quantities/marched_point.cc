@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/parameters/errors.h>
+#include <ringmotor/quantities/marched_point.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <sstream>
+
+namespace ringmotor
+{
+  using namespace dealii;
+
+  unsigned int parts_of_period(const RingPattern &pattern)
+  {
+    const unsigned int n_teeth = pattern.n_teeth,
+                       turn    = n_teeth / std::gcd(n_teeth, pattern.warp_waves); // of the warp
+    return n_teeth / std::gcd(n_teeth, pattern.n_waves * turn);
+  }
+
+  double remaining_change(const std::vector<double> &means)
+  {
+    constexpr double slowest = 0.9; // a ratio that is told from no convergence at all
+    const std::size_t n      = means.size();
+    if (n < 3)
+      return std::numeric_limits<double>::infinity();
+    const double before = std::abs(means[n - 2] - means[n - 3]),
+                 last   = std::abs(means[n - 1] - means[n - 2]),
+                 ratio  = last < slowest * before ? last / before : slowest;
+    return std::max({before, last, last * ratio / (1. - ratio)});
+  }
+
+  MarchedRun::MarchedRun(const Parameters &parameters, const CondensedMotor &motor,
+                         const PointRequest &request)
+      : load(load_of(parameters.loading, request)),
+        driver(motor, effective_friction(parameters), warp_of(parameters), load.preload)
+  {
+  }
+
+  MarchedSpan MarchedRun::advance(const unsigned int n_steps, const double length)
+  {
+    RotorLoad now = load;
+    if (!last.contact && now.torque)
+      now.torque = 0.;
+    MarchedSpan span;
+    span.before = last;
+    std::vector<OperatingPoint> steps;
+    for (unsigned int step = 0; step < n_steps; ++step)
+    {
+      OperatingState state = driver.step(now, length);
+      taken.add_certificate(state.solution);
+      span.fields.append(fields_of(state, driver.time()));
+      if (last.contact)
+        steps.push_back(evaluate_step(last, state));
+      last = std::move(state);
+    }
+    span.after = last;
+    span.mean  = mean(steps);
+    return span;
+  }
+
+  namespace
+  {
+    constexpr std::array<double PointError::*, 4> quantities{
+        {&PointError::speed, &PointError::torque, &PointError::loss, &PointError::rotor_power}};
+
+    /** How a motor is marched until it has settled. */
+    class Settling
+    {
+    public:
+      Settling(const Parameters &parameters, const CondensedMotor &motor,
+               const PointRequest &request);
+
+      /** Of a step, s: a period of the solution is a whole number of them. */
+      double step_length() const;
+
+      /** Marches on until the means have settled. @returns the last span */
+      MarchedSpan settle(MarchedRun &run);
+      /** How far the last span may be from where they lead to. */
+      const PointError &remaining() const { return rest; }
+
+      /** What may change, the rotor's power included; zero for what is prescribed. */
+      PointError values_of(const MarchedSpan &span) const;
+      std::vector<double> energies_of(const MarchedSpan &span) const
+      {
+        return rotor_energies(span.fields, pattern);
+      }
+
+    private:
+      void add(const PointError &values);
+      /** Relative to the larger ones of all operating points or, a loss, to itself. */
+      bool has_settled() const;
+      [[noreturn]] void give_up() const;
+
+      const Time time;
+      const CondensedMotor &motor;
+      const bool of_torque;
+      const RingPattern pattern;
+      const unsigned int n_parts; ///< of a period of the wave, see parts_of_period()
+      const double tolerance;     ///< relative
+      double fastest = 0.;        ///< rad/s, the crests of the wave
+      double largest = 0.;        ///< N m, if all friction points one way
+      std::array<std::vector<double>, quantities.size()> means;
+      PointError rest;
+    };
+
+    Settling::Settling(const Parameters &parameters, const CondensedMotor &motor,
+                       const PointRequest &request)
+        : time(parameters.time), motor(motor),
+          of_torque(request.control == Control::torque), pattern{motor.n_waves, motor.n_teeth,
+                                                                 warp_of(parameters).n_waves},
+          n_parts(parts_of_period(pattern)), tolerance(0.1 * parameters.accuracy.contact_target)
+    {
+      const Friction friction = effective_friction(parameters);
+      const double mu         = std::max(friction.static_coefficient, friction.dynamic_coefficient);
+      for (const CondensedMotor::Node &node : motor.nodes)
+      {
+        fastest = std::max(fastest,
+                           motor.angular_frequency * std::abs(node.free_motion[1]) / node.radius);
+        largest = std::max(largest, mu * parameters.loading.preload * node.radius);
+      }
+    }
+
+    double Settling::step_length() const
+    {
+      const double period = motor.period() / n_parts;
+      return period / (std::ceil(period / time.time_step - 1e-9) * time.n_snapshots);
+    }
+
+    PointError Settling::values_of(const MarchedSpan &span) const
+    {
+      return {of_torque ? span.mean.speed : 0., of_torque ? 0. : span.mean.torque,
+              span.mean.friction_loss(),
+              power_per_loss_factor(energies_of(span), motor.angular_frequency)};
+    }
+
+    MarchedSpan Settling::settle(MarchedRun &run)
+    {
+      // Short periods are taken together, to a quarter of the wave's: most teeth are in contact for
+      // less, and forget how they rubbed when they let go.
+      const unsigned int n_periods = (n_parts + 3) / 4;
+      const auto n_steps           = static_cast<unsigned int>(
+          std::lround(n_periods * motor.period() / n_parts / step_length()));
+      constexpr unsigned int most_spans = 60;
+      for (unsigned int number = 0; number < most_spans; ++number)
+      {
+        MarchedSpan span = run.advance(n_steps, step_length());
+        add(values_of(span));
+        if (has_settled())
+          return span;
+      }
+      give_up();
+    }
+
+    void Settling::add(const PointError &values)
+    {
+      for (unsigned int i = 0; i < quantities.size(); ++i)
+      {
+        means[i].push_back(values.*quantities[i]);
+        rest.*quantities[i] = remaining_change(means[i]);
+      }
+    }
+
+    bool Settling::has_settled() const
+    {
+      return rest.speed <= tolerance * fastest && rest.torque <= tolerance * largest &&
+             rest.loss <= tolerance * means[2].back() &&
+             rest.rotor_power <= tolerance * means[3].back();
+    }
+
+    void Settling::give_up() const
+    {
+      std::ostringstream text;
+      text.precision(4);
+      const auto range =
+          [&](const std::string &name, const std::vector<double> &values, const std::string &unit)
+      {
+        const auto [low, high] =
+            std::minmax_element(values.begin() + values.size() / 2, values.end());
+        text << name << " " << *low << " to " << *high << " " << unit;
+      };
+      text << "the motor does not settle: after " << means[0].size()
+           << " spans of time, each of whole periods, the later half of their means has ";
+      if (of_torque)
+        range("speeds from", means[0], "rad/s");
+      else
+        range("torques from", means[1], "N m");
+      range(" and friction losses from", means[2], "W");
+      text << "; choose a larger Accuracy/Contact target, or a smaller Time/Time step";
+      throw ComputationError(text.str());
+    }
+
+    /** The point that a span shows. */
+    CurvePoint point_of(const MarchedSpan &span, const Settling &settling,
+                        const double angular_frequency)
+    {
+      CurvePoint point;
+      point.result         = span.mean;
+      point.fields         = span.fields;
+      point.rotor_energies = settling.energies_of(span);
+      point.rotor_power    = power_per_loss_factor(point.rotor_energies, angular_frequency);
+      return point;
+    }
+
+    /** The point of the steps that `Time` tells to average over. */
+    CurvePoint find_by_window(const Time &time, MarchedRun &run, Settling &settling,
+                              const double angular_frequency)
+    {
+      const unsigned int n = time.n_snapshots;
+      const double step    = time.time_step / n;
+      ContactFields fields = run.advance(n, step).fields;
+      fields.append(run.advance(n * (*time.average_from_step - 2), step).fields);
+      const MarchedSpan window =
+          run.advance(n * (*time.average_to_step - *time.average_from_step + 1), step);
+      fields.append(window.fields);
+      fields.append(run.advance(n * (*time.n_steps - *time.average_to_step), step).fields);
+      const PointError settled = settling.values_of(settling.settle(run)),
+                       found   = settling.values_of(window);
+      CurvePoint point         = point_of(window, settling, angular_frequency);
+      point.fields             = std::move(fields);
+      for (double PointError::*quantity : quantities)
+        point.window.*quantity =
+            std::abs(found.*quantity - settled.*quantity) + settling.remaining().*quantity;
+      return point;
+    }
+  } // namespace
+
+  CurvePoint find_marched(const Parameters &parameters, const CondensedMotor &motor,
+                          const PointRequest &request)
+  {
+    MarchedRun run(parameters, motor, request);
+    Settling settling(parameters, motor, request);
+    CurvePoint point;
+    if (parameters.time.n_steps)
+      point = find_by_window(parameters.time, run, settling, motor.angular_frequency);
+    else
+    {
+      run.advance(parameters.time.n_snapshots, settling.step_length());
+      point        = point_of(settling.settle(run), settling, motor.angular_frequency);
+      point.window = settling.remaining();
+    }
+    point.largest_violation = run.effort().largest_violation;
+    point.n_iterations      = run.effort().n_iterations;
+    point.remark            = run.effort().remark;
+    return point;
+  }
+} // namespace ringmotor

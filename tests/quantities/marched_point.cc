@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Marched operating points. The period of the solution against all turns of the ring tried one by
+// one; the estimate of what a sequence of means still changes against geometric sequences, whose
+// limits are known; the reference motor with a warp of 4 um at 78 rpm against an independent model
+// (its own meshes, its own contact; one coefficient 0.40), which found 56 mN m as the mean over
+// whole periods, 26 with a step from tooth to tooth instead of a slope, and 117 without a warp; its
+// error bars against the same motor marched three times as long.
+
+#include "support/motor_model.h"
+#include "support/record.h"
+
+#include <ringmotor/parameters/errors.h>
+#include <ringmotor/quantities/marched_point.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+using namespace ringmotor;
+using namespace ringmotor::tests;
+
+namespace
+{
+  constexpr double rpm = M_PI / 30.;
+
+  /** Tries all turns that map the warp onto itself: the smallest lag of the wave, in N-th parts of
+   * a period. */
+  unsigned int parts_by_trial(const RingPattern &pattern)
+  {
+    unsigned int smallest = pattern.n_teeth;
+    for (unsigned int turn = 1; turn <= pattern.n_teeth; ++turn)
+      if (turn * pattern.warp_waves % pattern.n_teeth == 0)
+        if (const unsigned int lag = turn * pattern.n_waves % pattern.n_teeth; lag > 0)
+          smallest = std::min(smallest, lag);
+    return pattern.n_teeth / smallest;
+  }
+
+  double sum_of(const std::vector<PointVector> &forces, const std::size_t first,
+                const std::size_t n_forces, const unsigned int component)
+  {
+    double sum = 0.;
+    for (std::size_t i = first; i < first + n_forces; ++i)
+      sum += forces[i][component];
+    return sum;
+  }
+} // namespace
+
+TEST(MarchedPeriod, IsTheShortestThatATurnMakes)
+{
+  EXPECT_EQ(parts_of_period({7, 90, 0}), 90u); // by hand: an even ring, n and N coprime
+  EXPECT_EQ(parts_of_period({9, 90, 0}), 10u);
+  EXPECT_EQ(parts_of_period({7, 90, 2}), 2u); // the warp is the same after half a turn
+  EXPECT_EQ(parts_of_period({7, 45, 2}), 1u); // half a turn is no whole number of teeth
+  for (unsigned int n_teeth = 3; n_teeth <= 48; ++n_teeth)
+    for (unsigned int n_waves = 1; 2 * n_waves < n_teeth; ++n_waves)
+      for (unsigned int warp_waves = 0; warp_waves <= 9; ++warp_waves)
+      {
+        const RingPattern pattern{n_waves, n_teeth, warp_waves};
+        EXPECT_EQ(parts_of_period(pattern), parts_by_trial(pattern))
+            << n_waves << " " << n_teeth << " " << warp_waves;
+      }
+}
+
+TEST(MarchedPeriod, HoldsTheLimitOfAGeometricSequence)
+{
+  for (const double ratio : {0.01, 0.3, 0.7, 0.89, -0.5, -0.8})
+  {
+    std::vector<double> means;
+    for (unsigned int k = 0; k < 12; ++k)
+    {
+      means.push_back(5. + std::pow(ratio, k));
+      if (k < 2)
+      {
+        EXPECT_TRUE(std::isinf(remaining_change(means)));
+        continue;
+      }
+      const double error = std::abs(means.back() - 5.), estimate = remaining_change(means);
+      EXPECT_GE(estimate, error * (1. - 1e-6)) << ratio;
+      EXPECT_LE(estimate, 20. * std::abs(std::pow(ratio, k - 2))) << ratio; // not by being too long
+    }
+  }
+  // What does not shrink does not settle, however small the last change.
+  EXPECT_GE(remaining_change({4., 6., 4., 6.}), 2.);
+  EXPECT_GE(remaining_change({1., 2., 3., 4.}), 5.);
+  EXPECT_GE(remaining_change({1., 3., 3.}), 2.);
+}
+
+namespace
+{
+  class WarpedMotor : public testing::Test
+  {
+  protected:
+    static void SetUpTestSuite()
+    {
+      parameters                               = reference_motor();
+      parameters.initial_deformation.amplitude = 4e-6;
+      const StatorWave wave                    = stator_wave(parameters);
+      motor  = condense_motor(parameters, wave, ContactDiscretisation::level(1));
+      coarse = condense_motor(parameters, wave, ContactDiscretisation::level(0));
+    }
+
+    static Parameters parameters;
+    static CondensedMotor motor, coarse; ///< interface meshes 1 and 0
+  };
+  Parameters WarpedMotor::parameters;
+  CondensedMotor WarpedMotor::motor, WarpedMotor::coarse;
+} // namespace
+
+TEST_F(WarpedMotor, StandsUpByAFieldOfHeights)
+{
+  const Warp warp{4e-6, 2};
+  const TimeStep step{1e-5, 1e-6, {}};
+  const RingContact even(motor, {14., {}}, step, Warp()), warped(motor, {14., {}}, step, warp);
+  for (unsigned int point = 0; point < warped.n_points(); ++point)
+  {
+    const double theta     = 2. * M_PI / 90. * warped.tooth(point) + warped.node(point).angle;
+    const PointVector rise = warped.free_motion(point) - even.free_motion(point);
+    EXPECT_NEAR(rise[0], 4e-6 * std::cos(2. * theta), 1e-18);
+    EXPECT_EQ(rise[1], 0.);
+    EXPECT_EQ(rise[2], 0.);
+  }
+  // The same height everywhere is no warp.
+  Parameters raised                  = parameters;
+  raised.initial_deformation.n_waves = 0;
+  EXPECT_EQ(parts_of_period({7, 90, 0}), parts_of_period({7, 90, warp_of(raised).n_waves}));
+  const double lifted = find_marched(raised, coarse, {Control::speed, 70. * rpm}).result.torque;
+  raised.initial_deformation.amplitude = 0.;
+  EXPECT_NEAR(lifted, find_marched(raised, coarse, {Control::speed, 70. * rpm}).result.torque,
+              1e-6 * lifted);
+}
+
+TEST_F(WarpedMotor, HasTheTorqueOfAnIndependentModel)
+{
+  // The model's numbers are of a mesh on which its speeds without a warp are those of interface
+  // mesh 0. Finer meshes, ours and the model's, take some mN m from both torques at this speed,
+  // where the curve is flat, and little from what the warp takes.
+  Parameters even                    = parameters;
+  even.initial_deformation.amplitude = 0.;
+  const PointRequest request{Control::speed, 78. * rpm};
+  for (const CondensedMotor *mesh : {&coarse, &motor})
+  {
+    const CurvePoint point = find_marched(parameters, *mesh, request);
+    const double flat      = OperatingPointFinder(even, *mesh).find(request).result.torque;
+    const std::string with = "_with_" + std::to_string(mesh->nodes.size()) + "_points";
+    record("torque_mNm" + with, 1e3 * point.result.torque);
+    record("window_error_mNm" + with, 1e3 * point.window.torque);
+    record("even_torque_mNm" + with, 1e3 * flat);
+    EXPECT_NEAR(1e3 * (flat - point.result.torque), 117. - 56., 0.15 * 56.);
+    EXPECT_LE(point.window.torque, 0.1 * parameters.accuracy.contact_target * 0.2);
+    EXPECT_LE(point.largest_violation, ContactCertificate::limit);
+    if (mesh == &coarse)
+    {
+      EXPECT_NEAR(1e3 * point.result.torque, 56., 0.15 * 56.);
+    }
+  }
+}
+
+TEST_F(WarpedMotor, IsTheSameHalfAPeriodLaterAndHalfATurnOn)
+{
+  MarchedRun run(parameters, coarse, {Control::speed, 70. * rpm});
+  constexpr unsigned int n_steps = 34;
+  const double step              = 0.5 * coarse.period() / n_steps;
+  run.advance(6 * n_steps, step);
+  const ContactFields first = run.advance(n_steps, step).fields,
+                      next  = run.advance(n_steps, step).fields;
+  const std::size_t n_nodes = coarse.nodes.size();
+  double largest = 0., worst = 0.;
+  for (unsigned int moment = 0; moment < n_steps; ++moment)
+    for (unsigned int tooth = 0; tooth < 90; ++tooth)
+    {
+      const double force = sum_of(first.force, (moment * 90 + tooth) * n_nodes, n_nodes, 1),
+                   later =
+                       sum_of(next.force, (moment * 90 + (tooth + 45) % 90) * n_nodes, n_nodes, 1);
+      largest = std::max(largest, std::abs(force));
+      worst   = std::max(worst, std::abs(force - later));
+    }
+  record("worst", worst / largest);
+  EXPECT_LT(worst, 1e-6 * largest);
+}
+
+TEST_F(WarpedMotor, StepsAreShortenedToFillThePeriod)
+{
+  const CurvePoint point = find_marched(parameters, coarse, {Control::speed, 60. * rpm});
+  const double n_steps   = 0.5 * coarse.period() / point.fields.time_step;
+  EXPECT_NEAR(n_steps, 34., 1e-9); // of 0.5 us at most
+  EXPECT_EQ(point.fields.times.size(), 34u) << "the last period of the solution, and no more";
+  const CurvePoint halves =
+      find_marched(with_parts_of_a_step(parameters, 2), coarse, {Control::speed, 60. * rpm});
+  EXPECT_NEAR(point.fields.time_step / halves.fields.time_step, 2., 1e-9);
+}
+
+TEST_F(WarpedMotor, SaysWhatThePapersWindowMisses)
+{
+  Parameters window             = parameters;
+  window.time.n_steps           = 15;
+  window.time.average_from_step = 6;
+  window.time.average_to_step   = 15;
+  const PointRequest request{Control::speed, 70. * rpm};
+  const CurvePoint point   = find_marched(window, coarse, request),
+                   settled = find_marched(parameters, coarse, request);
+  record("window_mNm", 1e3 * point.result.torque);
+  record("window_error_mNm", 1e3 * point.window.torque);
+  record("settled_mNm", 1e3 * settled.result.torque);
+  EXPECT_EQ(point.fields.times.size(), 15u);
+  EXPECT_DOUBLE_EQ(point.fields.times.back(), 7.5e-6);
+  EXPECT_GT(point.window.torque, settled.window.torque);
+  EXPECT_NEAR(point.result.torque, settled.result.torque, point.window.torque);
+  EXPECT_NEAR(point.result.friction_loss(), settled.result.friction_loss(), point.window.loss);
+}
+
+TEST_F(WarpedMotor, SaysThatItDoesNotSettle)
+{
+  Parameters hopeless              = parameters;
+  hopeless.accuracy.contact_target = -1.; // nothing is below it
+  hopeless.time.time_step          = 4e-6;
+  try
+  {
+    find_marched(hopeless, coarse, {Control::speed, 70. * rpm});
+    FAIL() << "settled";
+  }
+  catch (const ComputationError &error)
+  {
+    const std::string said = error.what();
+    for (const std::string word : {"does not settle", "torques from", "friction losses from",
+                                   "choose a larger Accuracy/Contact target"})
+      EXPECT_NE(said.find(word), std::string::npos) << said;
+  }
+}
+
+class WarpedMotorLong : public WarpedMotor
+{
+};
+
+TEST_F(WarpedMotorLong, BarsHoldARunOfThreeTimesTheLength)
+{
+  for (const double speed : {60., 70., 78., 83.})
+  {
+    const PointRequest request{Control::speed, speed * rpm};
+    const CurvePoint point = find_marched(parameters, coarse, request);
+    const double step = point.fields.time_step, end = point.fields.times.back();
+    const auto n_spans = static_cast<unsigned int>(std::lround(end / (34. * step)));
+    MarchedRun run(parameters, coarse, request);
+    run.advance(1, step);
+    run.advance((3 * n_spans - 1) * 34, step);
+    const OperatingPoint later = run.advance(34, step).mean;
+    const std::string at       = "_at_" + std::to_string(std::lround(speed));
+    record("torque_mNm" + at, 1e3 * point.result.torque);
+    record("error_mNm" + at, 1e3 * point.window.torque);
+    record("later_mNm" + at, 1e3 * later.torque);
+    record("spans" + at, n_spans);
+    EXPECT_NEAR(point.result.torque, later.torque, point.window.torque) << speed;
+    EXPECT_NEAR(point.result.friction_loss(), later.friction_loss(), point.window.loss) << speed;
+    EXPECT_LE(point.window.torque, 0.1 * parameters.accuracy.contact_target * 0.2) << speed;
+  }
+}
+
+TEST_F(WarpedMotorLong, TurnsAsFastAsItsTorqueAsks)
+{
+  const CurvePoint point = find_marched(parameters, coarse, {Control::torque, 0.05});
+  EXPECT_NEAR(point.result.torque, 0.05, 1e-9);
+  const CurvePoint driven = find_marched(parameters, coarse, {Control::speed, point.result.speed});
+  record("speed_rpm", point.result.speed / rpm);
+  record("torque_mNm", 1e3 * driven.result.torque);
+  // Not the same scene: there the speed varies within a period, here the torque does.
+  EXPECT_NEAR(driven.result.torque, 0.05, 0.15 * 0.05);
+}
