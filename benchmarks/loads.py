@@ -47,7 +47,8 @@ def run_amplitude(options, amplitude, file):
             file.add(row)
             print(table([], [[file.rows[-1][column] for column in SHOWN]])[-1], flush=True)
             if row["outcome"] != "certified":
-                print(f"    {row['message']}\n    {command_lines(options.motor, folder, of_load)}", flush=True)
+                again = command_lines(options.motor, f"output/loads/{folder.name}", of_load)
+                print(f"    {row['message']}\n    {again}", flush=True)
 
 
 def main():

@@ -6,7 +6,7 @@ import pathlib
 import re
 import shlex
 
-from contact_checks import ContactResults, RPM, check
+from contact_checks import ContactResults, check
 from timed_run import ROOT, arguments, limited_run, program
 
 # How a run may end. The last three must not happen.
@@ -43,10 +43,9 @@ def add_results(row, folder):
         row.update(outcome="silent wrong", message=f"results cannot be read: {error}")
         return row
     touching, nodes = results.touching()
-    no_load = [row["speed_rpm"] for row, point in zip(results.rows, results.points)
-               if row["control"] == "torque" and point["asked_for"] == 0.]
-    stall = [row["torque_mNm"] for row, point in zip(results.rows, results.points)
-             if row["control"] == "speed" and point["asked_for"] == 0.]
+    asked = [(r, point["asked_for"]) for r, point in zip(results.rows, results.points)]
+    no_load = [r["speed_rpm"] for r, value in asked if r["control"] == "torque" and value == 0.]
+    stall = [r["torque_mNm"] for r, value in asked if r["control"] == "speed" and value == 0.]
     row.update(newton_iterations=f"{sum(r['newton_iterations'] for r in results.rows):.0f}",
                nodes_touching=f"{touching:.0f}", nodes=nodes,
                certificate=f"{max(r['certificate'] for r in results.rows):.1e}",
@@ -67,7 +66,7 @@ def command_lines(motor, folder, entries):
     path = pathlib.Path(motor).resolve()
     path = path.relative_to(ROOT) if path.is_relative_to(ROOT) else path
     words = shlex.join(arguments(path, folder, entries))
-    return f"build/bin/stator {words} && build/bin/contact {words}"
+    return f"for program in stator contact; do build/bin/$program {words} || break; done"
 
 
 def cause_of(message):
