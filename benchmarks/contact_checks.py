@@ -1,0 +1,211 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Checks results of the program contact from its files alone, by laws that hold for any motor.
+
+The program certifies its results itself. This is a second opinion, computed from the forces, gaps and slips
+in contact.h5 without its code: bounds that no motor exceeds, balances of forces, and powers summed anew.
+"""
+import csv
+import json
+import math
+import pathlib
+
+import h5py
+import numpy
+
+RPM = math.pi / 30.
+TINY = 1e-6  # relative: certified states fulfil their laws to 1e-8 and better
+
+
+def entries_of(prm):
+    """All entries of a parameter file as the programs write it: {'Section/Entry': 'value'}."""
+    entries, path = {}, []
+    for line in prm.splitlines():
+        words = line.split("#")[0].split()
+        if words[:1] == ["subsection"]:
+            path.append(" ".join(words[1:]))
+        elif words[:1] == ["end"]:
+            path.pop()
+        elif words[:1] == ["set"]:
+            name, _, value = " ".join(words[1:]).partition("=")
+            entries["/".join(path + [name.strip()])] = value.strip()
+    return entries
+
+
+class ContactResults:
+    """What the program contact has written into a folder."""
+
+    def __init__(self, folder):
+        folder = pathlib.Path(folder)
+        self.summary = json.loads((folder / "contact" / "summary.json").read_text())
+        self.entries = entries_of(self.summary["prm"])
+        with open(folder / "contact" / "torque_speed.csv") as file:
+            self.rows = [{key: value if key == "control" else float(value) for key, value in row.items()}
+                         for row in csv.DictReader(file)]
+        with open(folder / "stator" / "ellipses.csv") as file:
+            self.angular_amplitude = max(1e-3 * float(row["A_t_um"]) / float(row["r_mm"])
+                                         for row in csv.DictReader(file) if row["point"].startswith("top"))
+        with h5py.File(folder / "contact" / "contact.h5") as file:
+            self.attributes = dict(file.attrs)
+            self.radius = file["nodes/radius"][:]
+            self.angle = file["nodes/angle"][:]
+            self.points = [{**point.attrs, **{name: point[name][:] for name in point}}
+                           for _, point in sorted(file["points"].items())]
+        self.n_repeats = int(self.attributes["n_teeth"]) // self.points[0]["force"].shape[1]
+
+    def number(self, entry):
+        return float(self.entries[entry])
+
+    def has_springs(self):
+        """Whether rotor and teeth may approach each other beyond the point where they touch."""
+        return (self.entries["Contact/Formulation"] == "penalty" or
+                self.entries["Effects/Friction lining"] == "on")
+
+    def is_marched(self, point):
+        """A marched point is a sequence of steps, at least two of them; its first is not averaged over."""
+        return self.entries["Time/Scheme"] == "marching" or (
+            self.entries["Time/Scheme"] == "auto" and self.number("Initial deformation/Amplitude") > 0. and
+            self.entries["Effects/Initial deformation"] != "off")
+
+    def friction_bound(self):
+        """The largest coefficient that the law of friction ever takes."""
+        dynamic, static = (self.number(f"Friction/{kind} coefficient") for kind in ("Dynamic", "Static"))
+        is_one = (self.entries["Friction/Law"] == "coulomb" or
+                  self.entries["Effects/Static friction excess"] == "off")
+        return dynamic if is_one else max(dynamic, static)
+
+    def averaged(self, point):
+        """The moments that a point's values are means of, and what was one time step before them: two
+        functions of a field with an axis of moments, then one of teeth."""
+        if self.is_marched(point):
+            first, last = int(self.number("Time/Average from step")), int(self.number("Time/Average to step"))
+            return (lambda field: field[first - 1:last]), (lambda field: field[first - 2:last - 1])
+        # The steady pattern repeats itself: before the first moment a tooth was what another one, ahead of it
+        # by one phase, is at the last moment.
+        n_teeth = point["force"].shape[1]
+        shift = pow(int(self.attributes["n_waves"]) // self.n_repeats, -1, n_teeth) if n_teeth > 1 else 0
+        return (lambda field: field), (
+            lambda field: numpy.concatenate([numpy.roll(field[-1:], -shift, axis=1), field[:-1]]))
+
+    def touching(self):
+        """The largest number of contact nodes on the ring that touch at a time, mean over the moments, of
+        all operating points; and the number of all nodes."""
+        most = max((self.averaged(p)[0](p["status"]) > 0).sum() / self.averaged(p)[0](p["status"]).shape[0]
+                   for p in self.points)
+        return most * self.n_repeats, len(self.radius) * self.attributes["n_teeth"]
+
+    def worst_error(self):
+        """Largest error bar, of speeds over the fastest speed and of torques over the largest torque."""
+        scale = {name: max(abs(row[name]) for row in self.rows) or math.inf for name in ("speed_rpm", "torque_mNm")}
+        return max(max(row["speed_error_rpm"] / scale["speed_rpm"],
+                       row["torque_error_mNm"] / scale["torque_mNm"]) for row in self.rows)
+
+
+def check_table(results):
+    """What is wrong with torque_speed.csv and summary.json: list of texts."""
+    found = []
+    if not results.summary["certificate"]["holds"]:
+        found.append("exit status 0 although the certificate does not hold")
+    for number, row in enumerate(results.rows):
+        for column, value in row.items():
+            if column != "control" and not math.isfinite(value):
+                found.append(f"point {number}: {column} is {value}")
+            elif "_error_" in column and value < 0.:
+                found.append(f"point {number}: the error bar {column} is negative")
+    if not all(math.isfinite(q["value"]) and math.isfinite(q["error"]) for q in results.summary["quantities"]):
+        found.append("summary.json holds numbers that are not finite")
+    return found
+
+
+def check_bounds(results, point, row):
+    """No more torque than friction bears, no faster than the wave, no negative loss."""
+    found = []
+    outer_radius = min(results.number("Rotor/Lip outer radius"), results.number("Stator/Tip outer radius"))
+    most_torque = results.friction_bound() * results.number("Loading/Preload") * outer_radius
+    if abs(point["torque_Nm"]) > 1.01 * most_torque:
+        found.append(f"torque {point['torque_Nm']:.4g} N m, but friction bears {most_torque:.4g} N m at most")
+    fastest = results.attributes["angular_frequency_rad_per_s"] * results.angular_amplitude
+    if (point["torque_Nm"] > TINY * most_torque + 1e-3 * row["torque_error_mNm"] and
+            point["speed_rad_per_s"] > 1.02 * fastest + RPM * row["speed_error_rpm"]):
+        found.append(f"drives at {point['speed_rad_per_s']:.4g} rad/s, but the wave's surface moves at "
+                     f"{fastest:.4g} rad/s at most")
+    if abs(1e-3 * row["torque_mNm"] - point["torque_Nm"]) + abs(RPM * row["speed_rpm"] - point["speed_rad_per_s"]) > \
+            TINY * (most_torque + fastest):
+        found.append("torque_speed.csv and contact.h5 differ")
+    control = point["control"].decode() if isinstance(point["control"], bytes) else point["control"]
+    reached, scale = ((point["torque_Nm"], most_torque) if control == "torque" else
+                      (point["speed_rad_per_s"], fastest))
+    if abs(reached - point["asked_for"]) > TINY * scale:
+        found.append(f"{control} {point['asked_for']:.6g} was asked for, {reached:.6g} was found")
+    for name in ("tangential_loss_W", "radial_loss_W"):
+        if point[name] < -TINY * most_torque * fastest:
+            found.append(f"{name} is negative: {point[name]:.4g}")
+    return found
+
+
+def check_forces(results, point):
+    """Forces at the nodes keep the laws of contact and friction, and balance the loads."""
+    found = []
+    preload, radius = results.number("Loading/Preload"), results.radius
+    force, gap = point["force"], point["gap_and_slip"][..., 0]
+    largest = force[..., 0].max()
+    if force[..., 0].min() < -TINY * largest:
+        found.append(f"rotor and teeth pull at each other with {-force[..., 0].min():.3g} N")
+    sums = force[..., 0].sum(axis=(1, 2)) * results.n_repeats
+    if numpy.abs(sums - preload).max() > TINY * preload:
+        found.append(f"normal forces sum up to {sums.min():.8g} .. {sums.max():.8g} N instead of the preload")
+    excess = numpy.hypot(force[..., 1], force[..., 2]) - results.friction_bound() * force[..., 0]
+    if excess.max() > TINY * largest:
+        found.append(f"friction exceeds its bound by {excess.max():.3g} N where {largest:.3g} N press most")
+    if not results.has_springs() and gap.min() < -1e-4 * results.number("Wave/Amplitude"):
+        found.append(f"teeth reach into the rotor by {-gap.min():.3g} m")
+    if (force[..., 0] * (point["status"] == 0)).max() > TINY * largest:
+        found.append("nodes that are open carry forces")
+    now, _ = results.averaged(point)
+    torque = (now(force)[..., 1] * radius).sum(axis=(1, 2)).mean() * results.n_repeats
+    scale = results.friction_bound() * preload * radius.max()
+    if abs(torque - point["torque_Nm"]) > TINY * scale:
+        found.append(f"friction forces make {torque:.6g} N m, the torque is {point['torque_Nm']:.6g} N m")
+    return found
+
+
+def check_powers(results, point):
+    """Powers summed anew from forces, slips and displacements at the nodes."""
+    found = []
+    now, before = results.averaged(point)
+    mean = 0.5 * (now(point["force"]) + before(point["force"]))
+    per_second = results.n_repeats / (mean.shape[0] * point["time_step_s"])
+    slip = now(point["gap_and_slip"])[..., 1:]
+    losses = -per_second * (mean[..., 1:] * slip).sum(axis=(0, 1, 2))
+    loss = point["tangential_loss_W"] + point["radial_loss_W"]
+    output = point["torque_Nm"] * point["speed_rad_per_s"]
+    scale = max(abs(loss), abs(output), abs(point["input_power_W"]), 1e-300)
+    for name, value in zip(("tangential_loss_W", "radial_loss_W"), losses):
+        if abs(value - point[name]) > TINY * scale:
+            found.append(f"{name} is {point[name]:.6g}, forces and slips make {value:.6g}")
+    if results.is_marched(point):
+        return found  # what the bodies store changes from step to step
+    # Over a period the teeth store nothing: the wave's work is that of the forces on the moving tooth tops.
+    moved = now(point["tooth"]) - before(point["tooth"])
+    power = per_second * (mean * moved).sum()
+    if abs(power - point["input_power_W"]) > TINY * scale:
+        found.append(f"input_power_W is {point['input_power_W']:.6g}, forces and tooth motions make {power:.6g}")
+    rest = point["input_power_W"] - output - loss - point["closing_work_W"]
+    if abs(rest) > TINY * scale:
+        found.append(f"the powers leave {rest:.3g} W of {scale:.3g} W")
+    return found
+
+
+def check(folder):
+    """Everything that is wrong with the results in a folder: list of texts, empty if nothing is."""
+    results = ContactResults(folder)
+    found = check_table(results)
+    if len(results.rows) != len(results.points):
+        return found + ["torque_speed.csv and contact.h5 have different numbers of points"]
+    for number, (point, row) in enumerate(zip(results.points, results.rows)):
+        fields = [point[name] for name in ("force", "gap_and_slip", "tooth", "rotor")]
+        if not all(numpy.isfinite(field).all() for field in fields):
+            found.append(f"point {number}: contact.h5 holds numbers that are not finite")
+            continue
+        for text in check_bounds(results, point, row) + check_forces(results, point) + check_powers(results, point):
+            found.append(f"point {number}: {text}")
+    return found
