@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/contact/proximal_problem.h>
 
+#include <map>
+
 namespace ringmotor
 {
   using namespace dealii;
@@ -29,12 +31,18 @@ namespace ringmotor
     return motion;
   }
 
-  void ProximalProblem::derivatives(const std::vector<unsigned int> &points,
+  void ProximalProblem::derivatives(const std::vector<unsigned int> &rows,
+                                    const std::vector<unsigned int> &columns,
                                     FullMatrix<double> &matrix) const
   {
-    problem.derivatives(points, matrix);
-    for (unsigned int row = 0; row < 3 * points.size(); ++row)
-      matrix(row, row) += spring(row % 3);
+    problem.derivatives(rows, columns, matrix);
+    std::map<unsigned int, unsigned int> place; // among the columns
+    for (unsigned int j = 0; j < columns.size(); ++j)
+      place[columns[j]] = j;
+    for (unsigned int i = 0; i < rows.size(); ++i)
+      if (const auto found = place.find(rows[i]); found != place.end())
+        for (unsigned int c = 0; c < 3; ++c)
+          matrix(3 * i + c, 3 * found->second + c) += spring(c);
   }
 
   std::vector<double> ProximalProblem::balances(const ContactState &state) const

@@ -160,11 +160,12 @@ namespace ringmotor
     return motion;
   }
 
-  void RingContact::derivatives(const std::vector<unsigned int> &points,
+  void RingContact::derivatives(const std::vector<unsigned int> &row_points,
+                                const std::vector<unsigned int> &column_points,
                                 FullMatrix<double> &matrix) const
   {
-    const unsigned int n = points.size();
-    matrix.reinit(3 * n, 3 * n + n_rigid());
+    const unsigned int n = column_points.size();
+    matrix.reinit(3 * row_points.size(), 3 * n + n_rigid());
     const auto add_rigid = [&](const unsigned int point, const double factor,
                                const unsigned int row, const unsigned int first)
     {
@@ -173,20 +174,20 @@ namespace ringmotor
           matrix(row + c, 3 * n + moment(point) * n_rigid_of_moment + r) +=
               factor * rigid_motion(point, r)[c];
     };
-    const std::vector<PointsOfTooth> teeth = by_tooth(points);
-    for (const PointsOfTooth &rows : teeth)
+    const std::vector<PointsOfTooth> columns = by_tooth(column_points);
+    for (const PointsOfTooth &rows : by_tooth(row_points))
     {
-      add_elastic_rows(rows, rows.first_point, teeth, 1., 0, matrix);
+      add_elastic_rows(rows, rows.first_point, columns, 1., 0, matrix);
       if (!given)
-        add_elastic_rows(rows, earlier(rows.first_point), teeth, -1., 1, matrix);
+        add_elastic_rows(rows, earlier(rows.first_point), columns, -1., 1, matrix);
     }
-    for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int i = 0; i < row_points.size(); ++i)
     {
-      add_rigid(points[i], 1., 3 * i, 0);
+      add_rigid(row_points[i], 1., 3 * i, 0);
       if (!given)
-        add_rigid(earlier(points[i]), -1., 3 * i, 1);
+        add_rigid(earlier(row_points[i]), -1., 3 * i, 1);
       if (load.torque)
-        matrix(3 * i + 1, 3 * n + n_rigid() - 1) = node(points[i]).radius;
+        matrix(3 * i + 1, 3 * n + n_rigid() - 1) = node(row_points[i]).radius;
     }
   }
 

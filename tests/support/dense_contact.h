@@ -62,16 +62,17 @@ namespace ringmotor::tests
       return motion;
     }
 
-    void derivatives(const std::vector<unsigned int> &points,
+    void derivatives(const std::vector<unsigned int> &rows,
+                     const std::vector<unsigned int> &columns,
                      dealii::FullMatrix<double> &matrix) const override
     {
-      const unsigned int size = 3 * points.size();
-      matrix.reinit(size, size + n_rigid());
-      for (unsigned int row = 0; row < size; ++row)
+      const unsigned int size = 3 * columns.size();
+      matrix.reinit(3 * rows.size(), size + n_rigid());
+      for (unsigned int row = 0; row < 3 * rows.size(); ++row)
       {
-        const unsigned int from = 3 * points[row / 3] + row % 3;
+        const unsigned int from = 3 * rows[row / 3] + row % 3;
         for (unsigned int column = 0; column < size; ++column)
-          matrix(row, column) = compliance(from, 3 * points[column / 3] + column % 3);
+          matrix(row, column) = compliance(from, 3 * columns[column / 3] + column % 3);
         for (unsigned int r = 0; r < n_rigid(); ++r)
           matrix(row, size + r) = rigid_motion(from, r);
       }

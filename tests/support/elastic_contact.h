@@ -62,15 +62,16 @@ namespace ringmotor::tests
       return motion;
     }
 
-    void derivatives(const std::vector<unsigned int> &points,
+    void derivatives(const std::vector<unsigned int> &rows,
+                     const std::vector<unsigned int> &columns,
                      dealii::FullMatrix<double> &matrix) const override
     {
-      const unsigned int n = 3 * points.size();
-      matrix.reinit(n, n + n_rigid());
-      for (unsigned int i = 0; i < n; ++i)
+      const unsigned int n = 3 * columns.size();
+      matrix.reinit(3 * rows.size(), n + n_rigid());
+      for (unsigned int i = 0; i < 3 * rows.size(); ++i)
       {
         for (unsigned int j = 0; j < n; ++j)
-          matrix(i, j) = compliance(3 * points[i / 3] + i % 3, 3 * points[j / 3] + j % 3);
+          matrix(i, j) = compliance(3 * rows[i / 3] + i % 3, 3 * columns[j / 3] + j % 3);
         if (preload && i % 3 == 0)
           matrix(i, n) = 1.;
       }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deal.II/base/tensor.h>
+#include <deal.II/base/types.h>
 #include <deal.II/lac/full_matrix.h>
 
 #include <cmath>
@@ -47,12 +48,19 @@ namespace ringmotor
     virtual std::vector<PointVector> motion_by(const ContactState &change) const = 0;
 
     /**
-     * Derivatives of the relative motion of some points, three rows for each, by the forces at the
-     * same points, three columns for each, and by the rigid motions, one column for each. Sets size
-     * and all entries of @p matrix.
+     * Derivatives of the relative motion of some points @p rows, three rows for each, by the forces
+     * at points @p columns, three columns for each, and by the rigid motions, one column for each.
+     * Sets size and all entries of @p matrix.
      */
-    virtual void derivatives(const std::vector<unsigned int> &points,
+    virtual void derivatives(const std::vector<unsigned int> &rows,
+                             const std::vector<unsigned int> &columns,
                              dealii::FullMatrix<double> &matrix) const = 0;
+
+    /** The problem may fall into parts (the time samples of a steady state) in a ring, each of
+     * which moves itself and the next one only. Rigid motions of all parts belong to none. */
+    virtual unsigned int part_of_point(const unsigned int) const { return 0; }
+    virtual unsigned int part_of_rigid(const unsigned int) const { return 0; }
+    static constexpr unsigned int no_part = dealii::numbers::invalid_unsigned_int;
 
     /** For each rigid motion the sum of forces that must vanish. */
     virtual std::vector<double> balances(const ContactState &state) const = 0;

@@ -2,9 +2,7 @@
 #pragma once
 
 #include <ringmotor/contact/contact_certificate.h>
-
-#include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/vector.h>
+#include <ringmotor/contact/contact_rows.h>
 
 #include <vector>
 
@@ -17,22 +15,12 @@ namespace ringmotor
     double tangential; ///< about 1 / largest eigenvalue of the tangential compliance of a tooth
   };
 
-  /** The three rows of a touching node in Newton's linear system. */
-  struct ContactRow
-  {
-    dealii::Tensor<2, 3> by_motion, by_force; ///< N/m, and a pure number
-    PointVector right_hand_side;              ///< N
-    bool has_friction = true;                 ///< otherwise it has none now and had none before
-  };
-
   /**
    * The linear system of one step of the semi-smooth Newton method (primal-dual active set) for
    * contact with friction: p = max(0, p - c_n gap), and for a touching node either slip = 0 or
    * F_t = bound tau/|tau|, tau = F_t - c_t slip. (Alart and Curnier 1991; Hueeber, Stadler and
    * Wohlmuth 2008.) Unknowns are the changes of the forces at the touching nodes and of the rigid
-   * motions. The rows of a node are a 3 by 3 block times the change of its motion plus another one
-   * times the change of its force, so the same rows make a dense matrix for few touching nodes, or
-   * are applied without a matrix in a Krylov method for many.
+   * motions.
    */
   class NewtonSystem
   {
@@ -55,10 +43,6 @@ namespace ringmotor
                      const FrictionBound &bound) const;
     void add_slip(ContactRow &row, const Choice &choice, const PointVector &force,
                   const PointVector &motion, const FrictionBound &bound) const;
-    bool solve_dense(dealii::Vector<double> &solution) const;
-    bool solve_krylov(dealii::Vector<double> &solution) const;
-    /** The right-hand side: three rows for each touching node, then the balances. */
-    dealii::Vector<double> right_hand_side() const;
 
     const ContactProblem &problem;
     const ComplementarityConstants constants;

@@ -30,8 +30,17 @@ namespace ringmotor
     unsigned int n_rigid() const override { return problem.n_rigid(); }
     std::vector<PointVector> relative_motion(const ContactState &state) const override;
     std::vector<PointVector> motion_by(const ContactState &change) const override;
-    void derivatives(const std::vector<unsigned int> &points,
+    void derivatives(const std::vector<unsigned int> &rows,
+                     const std::vector<unsigned int> &columns,
                      dealii::FullMatrix<double> &matrix) const override;
+    unsigned int part_of_point(const unsigned int point) const override
+    {
+      return problem.part_of_point(point);
+    }
+    unsigned int part_of_rigid(const unsigned int motion) const override
+    {
+      return problem.part_of_rigid(motion);
+    }
     std::vector<double> balances(const ContactState &state) const override;
     void balance_derivatives(const std::vector<unsigned int> &points,
                              dealii::FullMatrix<double> &matrix) const override;

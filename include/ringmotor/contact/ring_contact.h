@@ -57,8 +57,15 @@ namespace ringmotor
     }
     std::vector<PointVector> relative_motion(const ContactState &state) const override;
     std::vector<PointVector> motion_by(const ContactState &change) const override;
-    void derivatives(const std::vector<unsigned int> &points,
+    void derivatives(const std::vector<unsigned int> &rows,
+                     const std::vector<unsigned int> &columns,
                      dealii::FullMatrix<double> &matrix) const override;
+    unsigned int part_of_point(const unsigned int point) const override { return moment(point); }
+    unsigned int part_of_rigid(const unsigned int motion) const override
+    {
+      // The turn belongs to all moments.
+      return motion < n_moments * n_rigid_of_moment ? motion / n_rigid_of_moment : no_part;
+    }
     std::vector<double> balances(const ContactState &state) const override;
     void balance_derivatives(const std::vector<unsigned int> &points,
                              dealii::FullMatrix<double> &matrix) const override;
