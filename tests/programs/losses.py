@@ -206,12 +206,13 @@ class Powers(unittest.TestCase):
                                -(mean * slip[m])[..., 2].sum() / dt]) * n_repeats / len(steps)
         return found
 
-    def check(self, *entries, steps=None):
+    def check(self, *entries, steps=None, case=None):
         """@param steps of which the point is the mean; all by default"""
-        done = run(CONTACT, QUICK, "--output", self.case,
+        case = case or self.case
+        done = run(CONTACT, QUICK, "--output", case,
                    *settings("Output/VTU = false", "Accuracy/Mode = fixed", "Accuracy/Interface refinement = 1", *entries))
         self.assertEqual(done.returncode, 0, done.stderr)
-        with h5py.File(self.case / "contact" / "contact.h5") as file:
+        with h5py.File(case / "contact" / "contact.h5") as file:
             for point in file["points"].values():
                 kept = point.attrs
                 found = self.powers(file, point, range(len(point["time"])) if steps is None else steps)
@@ -236,6 +237,16 @@ class Powers(unittest.TestCase):
                                         (np.roll(force[-1], -13, axis=0), np.roll(moved[-1], -13, axis=0)))
                 put_in += (0.5 * (force[m] + before) * (moved[m] - moved_before)).sum() / dt / len(force)
             self.assertAlmostEqual(put_in, point.attrs["input_power_W"], delta=1e-9 * put_in)
+
+    def test_a_part_that_repeats_itself(self):
+        """Nine waves on ninety teeth: ten teeth are computed."""
+        nine = ("Motor/Number of waves = 9", "Modes/Nodal diameters = 9")
+        with tempfile.TemporaryDirectory() as folder:
+            case = pathlib.Path(folder)
+            done = run(STATOR, QUICK, "--output", case, *settings(*nine))
+            self.assertEqual(done.returncode, 0, done.stderr)
+            for point in self.check("Loading/Values = 0.1", "Time/Snapshots = 12", *nine, case=case):
+                self.assertEqual(point["force"].shape[1], 10)
 
     def test_some_steps_of_a_warped_motor(self):
         fifteen = ("Time/Number of steps = 15", "Time/Average from step = 6", "Time/Average to step = 15")
