@@ -237,7 +237,7 @@ namespace ringmotor
       Summary summary             = begin_summary("contact", parameters, phases);
       const CondensedMotor &motor = search.motor();
       summary.dofs                = motor.n_dofs;
-      add_points(summary, search.points(), parameters.accuracy.contact_target);
+      add_points(summary, search.points());
       summary.effects.push_back({"Tooth inertia", motor.tooth_inertia_indicator, "off", 0., 0});
       summary.effects.push_back(
           {"Spin convection",

@@ -274,6 +274,23 @@ namespace ringmotor
     return turn(state) / step;
   }
 
+  double RingContact::stored_energy(const ContactState &state) const
+  {
+    std::vector<PointVector> deflection(n_points());
+    compliance.add_motions(&state.force[0][0], &deflection[0][0], n_moments);
+    double energy = 0.;
+    for (unsigned int point = 0; point < n_points(); ++point)
+      energy += 0.5 * (state.force[point] * deflection[point]);
+    for (unsigned int m = 0; m < n_moments; ++m)
+    {
+      const double *motion = &state.rigid[m * n_rigid_of_moment];
+      energy += load.preload / fold * motion[0];
+      for (unsigned int r = 1; r < n_rigid_of_moment; ++r)
+        energy += 0.5 * rigid_stiffness(r) * motion[r] * motion[r];
+    }
+    return fold * energy / n_moments;
+  }
+
   ContactState RingContact::pressed_down() const
   {
     constexpr double share = 0.1;

@@ -28,6 +28,8 @@ namespace ringmotor
               {"tangential_loss_W", &result.tangential_loss},
               {"radial_loss_W", &result.radial_loss},
               {"input_power_W", &result.input_power},
+              {"output_work_W", &result.output_work},
+              {"stored_power_W", &result.stored_power},
               {"closing_work_W", &result.closing_work},
               {"teeth_in_contact_per_wave", &result.teeth_in_contact},
               {"stick_fraction", &result.stick_fraction},
@@ -53,6 +55,7 @@ namespace ringmotor
       CurvePoint numbers = point;
       for (const auto &[name, number] : attributes_of(numbers))
         file.set_attribute(group, name, *number);
+      file.set_attribute(group, "power_imbalance", point.result.power_imbalance());
       std::vector<double> errors;
       std::string causes;
       for (const auto &[cause, error] : point.errors.causes())
@@ -116,17 +119,22 @@ namespace ringmotor
     file.set_attribute("/", "angular_frequency_rad_per_s", motor.angular_frequency);
     file.set_attribute("/", "n_points", static_cast<unsigned int>(points.size()));
     file.set_attribute("/", "parameters", text_of(relevant_for_points(parameters)));
-    std::vector<double> radius, angle, area;
+    std::vector<double> radius, angle, area, free_motion;
     for (const CondensedMotor::Node &node : motor.nodes)
     {
       radius.push_back(node.radius);
       angle.push_back(node.angle);
       area.push_back(node.area);
+      for (const std::complex<double> &component : node.free_motion)
+        free_motion.insert(free_motion.end(), {component.real(), component.imag()});
     }
     const std::vector<std::size_t> dims{motor.nodes.size()};
     file.write("nodes/radius", radius, dims, "m", "radius of the contact points of a tooth");
     file.write("nodes/angle", angle, dims, "rad", "their angle from the tooth's centre");
     file.write("nodes/area", area, dims, "m^2", "their share of the tooth's top");
+    file.write("nodes/free_motion", free_motion, {motor.nodes.size(), 3, 2}, "m",
+               "real and imaginary part of their motion on tooth 0 without contact forces; "
+               "components: normal (up), along -theta, radial");
     for (unsigned int p = 0; p < points.size(); ++p)
       write_point(file, group_of(p), points[p], motor.nodes.size());
     file.save(path);

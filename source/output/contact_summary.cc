@@ -49,7 +49,7 @@ namespace ringmotor
            text(point.result.teeth_in_contact, 2) + " teeth per wave";
   }
 
-  void add_points(Summary &summary, const std::vector<CurvePoint> &points, const double target)
+  void add_points(Summary &summary, const std::vector<CurvePoint> &points)
   {
     double violation = 0., imbalance = 0.;
     for (const CurvePoint &point : points)
@@ -67,14 +67,15 @@ namespace ringmotor
             std::pair("friction_loss_radial", result.radial_loss)})
         add_quantity(summary, point, name, loss, "W", &PointError::loss);
       violation = std::max(violation, point.largest_violation);
-      imbalance = std::max(imbalance, std::abs(result.closing_work) /
-                                          std::max(1e-300, std::abs(result.input_power)));
+      imbalance = std::max(imbalance, result.power_imbalance());
     }
     summary.certificate.push_back(
         {"largest violation of the laws of contact and friction and of the balances of forces",
          violation, ContactCertificate::limit});
     summary.certificate.push_back(
-        {"power put in against power out and friction loss, relative", imbalance, target});
+        {"power put in against power out, friction loss and change of stored energy, relative",
+         imbalance, OperatingPoint::largest_imbalance,
+         "choose a larger Time/Snapshots, which makes steps shorter"});
   }
 
   void write_contact_study(const std::string &path, const std::vector<CurveSearch::Rung> &rungs)

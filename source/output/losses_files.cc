@@ -40,11 +40,6 @@ namespace ringmotor
     }
   } // namespace
 
-  double PointLosses::imbalance() const
-  {
-    return std::abs(point.result.closing_work) / (budget.output.value + budget.total().value);
-  }
-
   std::string describe(const PointLosses &losses)
   {
     const LossBudget &budget = losses.budget;
@@ -111,11 +106,15 @@ namespace ringmotor
                                       {{"torque_Nm", losses.point.result.torque},
                                        {"speed_rad_per_s", losses.point.result.speed}}});
       const Estimate efficiency = losses.budget.efficiency();
-      worst_imbalance           = std::max(worst_imbalance, losses.imbalance());
+      worst_imbalance           = std::max(worst_imbalance, losses.point.result.power_imbalance());
       outside                   = std::max({outside, -efficiency.value, efficiency.value - 1.});
     }
     summary.certificate.push_back(
-        {"power put into the motor against output and losses, relative", worst_imbalance, 1e-3});
+        {"power put into the contact against output, friction loss and change of stored energy, "
+         "relative",
+         worst_imbalance, OperatingPoint::largest_imbalance,
+         "run the program contact with a larger Time/Snapshots or a smaller Accuracy/Contact "
+         "target"});
     summary.certificate.push_back({"efficiency outside 0 to 1", outside, 0.});
   }
 } // namespace ringmotor

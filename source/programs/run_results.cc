@@ -39,7 +39,8 @@ namespace ringmotor
       if (!check.holds())
         throw ComputationError("the results are not certified and not written: " + check.name +
                                " is " + scientific(check.value) + ", allowed: at most " +
-                               scientific(check.limit));
+                               scientific(check.limit) +
+                               (check.remedy.empty() ? "" : "; " + check.remedy));
   }
 
   Summary begin_summary(const std::string &program, const Parameters &parameters,

@@ -45,7 +45,6 @@ namespace ringmotor
     if (!last.contact && now.torque)
       now.torque = 0.;
     MarchedSpan span;
-    span.before = last;
     std::vector<OperatingPoint> steps;
     for (unsigned int step = 0; step < n_steps; ++step)
     {
@@ -56,8 +55,7 @@ namespace ringmotor
         steps.push_back(evaluate_step(last, state));
       last = std::move(state);
     }
-    span.after = last;
-    span.mean  = mean(steps);
+    span.mean = mean(steps);
     return span;
   }
 

@@ -38,6 +38,8 @@ namespace ringmotor
           continue;
         point.tangential_loss -= per_second * mean[1] * solution.motion[i][1];
         point.radial_loss -= per_second * mean[2] * solution.motion[i][2];
+        point.output_work +=
+            per_second * contact.time_step() * point.speed * contact.node(i).radius * mean[1];
         point.closing_work -= per_second * mean[0] * (solution.motion[i][0] - begin.gap);
         point.input_power += per_second * (mean * (contact.free_motion(i) - begin.free_motion));
         if (force[0] > 0.)
@@ -57,7 +59,7 @@ namespace ringmotor
 
   double OperatingPoint::power_imbalance() const
   {
-    return std::abs(input_power - output_power() - friction_loss()) /
+    return std::abs(input_power - output_work - friction_loss() - stored_power) /
            std::max({std::abs(input_power), friction_loss(), 1e-300});
   }
 
@@ -76,12 +78,17 @@ namespace ringmotor
 
   OperatingPoint evaluate_step(const OperatingState &before, const OperatingState &state)
   {
-    return evaluate(state,
-                    [&](const unsigned int i)
-                    {
-                      return Before{before.solution.state.force[i], before.contact->free_motion(i),
-                                    before.solution.motion[i][0]};
-                    });
+    OperatingPoint point =
+        evaluate(state,
+                 [&](const unsigned int i)
+                 {
+                   return Before{before.solution.state.force[i], before.contact->free_motion(i),
+                                 before.solution.motion[i][0]};
+                 });
+    point.stored_power = (state.contact->stored_energy(state.solution.state) -
+                          before.contact->stored_energy(before.solution.state)) /
+                         state.contact->time_step();
+    return point;
   }
 
   OperatingPoint mean(const std::vector<OperatingPoint> &points)
@@ -89,7 +96,8 @@ namespace ringmotor
     OperatingPoint mean;
     for (double OperatingPoint::*quantity :
          {&OperatingPoint::speed, &OperatingPoint::torque, &OperatingPoint::tangential_loss,
-          &OperatingPoint::radial_loss, &OperatingPoint::input_power, &OperatingPoint::closing_work,
+          &OperatingPoint::radial_loss, &OperatingPoint::input_power, &OperatingPoint::output_work,
+          &OperatingPoint::stored_power, &OperatingPoint::closing_work,
           &OperatingPoint::teeth_in_contact, &OperatingPoint::stick_fraction})
       for (const OperatingPoint &point : points)
         mean.*quantity += point.*quantity / points.size();

@@ -4,7 +4,8 @@
 
 Usage: tests/programs/losses.py STATOR CONTACT LOSSES [unittest arguments]
 
-What is compared: files with each other; losses that a change of a loss factor must scale.
+What is compared: files with each other; losses that a change of a loss factor must scale; powers with the work of
+the forces in contact.h5.
 """
 import json
 import pathlib
@@ -140,10 +141,118 @@ class Losses(unittest.TestCase):
             finally:
                 file.write_bytes(content)
 
+    def test_power_that_is_missing_is_not_certified(self):
+        """The balance is computed from the powers in contact.h5."""
+        path = self.case / "contact" / "contact.h5"
+        content = path.read_bytes()
+        for name, share in (("input_power_W", 1e-2), ("output_work_W", 1e-2), ("stored_power_W", 1e-2),
+                            ("tangential_loss_W", 1e-2), ("radial_loss_W", 1e-2)):
+            with h5py.File(path, "a") as file:
+                point = file["points/001"].attrs
+                point[name] += share * point["input_power_W"]
+            try:
+                done = self.losses()
+            finally:
+                path.write_bytes(content)
+            self.assertEqual(done.returncode, 2, name + done.stdout)
+            self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+            for said in ("power put into the contact", "allowed: at most 1.0e-03", "a larger Time/Snapshots or a smaller "
+                         "Accuracy/Contact target"):
+                self.assertIn(said, done.stderr)
+
     def test_a_felt_beside_the_stator_is_warned_of(self):
         done = self.losses("Support/Felt inner radius = 0.028")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("warning: the felt", done.stdout)
+
+
+class Powers(unittest.TestCase):
+    """The powers of a point, from forces and motions in contact.h5 (doc/theory.md, section 9)."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.case = pathlib.Path(tempfile.mkdtemp())
+        done = run(STATOR, QUICK, "--output", cls.case)
+        assert done.returncode == 0, done.stderr
+
+    @classmethod
+    def tearDownClass(cls):
+        shutil.rmtree(cls.case)
+
+    def powers(self, file, point, steps):
+        """Input, output, friction loss along and across the ring (W), the means over steps that are numbered as the
+        moments at their ends. In the steady state a tooth that was nowhere earlier was another one."""
+        n_all, n_waves = file.attrs["n_teeth"], file.attrs["n_waves"]
+        omega = file.attrs["angular_frequency_rad_per_s"]
+        dt, speed = point.attrs["time_step_s"], point.attrs["speed_rad_per_s"]
+        force, slip, times = (point[name][()] for name in ("force", "gap_and_slip", "time"))
+        n_moments, n_teeth = force.shape[:2]
+        fold = np.gcd(n_waves, n_all)
+        n_repeats = n_all // n_teeth
+        s = next(s for s in range(n_teeth) if (n_waves * s - fold) % n_all == 0)
+        amplitude = file["nodes/free_motion"][..., 0] + 1j * file["nodes/free_motion"][..., 1]
+        tooth = np.arange(n_teeth)[:, None, None]
+
+        def free_motion(time):
+            return (amplitude * np.exp(1j * (omega * time - n_waves * tooth * 2 * np.pi / n_all))).real
+
+        found = np.zeros(4)
+        for m in steps:
+            before = force[m - 1] if m > 0 else np.roll(force[-1], -s, axis=0)
+            mean = 0.5 * (force[m] + before)
+            put_in = mean * (free_motion(times[m]) - free_motion(times[m] - dt))
+            torque = (mean[..., 1] * file["nodes/radius"][()]).sum()
+            found += np.array([put_in.sum() / dt, torque * speed, -(mean * slip[m])[..., 1].sum() / dt,
+                               -(mean * slip[m])[..., 2].sum() / dt]) * n_repeats / len(steps)
+        return found
+
+    def check(self, *entries, steps=None, case=None):
+        """@param steps of which the point is the mean; all by default"""
+        case = case or self.case
+        done = run(CONTACT, QUICK, "--output", case,
+                   *settings("Output/VTU = false", "Accuracy/Mode = fixed", "Accuracy/Interface refinement = 1", *entries))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with h5py.File(case / "contact" / "contact.h5") as file:
+            for point in file["points"].values():
+                kept = point.attrs
+                found = self.powers(file, point, range(len(point["time"])) if steps is None else steps)
+                names = ("input_power_W", "output_work_W", "tangential_loss_W", "radial_loss_W")
+                for name, power in zip(names, found):
+                    self.assertAlmostEqual(power, kept[name], delta=1e-9 * kept["input_power_W"], msg=name)
+                rest = found[0] - found[1:].sum() - kept["stored_power_W"]
+                largest = max(found[0], found[2:].sum())
+                self.assertAlmostEqual(abs(rest) / largest, kept["power_imbalance"], delta=1e-9)
+                self.assertAlmostEqual(rest, kept["closing_work_W"], delta=1e-7 * largest)
+                self.assertLess(abs(rest), 1e-3 * largest)
+                yield point
+
+    def test_steady_state(self):
+        for point in self.check("Loading/Values = 0.05, 0.1", "Time/Snapshots = 2"):
+            self.assertEqual(point.attrs["stored_power_W"], 0.0)
+            # The teeth themselves do the same work: what they store comes back.
+            force, moved, dt = point["force"][()], point["tooth"][()], point.attrs["time_step_s"]
+            put_in = 0.0
+            for m in range(len(force)):
+                before, moved_before = ((force[m - 1], moved[m - 1]) if m > 0 else
+                                        (np.roll(force[-1], -13, axis=0), np.roll(moved[-1], -13, axis=0)))
+                put_in += (0.5 * (force[m] + before) * (moved[m] - moved_before)).sum() / dt / len(force)
+            self.assertAlmostEqual(put_in, point.attrs["input_power_W"], delta=1e-9 * put_in)
+
+    def test_a_part_that_repeats_itself(self):
+        """Nine waves on ninety teeth: ten teeth are computed."""
+        nine = ("Motor/Number of waves = 9", "Modes/Nodal diameters = 9")
+        with tempfile.TemporaryDirectory() as folder:
+            case = pathlib.Path(folder)
+            done = run(STATOR, QUICK, "--output", case, *settings(*nine))
+            self.assertEqual(done.returncode, 0, done.stderr)
+            for point in self.check("Loading/Values = 0.1", "Time/Snapshots = 12", *nine, case=case):
+                self.assertEqual(point["force"].shape[1], 10)
+
+    def test_some_steps_of_a_warped_motor(self):
+        fifteen = ("Time/Number of steps = 15", "Time/Average from step = 6", "Time/Average to step = 15")
+        for point in self.check("Loading/Control = speed", "Loading/Values = 7", "Initial deformation/Amplitude = 4e-6",
+                                *fifteen, steps=range(5, 15)):
+            self.assertGreater(abs(point.attrs["stored_power_W"]), 1e-4 * point.attrs["input_power_W"])
 
 
 if __name__ == "__main__":

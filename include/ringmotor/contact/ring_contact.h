@@ -101,6 +101,10 @@ namespace ringmotor
     double torque(const ContactState &state) const;
     /** rad/s */
     double speed(const ContactState &state) const;
+    /** Energy (J) of the whole ring, the mean over all moments: elastic in all compliance at the
+     * contact points and in what holds the loose motions; potential, of the preload on the rotor's
+     * rise. */
+    double stored_energy(const ContactState &state) const;
 
     /** A state from which the solver can start: no forces, the rotor so low that a small share of
      * the points would touch. */

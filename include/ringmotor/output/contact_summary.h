@@ -12,9 +12,8 @@ namespace ringmotor
   /** `50.00 mN m: 82.45 +- 0.52 rpm, friction loss ...` */
   std::string describe(const CurvePoint &point);
 
-  /** Adds the quantities of operating points and the certificates of their solutions.
-   * @param target relative error up to which the power balance has to close */
-  void add_points(Summary &summary, const std::vector<CurvePoint> &points, const double target);
+  /** Adds the quantities of operating points and the certificates of their solutions. */
+  void add_points(Summary &summary, const std::vector<CurvePoint> &points);
 
   /** `study.csv` of the program `contact`: settings, what they cost and how accurate they are. */
   void write_contact_study(const std::string &path, const std::vector<CurveSearch::Rung> &rungs);

@@ -15,9 +15,6 @@ namespace ringmotor
     CurvePoint point;
     LossBudget budget;
     std::vector<std::pair<std::string, LossBudget>> by_cause; ///< see budgets_by_cause()
-
-    /** Power that numbers lose at the contact, over all power put into the motor. */
-    double imbalance() const;
   };
 
   /** `50.00 mN m: output 432.1 +- 2.6 mW, losses ..., efficiency 39.9 +- 0.4 %` */

@@ -40,8 +40,9 @@ namespace ringmotor
     struct Check
     {
       std::string name;
-      double value = 0.;
-      double limit = 0.;
+      double value       = 0.;
+      double limit       = 0.;
+      std::string remedy = {}; ///< what a user can do if it does not hold; not written
 
       bool holds() const { return value <= limit; } ///< what is not a number does not
     };

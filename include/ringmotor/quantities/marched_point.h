@@ -23,9 +23,8 @@ namespace ringmotor
   /** Some equal steps of a marched motor. */
   struct MarchedSpan
   {
-    OperatingState before, after; ///< at its begin, unless it is the first one, and at its end
-    OperatingPoint mean;          ///< over its steps, but for the first one of all
-    ContactFields fields;         ///< at the ends of its steps
+    OperatingPoint mean;  ///< over its steps, but for the first one of all
+    ContactFields fields; ///< at the ends of its steps
   };
 
   /** A motor on its way through time under one load, which comes after the first span. */

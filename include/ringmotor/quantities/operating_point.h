@@ -10,28 +10,34 @@ namespace ringmotor
   {
     double speed  = 0.; ///< rad/s, in the driven direction
     double torque = 0.; ///< N m, of friction on the rotor
-    /** W, of friction, by sliding along the ring and across it. Forces are the means of both ends
-     * of a step: then the power balance closes. */
-    double tangential_loss = 0., radial_loss = 0.;
-    double input_power      = 0.; ///< W, of the stator's forced motion on the contact forces
-    double closing_work     = 0.; ///< W, that numbers lose where gaps close and open in a step
+    /** The power balance, in W. Work in a step is that of the means of the forces at its both ends:
+     * then elastic forces give back what they took. */
+    double tangential_loss = 0., radial_loss = 0.; ///< of friction, by sliding along and across
+    double input_power  = 0.; ///< of the feet, by the stator's forced motion on the contact forces
+    double output_work  = 0.; ///< output_power(), step by step with these means of the torque
+    double stored_power = 0.; ///< by which stored energy grows, see RingContact::stored_energy()
+    double closing_work = 0.; ///< of pressure on gaps that close or open in a step; in numbers only
+
     double teeth_in_contact = 0.; ///< per wave
     double stick_fraction   = 0.; ///< of the pressure force, on points that stick
 
     double friction_loss() const { return tangential_loss + radial_loss; }
     double output_power() const { return torque * speed; }
-    /** Input power less output power and friction loss, over the larger of input power and loss. */
+    /** Input power less output work, friction loss and stored power, over the larger of input power
+     * and loss. Exactly, it is the work on closing gaps. */
     double power_imbalance() const;
+    /** What a result may have of it. */
+    static constexpr double largest_imbalance = 1e-3;
 
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &speed &torque &tangential_loss &radial_loss &input_power &closing_work;
-      archive &teeth_in_contact &stick_fraction;
+      archive &speed &torque &tangential_loss &radial_loss &input_power &output_work;
+      archive &stored_power &closing_work &teeth_in_contact &stick_fraction;
     }
   };
 
-  /** Evaluates a steady state. */
+  /** Evaluates a steady state, which stores no power: a period later all energy is as it was. */
   OperatingPoint evaluate(const OperatingState &state);
 
   /** Evaluates one step from the state @p before. */
