@@ -45,7 +45,8 @@ namespace ringmotor
       CondensedMotor condense(const unsigned int level);
       std::vector<CurvePoint> find(const Parameters &divided, const CondensedMotor &motor,
                                    const CurveSetting &setting,
-                                   const std::vector<PointRequest> &requests);
+                                   const std::vector<PointRequest> &requests,
+                                   const std::vector<CurvePoint> &starts);
       void report();
       void report_static_friction();
       void warn_of_long_steps();
@@ -87,8 +88,9 @@ namespace ringmotor
           search(parameters, wave.relative_error,
                  {[this](const unsigned int level) { return condense(level); },
                   [this](const Parameters &divided, const CondensedMotor &motor,
-                         const CurveSetting &setting, const std::vector<PointRequest> &requests)
-                  { return find(divided, motor, setting, requests); }})
+                         const CurveSetting &setting, const std::vector<PointRequest> &requests,
+                         const std::vector<CurvePoint> &starts)
+                  { return find(divided, motor, setting, requests, starts); }})
     {
       for (const std::string &warning : check_for_contact(parameters))
         log.line("warning: " + warning);
@@ -140,16 +142,19 @@ namespace ringmotor
     std::vector<CurvePoint> ContactProgram::find(const Parameters &divided,
                                                  const CondensedMotor &motor,
                                                  const CurveSetting &setting,
-                                                 const std::vector<PointRequest> &requests)
+                                                 const std::vector<PointRequest> &requests,
+                                                 const std::vector<CurvePoint> &starts)
     {
-      const auto scope =
-          phases.measure("operating points, interface mesh " + std::to_string(setting.level) +
-                         ", step " + std::to_string(setting.n_parts));
+      const auto scope = phases.measure(
+          "operating points, interface mesh " + std::to_string(setting.level) + ", step " +
+          std::to_string(setting.n_parts) + (setting.wave_factor == 1. ? "" : ", wave changed"));
       unsigned int n_found   = 0;
       const auto after_point = [&](const CurvePoint &)
       { log.progress("operating points", std::min(1., ++n_found / (1. * requests.size()))); };
-      return keep ? keep->points(divided, motor, setting.level, requests, after_point)
-                  : find_points(divided, motor, requests, MPI_COMM_WORLD, after_point);
+      return keep ? keep->points(divided, motor, setting.level, requests, after_point,
+                                 setting.wave_factor, starts)
+                  : find_points(divided, motor, requests, MPI_COMM_WORLD, after_point, nullptr,
+                                starts);
     }
 
     void ContactProgram::report()
@@ -227,8 +232,7 @@ namespace ringmotor
       const auto scope    = phases.measure("fields for ParaView");
       const double height = parameters.stator.base_thickness + parameters.stator.tooth_height;
       write_contact_surfaces(folder, search.motor(), search.points(), height);
-      const MotorBodies bodies(parameters, wave,
-                               ContactDiscretisation::level(search.setting().level));
+      const MotorBodies bodies(parameters, wave, ContactDiscretisation::level(search.level()));
       write_motor_bodies(folder, search.motor(), bodies, search.points(), height);
     }
 

@@ -123,42 +123,49 @@ namespace ringmotor
 
   OperatingState SteadyDriver::at(const RotorLoad &load)
   {
-    // An attempt that fails has cost some four hundred linear problems, so few of them are made.
-    constexpr unsigned int most_halvings = 3;
     if (!last)
       start(load.preload);
-    const double from_speed  = last->contact->speed(last->solution.state);
-    const double from_torque = last->contact->torque(last->solution.state);
-    double reached = 0., share = 1.;
-    for (unsigned int halvings = 0; reached < 1.;)
-    {
-      RotorLoad next  = load;
-      const double to = std::min(1., reached + share);
-      if (to < 1. && load.torque)
-        next.torque = from_torque + to * (*load.torque - from_torque);
-      else if (to < 1.)
-        next.speed = from_speed + to * (load.speed - from_speed);
-      try
-      {
-        last    = find(next, last->solution.state, last->contact->speed(last->solution.state));
-        reached = to;
-      }
-      catch (const ComputationError &error)
-      {
-        if (++halvings > most_halvings)
-          throw ComputationError(std::string(error.what()) + "; also approached from " +
-                                 std::to_string(from_torque * 1e3) + " mN m and " +
-                                 std::to_string(from_speed) + " rad/s in steps down to 1/" +
-                                 std::to_string(1u << most_halvings));
-        share *= 0.5;
-      }
-    }
+    last = find(load, last->solution.state, last->contact->speed(last->solution.state));
     return *last;
   }
 
+  namespace
+  {
+    /** The state of one time sample, seen at several: between two steps of the coarse state forces
+     * grow linearly. */
+    ContactState with_more_samples(const RingContact &coarse, const ContactState &state,
+                                   const RingContact &fine)
+    {
+      ContactState result{std::vector<PointVector>(fine.n_points()),
+                          std::vector<double>(fine.n_rigid())};
+      const unsigned int n_samples = fine.n_times(), n_points = coarse.n_points(),
+                         n_rigid = coarse.n_rigid_motions();
+      for (unsigned int m = 0; m < n_samples; ++m)
+      {
+        // The earlier point was a step ago what this one is now, and is now what this one will be.
+        const double later = m / static_cast<double>(n_samples);
+        for (unsigned int i = 0; i < n_points; ++i)
+        {
+          const unsigned int earlier = coarse.earlier(i);
+          result.force[m * n_points + i] += (1. - later) * state.force[i];
+          result.force[m * n_points + earlier] += later * state.force[i];
+        }
+        for (unsigned int r = 0; r < n_rigid; ++r)
+          result.rigid[m * n_rigid + r] = state.rigid[r];
+      }
+      if (state.rigid.size() > n_rigid)
+        result.rigid.back() = state.rigid.back() / n_samples;
+      return result;
+    }
+  } // namespace
+
   void SteadyDriver::go_on_from(const RotorLoad &load, const ContactState &state)
   {
-    last = OperatingState{std::make_shared<const RingContact>(motor, load, n_moments), {}, {}};
-    last->solution.state = state;
+    const auto contact   = std::make_shared<const RingContact>(motor, load, n_moments),
+               coarse    = std::make_shared<const RingContact>(motor, load, 1);
+    last                 = OperatingState{contact, {}, {}};
+    last->solution.state = n_moments > 1 && state.force.size() == coarse->n_points()
+                               ? with_more_samples(*coarse, state, *contact)
+                               : state;
   }
 } // namespace ringmotor

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <iomanip>
 #include <limits>
+#include <sstream>
 
 namespace ringmotor
 {
@@ -131,10 +132,14 @@ namespace ringmotor
   std::vector<CurvePoint>
   ContactKeep::points(const Parameters &parameters, const CondensedMotor &motor,
                       const unsigned int level, const std::vector<PointRequest> &requests,
-                      const std::function<void(const CurvePoint &)> &after_point)
+                      const std::function<void(const CurvePoint &)> &after_point,
+                      const double wave_factor, const std::vector<CurvePoint> &starts)
   {
-    Points memory(points_folder, points_key(parameters, wave, level), counts);
-    return find_points(parameters, motor, requests, communicator, after_point, &memory);
+    std::ostringstream key;
+    key << std::setprecision(std::numeric_limits<double>::max_digits10)
+        << points_key(parameters, wave, level) << "wave times " << wave_factor << "\n";
+    Points memory(points_folder, key.str(), counts);
+    return find_points(parameters, motor, requests, communicator, after_point, &memory, starts);
   }
 
   void ContactKeep::report()

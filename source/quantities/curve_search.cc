@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <numeric>
+#include <set>
 #include <sstream>
 
 namespace ringmotor
@@ -18,6 +19,16 @@ namespace ringmotor
     unsigned int compared_with(const unsigned int level)
     {
       return level == 0 ? 1 : level - 1;
+    }
+
+    /** The same motor with a wave that moves its surface faster, but not higher. */
+    CondensedMotor with_faster_wave(const CondensedMotor &motor, const double factor)
+    {
+      CondensedMotor faster = motor;
+      for (CondensedMotor::Node &node : faster.nodes)
+        for (const unsigned int c : {1u, 2u})
+          node.free_motion[c] *= factor;
+      return faster;
     }
 
     std::string short_text(const double number)
@@ -44,29 +55,57 @@ namespace ringmotor
           "the stator's wave is known to " + short_text(wave_error) +
           " (relative) only, but Accuracy/Contact target = " + short_text(accuracy.contact_target) +
           "; run the program stator with these parameters (and Accuracy/Mode = adaptive) first");
-    reached = {is_fixed ? accuracy.interface_refinement : 1, parts_to_start_with()};
-    estimate_errors(reached);
+    reached_level = is_fixed ? accuracy.interface_refinement : 1;
+    find_requests(parts_to_start_with());
+    if (!is_fixed)
+      balance_powers();
+    evaluate();
     while (!is_fixed && worst_error() > accuracy.contact_target)
+    {
       refine();
+      balance_powers();
+      evaluate();
+    }
+  }
+
+  void CurveSearch::balance_powers()
+  {
+    for (unsigned int i = 0; i < requests.size(); ++i)
+      while (n_parts[i] < most_parts &&
+             point_of({reached_level, n_parts[i]}, i).result.power_imbalance() >
+                 OperatingPoint::largest_imbalance)
+        n_parts[i] += (n_parts[i] + 2) / 3;
   }
 
   void CurveSearch::refine()
   {
-    if (worst(time_errors(reached)) > worst(mesh_errors(reached)) && !is_marched(parameters) &&
-        reached.n_parts < most_parts)
-      reached.n_parts *= 2;
-    else if (reached.level < finest_level)
+    bool shortened = false, needs_mesh = false;
+    for (unsigned int i = 0; i < requests.size(); ++i)
     {
-      ++reached.level;
-      motors.erase(motors.begin(), motors.lower_bound(compared_with(reached.level)));
+      const PointErrors &errors = results[i].errors;
+      if (relative(errors.total()) <= parameters.accuracy.contact_target)
+        continue;
+      if (relative(errors.time) > relative(errors.mesh) && n_parts[i] < most_parts)
+      {
+        n_parts[i] *= 2;
+        shortened = true;
+      }
+      else
+        needs_mesh = true;
     }
-    else
+    if (!needs_mesh)
+      return;
+    if (reached_level < finest_level)
+    {
+      ++reached_level;
+      motors.erase(motors.begin(), motors.lower_bound(compared_with(reached_level)));
+    }
+    else if (!shortened)
       throw ComputationError(
           "speeds and torques are known to " + short_text(worst_error()) +
           " (relative) on the finest interface mesh, but Accuracy/Contact target = " +
           short_text(parameters.accuracy.contact_target) + "; choose a larger one" +
           (is_marched(parameters) ? ", or a smaller Time/Time step" : ""));
-    estimate_errors(reached);
   }
 
   unsigned int CurveSearch::parts_to_start_with() const
@@ -75,10 +114,12 @@ namespace ringmotor
       return 1;
     const unsigned int n_teeth_that_differ =
         parameters.motor.n_teeth / std::gcd(parameters.motor.n_waves, parameters.motor.n_teeth);
+    // One step per pitch tells the error of several.
+    constexpr unsigned int fewest = 2;
     return parameters.accuracy.mode == AccuracyMode::fixed
                ? parameters.time.n_snapshots
-               : std::max(parameters.time.n_snapshots,
-                          (89 + n_teeth_that_differ) / n_teeth_that_differ);
+               : std::max({fewest, parameters.time.n_snapshots,
+                           (89 + n_teeth_that_differ) / n_teeth_that_differ});
   }
 
   const CondensedMotor &CurveSearch::motor_of(const unsigned int level)
@@ -94,24 +135,48 @@ namespace ringmotor
     return *motor;
   }
 
-  std::vector<CurvePoint> &CurveSearch::points_of(const CurveSetting &setting)
+  std::vector<CurvePoint> CurveSearch::points_of(const CurveSetting &setting,
+                                                 const std::vector<unsigned int> &wanted)
   {
-    if (requests.empty())
-      find_requests(setting);
-    const auto known = curves.find(setting);
-    if (known != curves.end())
-      return known->second;
-    return curves[setting] = sources.points(with_parts_of_a_step(parameters, setting.n_parts),
-                                            motor_of(setting.level), setting, requests);
+    std::vector<unsigned int> missing;
+    for (const unsigned int request : wanted)
+      if (known[setting].count(request) == 0)
+        missing.push_back(request);
+    if (!missing.empty())
+      compute(setting, missing);
+    std::vector<CurvePoint> points;
+    for (const unsigned int request : wanted)
+      points.push_back(known[setting].at(request));
+    return points;
   }
 
-  void CurveSearch::find_requests(const CurveSetting &setting)
+  void CurveSearch::compute(const CurveSetting &setting, const std::vector<unsigned int> &missing)
   {
-    stall_torque = sources
-                       .points(with_parts_of_a_step(parameters, setting.n_parts),
-                               motor_of(setting.level), setting, {{Control::speed, 0.}})
-                       .front()
-                       .result.torque;
+    std::vector<PointRequest> asked;
+    for (const unsigned int request : missing)
+      asked.push_back(requests[request]);
+    // Short steps and other waves are found from the state of one step per pitch.
+    const CurveSetting plain{setting.level};
+    std::vector<CurvePoint> starts;
+    if (plain < setting)
+      starts = points_of(plain, missing);
+    const Parameters divided = with_parts_of_a_step(parameters, setting.n_parts);
+    std::vector<CurvePoint> points;
+    if (setting.wave_factor == 1.)
+      points = sources.points(divided, motor_of(setting.level), setting, asked, starts);
+    else
+      points =
+          sources.points(divided, with_faster_wave(motor_of(setting.level), setting.wave_factor),
+                         setting, asked, starts);
+    for (unsigned int i = 0; i < missing.size(); ++i)
+      known[setting][missing[i]] = points[i];
+  }
+
+  void CurveSearch::find_requests(const unsigned int n_parts_to_start_with)
+  {
+    requests                 = {{Control::speed, 0.}};
+    stall_torque             = point_of({reached_level}, 0).result.torque;
+    const CurvePoint stalled = point_of({reached_level}, 0);
     if (parameters.loading.control == Control::torque)
       for (const double torque : parameters.loading.values)
         if (torque >= stall_torque)
@@ -120,104 +185,128 @@ namespace ringmotor
                           short_text(stall_torque) +
                           " N m; allowed: less than that, or Loading/Control = speed");
     requests = requested_points(parameters.loading, stall_torque);
+    known.clear();
+    for (unsigned int i = 0; i < requests.size(); ++i)
+      if (requests[i].control == Control::speed && requests[i].value == 0.)
+        known[{reached_level}][i] = stalled;
+    n_parts.assign(requests.size(), n_parts_to_start_with);
   }
 
-  std::vector<PointError> CurveSearch::mesh_errors(const CurveSetting &setting)
+  PointErrors CurveSearch::errors_of(const unsigned int request)
   {
-    constexpr double margin = 1.25;
-    const std::vector<CurvePoint> &other =
-        points_of({compared_with(setting.level), setting.n_parts});
-    return errors_by_change(other, points_of(setting), margin);
+    constexpr double margin  = 2.;
+    const unsigned int parts = n_parts[request];
+    const CurvePoint plain   = point_of({reached_level}, request),
+                     coarse  = point_of({compared_with(reached_level)}, request),
+                     faster  = point_of({reached_level, 1, 1. + wave_error}, request),
+                     point   = point_of({reached_level, parts}, request);
+    PointErrors errors;
+    errors.mesh = change(coarse, plain);
+    errors.mesh *= margin;
+    // Of first order: C / n with n steps per pitch.
+    errors.time = change(plain, point_of({reached_level, std::max(2u, parts)}, request));
+    errors.time *= parts == 1 ? 2. : 1. / (parts - 1.);
+    errors.wave                  = change(plain, faster);
+    errors.window                = point.window;
+    const OperatingPoint &result = point.result;
+    const bool of_torque         = requests[request].control == Control::torque;
+    errors.algebra               = {of_torque ? std::abs(result.speed) : 0.,
+                      of_torque ? 0. : std::abs(result.torque), result.friction_loss(),
+                      point.rotor_power};
+    errors.algebra *= point.largest_violation;
+    return errors;
   }
 
-  std::vector<PointError> CurveSearch::time_errors(const CurveSetting &setting)
+  void CurveSearch::evaluate()
   {
-    constexpr double of_first_order = 2.;
-    CurveSetting coarse{compared_with(setting.level), setting.n_parts}, half = coarse;
-    half.n_parts *= 2;
-    const std::vector<CurvePoint> &from = points_of(coarse);
-    return errors_by_change(from, points_of(half), of_first_order);
-  }
-
-  void CurveSearch::estimate_errors(const CurveSetting &setting)
-  {
-    const std::vector<PointError> by_mesh = mesh_errors(setting), by_time = time_errors(setting);
-    std::vector<CurvePoint> &points = points_of(setting);
-    for (unsigned int i = 0; i < points.size(); ++i)
+    // Together as far as possible: each point starts from the one before, and ranks share them.
+    std::vector<unsigned int> all(requests.size());
+    std::iota(all.begin(), all.end(), 0u);
+    for (const CurveSetting &setting :
+         {CurveSetting{reached_level}, CurveSetting{compared_with(reached_level)},
+          CurveSetting{reached_level, 1, 1. + wave_error}})
+      points_of(setting, all);
+    for (const unsigned int parts : std::set<unsigned int>(n_parts.begin(), n_parts.end()))
     {
-      const bool of_torque         = points[i].request.control == Control::torque;
-      const OperatingPoint &result = points[i].result;
-      const auto share             = [&](const double relative)
-      {
-        return PointError{of_torque ? relative * std::abs(result.speed) : 0.,
-                          of_torque ? 0. : relative * std::abs(result.torque),
-                          relative * result.friction_loss(), relative * points[i].rotor_power};
-      };
-      points[i].errors = {by_mesh[i], by_time[i], points[i].window, share(wave_error),
-                          share(points[i].largest_violation)};
+      std::vector<unsigned int> these;
+      for (const unsigned int i : all)
+        if (n_parts[i] == parts)
+          these.push_back(i);
+      points_of({reached_level, std::max(2u, parts)}, these);
+    }
+    results.clear();
+    for (const unsigned int i : all)
+    {
+      results.push_back(point_of({reached_level, n_parts[i]}, i));
+      results.back().errors = errors_of(i);
     }
   }
 
   double CurveSearch::worst_error() const
   {
-    std::vector<PointError> errors;
+    double worst = 0.;
     for (const CurvePoint &point : points())
-      errors.push_back(point.errors.total());
-    return worst(errors);
+      worst = std::max(worst, relative(point.errors.total()));
+    return worst;
   }
 
-  double CurveSearch::worst(const std::vector<PointError> &errors) const
+  double CurveSearch::relative(const PointError &error) const
   {
-    double fastest = 0., largest = 0.;
+    double fastest = 0.;
     for (const CurvePoint &point : points())
       fastest = std::max(fastest, std::abs(point.result.speed));
-    for (const PointError &error : errors)
-      largest = std::max({largest, error.torque / stall_torque, // the motor may stand still
-                          error.speed > 0. ? error.speed / fastest : 0.});
-    return largest;
+    return std::max(error.torque / std::abs(stall_torque), // the motor may stand still
+                    error.speed > 0. ? error.speed / fastest : 0.);
   }
 
   CurveSearch::StaticFrictionEffect CurveSearch::static_friction_effect()
   {
     const unsigned int middle = (requests.size() - 1) / 2;
     const bool of_torque      = requests[middle].control == Control::torque;
-    Parameters plain          = with_parts_of_a_step(parameters, reached.n_parts);
-    plain.friction.law        = FrictionLaw::coulomb;
-    const CurvePoint dynamic  = sources.points(plain, motor(), reached, {requests[middle]}).front();
-    CurveSetting coarse{compared_with(reached.level), reached.n_parts}, half = coarse;
-    half.n_parts *= 2;
-    const auto change = [&](const CurvePoint &from, const CurvePoint &to) {
+    Parameters without        = with_parts_of_a_step(parameters, n_parts[middle]);
+    without.friction.law      = FrictionLaw::coulomb;
+    const CurvePoint dynamic =
+        sources.points(without, motor(), {reached_level, n_parts[middle]}, {requests[middle]}, {})
+            .front();
+    const auto signed_change = [&](const CurvePoint &from, const CurvePoint &to) {
       return of_torque ? to.result.speed - from.result.speed
                        : to.result.torque - from.result.torque;
     };
-    return {points()[middle], change(points()[middle], dynamic),
-            change(points_of(coarse)[middle], points_of(half)[middle]),
-            change(points_of(coarse)[middle], points()[middle])};
+    const CurvePoint plain = point_of({reached_level}, middle);
+    return {results[middle], signed_change(results[middle], dynamic),
+            signed_change(plain, point_of({reached_level, 2}, middle)),
+            signed_change(point_of({compared_with(reached_level)}, middle), plain)};
   }
 
   double CurveSearch::point_seconds(const CurveSetting &setting)
   {
     double seconds = 0.;
-    for (const CurvePoint &point : points_of(setting))
+    for (const auto &[request, point] : known[setting])
       seconds += point.seconds;
     return seconds;
   }
 
   CurveSearch::Rung CurveSearch::rung_of(const CurveSetting &setting)
   {
-    reached = setting;
-    estimate_errors(setting);
-    const CurveSetting coarse{compared_with(setting.level), setting.n_parts},
-        half{coarse.level, 2 * setting.n_parts};
+    reached_level = setting.level;
+    if (requests.empty())
+      find_requests(setting.n_parts);
+    n_parts.assign(requests.size(), setting.n_parts);
+    evaluate();
+    const unsigned int coarse = compared_with(setting.level);
     Rung rung;
-    rung.setting       = setting;
-    rung.n_nodes       = motor().nodes.size();
-    rung.n_dofs        = motor().n_dofs;
-    rung.n_steps       = std::lround(motor().period() / points().front().fields.time_step);
-    rung.largest_error = worst_error();
-    rung.seconds       = motor_seconds[setting.level] + point_seconds(setting);
-    rung.seconds_with_error_bar =
-        rung.seconds + motor_seconds[coarse.level] + point_seconds(coarse) + point_seconds(half);
+    rung.setting                = setting;
+    rung.n_nodes                = motor().nodes.size();
+    rung.n_dofs                 = motor().n_dofs;
+    rung.n_steps                = std::lround(motor().period() / points().front().fields.time_step);
+    rung.largest_error          = worst_error();
+    rung.seconds                = motor_seconds[setting.level] + point_seconds(setting);
+    rung.seconds_with_error_bar = rung.seconds + motor_seconds[coarse] + point_seconds({coarse}) +
+                                  point_seconds({setting.level, 1, 1. + wave_error});
+    if (setting.n_parts > 1)
+      rung.seconds_with_error_bar += point_seconds({setting.level});
+    else
+      rung.seconds_with_error_bar += point_seconds({setting.level, 2});
     return rung;
   }
 
@@ -234,14 +323,18 @@ namespace ringmotor
       motors.erase(motors.begin(), motors.lower_bound(compared_with(level)));
       // Half the step on the finest mesh would cost more than all other settings together.
       const unsigned int last = level < finest_level ? 2 * first : first;
-      for (unsigned int n_parts = first; n_parts <= last; n_parts *= 2)
+      for (unsigned int parts = first; parts <= last; parts *= 2)
       {
-        rungs.push_back(rung_of({level, n_parts}));
+        rungs.push_back(rung_of({level, parts}));
         after_rung(rungs.back());
       }
     }
     for (Rung &rung : rungs)
-      rung.distance = worst(errors_by_change(points_of(rung.setting), points(), 1.));
+    {
+      rung.distance = 0.;
+      for (const auto &[request, point] : known[rung.setting])
+        rung.distance = std::max(rung.distance, relative(change(point, results[request])));
+    }
     return rungs;
   }
 } // namespace ringmotor

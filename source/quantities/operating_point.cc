@@ -41,7 +41,9 @@ namespace ringmotor
         point.output_work +=
             per_second * contact.time_step() * point.speed * contact.node(i).radius * mean[1];
         point.closing_work -= per_second * mean[0] * (solution.motion[i][0] - begin.gap);
-        point.input_power += per_second * (mean * (contact.free_motion(i) - begin.free_motion));
+        const double input = per_second * (mean * (contact.free_motion(i) - begin.free_motion));
+        point.input_power += input;
+        point.gross_power += std::abs(input);
         if (force[0] > 0.)
         {
           pressed += force[0];
@@ -59,8 +61,9 @@ namespace ringmotor
 
   double OperatingPoint::power_imbalance() const
   {
+    constexpr double nothing = 1e-6; // a rotor that sticks takes no power
     return std::abs(input_power - output_work - friction_loss() - stored_power) /
-           std::max({std::abs(input_power), friction_loss(), 1e-300});
+           std::max({std::abs(input_power), friction_loss(), nothing * gross_power, 1e-300});
   }
 
   OperatingPoint evaluate(const OperatingState &state)
@@ -97,8 +100,9 @@ namespace ringmotor
     for (double OperatingPoint::*quantity :
          {&OperatingPoint::speed, &OperatingPoint::torque, &OperatingPoint::tangential_loss,
           &OperatingPoint::radial_loss, &OperatingPoint::input_power, &OperatingPoint::output_work,
-          &OperatingPoint::stored_power, &OperatingPoint::closing_work,
-          &OperatingPoint::teeth_in_contact, &OperatingPoint::stick_fraction})
+          &OperatingPoint::stored_power, &OperatingPoint::gross_power,
+          &OperatingPoint::closing_work, &OperatingPoint::teeth_in_contact,
+          &OperatingPoint::stick_fraction})
       for (const OperatingPoint &point : points)
         mean.*quantity += point.*quantity / points.size();
     return mean;

@@ -94,7 +94,7 @@ namespace ringmotor
   {
   }
 
-  CurvePoint OperatingPointFinder::find(const PointRequest &request)
+  CurvePoint OperatingPointFinder::find(const PointRequest &request, const CurvePoint *start)
   {
     if (memory)
       if (std::optional<CurvePoint> known = memory->recall(request))
@@ -103,6 +103,8 @@ namespace ringmotor
           steady.go_on_from(load_of(parameters.loading, request), state_of(*known));
         return *known;
       }
+    if (start && !is_marched(parameters))
+      steady.go_on_from(load_of(parameters.loading, request), state_of(*start));
     const auto begin = std::chrono::steady_clock::now();
     CurvePoint point =
         is_marched(parameters) ? find_marched(parameters, motor, request) : find_steady(request);
@@ -142,7 +144,7 @@ namespace ringmotor
                                       const std::vector<PointRequest> &requests,
                                       MPI_Comm communicator,
                                       const std::function<void(const CurvePoint &)> &after_point,
-                                      PointMemory *memory)
+                                      PointMemory *memory, const std::vector<CurvePoint> &starts)
   {
     const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator),
                        n_ranks = Utilities::MPI::n_mpi_processes(communicator);
@@ -150,7 +152,7 @@ namespace ringmotor
     std::vector<CurvePoint> mine;
     for (unsigned int i = rank; i < requests.size(); i += n_ranks)
     {
-      mine.push_back(finder.find(requests[i]));
+      mine.push_back(finder.find(requests[i], starts.empty() ? nullptr : &starts[i]));
       after_point(mine.back());
     }
     const std::vector<std::vector<CurvePoint>> all = Utilities::MPI::all_gather(communicator, mine);
@@ -160,71 +162,13 @@ namespace ringmotor
     return points;
   }
 
-  namespace
+  PointError change(const CurvePoint &from, const CurvePoint &to)
   {
-    PointError change(const CurvePoint &from, const CurvePoint &to)
-    {
-      const bool of_torque    = to.request.control == Control::torque;
-      const OperatingPoint &a = from.result, &b = to.result;
-      return PointError{of_torque ? std::abs(a.speed - b.speed) : 0.,
-                        of_torque ? 0. : std::abs(a.torque - b.torque),
-                        std::abs(a.friction_loss() - b.friction_loss()),
-                        std::abs(from.rotor_power - to.rotor_power)};
-    }
-
-    /** What a change of a point is measured by; zero for what is prescribed. */
-    PointError measure(const CurvePoint &point)
-    {
-      const bool of_torque = point.request.control == Control::torque;
-      return {of_torque ? 1. : 0., of_torque ? 0. : 1., point.result.friction_loss(),
-              point.rotor_power};
-    }
-
-    /** The larger one of the two in the middle of an even number. */
-    double median(std::vector<double> numbers)
-    {
-      const auto middle = numbers.begin() + numbers.size() / 2;
-      std::nth_element(numbers.begin(), middle, numbers.end());
-      return *middle;
-    }
-  } // namespace
-
-  std::vector<PointError> errors_by_change(const std::vector<CurvePoint> &from,
-                                           const std::vector<CurvePoint> &to, const double factor)
-  {
-    constexpr double flat_part = 0.95;
-    double largest_torque      = 0.;
-    for (const CurvePoint &point : to)
-      largest_torque = std::max(largest_torque, std::abs(point.result.torque));
-    std::vector<PointError> changes;
-    for (unsigned int i = 0; i < to.size(); ++i)
-      changes.push_back(change(from[i], to[i]));
-    std::vector<PointError> errors = changes;
-    for (double PointError::*part :
-         {&PointError::speed, &PointError::torque, &PointError::loss, &PointError::rotor_power})
-    {
-      const auto tells = [&](const unsigned int i)
-      {
-        const bool is_flat = part == &PointError::speed && to.size() > 1 &&
-                             std::abs(to[i].result.torque) >= flat_part * largest_torque;
-        return measure(to[i]).*part > 0. && !is_flat;
-      };
-      std::vector<double> relative;
-      for (unsigned int i = 0; i < to.size(); ++i)
-        if (tells(i))
-          relative.push_back(changes[i].*part / measure(to[i]).*part);
-      const double typical = relative.empty() ? 0. : median(relative);
-      for (unsigned int i = 0; i < to.size(); ++i)
-        if (const double unit = measure(to[i]).*part; unit > 0.)
-        {
-          double &error = errors[i].*part;
-          error         = std::max(error, typical * unit);
-          for (const unsigned int neighbour : {i - 1, i + 1}) // before the first one: none
-            if (neighbour < to.size() && tells(neighbour))
-              error = std::max(error, changes[neighbour].*part);
-          error *= factor;
-        }
-    }
-    return errors;
+    const bool of_torque    = to.request.control == Control::torque;
+    const OperatingPoint &a = from.result, &b = to.result;
+    return PointError{of_torque ? std::abs(a.speed - b.speed) : 0.,
+                      of_torque ? 0. : std::abs(a.torque - b.torque),
+                      std::abs(a.friction_loss() - b.friction_loss()),
+                      std::abs(from.rotor_power - to.rotor_power)};
   }
 } // namespace ringmotor

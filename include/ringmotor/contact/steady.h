@@ -30,12 +30,13 @@ namespace ringmotor
                  const unsigned int n_moments);
 
     /**
-     * The state under a load, with states between the last one and this one where it has to.
+     * The state under a load.
      * @throws ComputationError if no state is found; the message says what was tried
      */
     OperatingState at(const RotorLoad &load);
 
-    /** Takes a known state as that from which the next one is to be found. */
+    /** Takes a known state as that from which the next one is to be found. It may have one time
+     * sample only: then those between follow from it. */
     void go_on_from(const RotorLoad &load, const ContactState &state);
 
   private:

@@ -6,7 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 namespace ringmotor
@@ -18,10 +18,13 @@ namespace ringmotor
     /** Into how many parts a step is divided: the moments of the steady state, or the parts of
      * Time/Time step. */
     unsigned int n_parts = 1;
+    /** Factor of the speed of the stator's surface, by which its error is felt. */
+    double wave_factor = 1.;
 
     bool operator<(const CurveSetting &other) const
     {
-      return std::pair(level, n_parts) < std::pair(other.level, other.n_parts);
+      return std::tie(level, n_parts, wave_factor) <
+             std::tie(other.level, other.n_parts, other.wave_factor);
     }
   };
 
@@ -29,9 +32,11 @@ namespace ringmotor
    * The operating points that `Loading` asks for, on meshes and with time steps that get finer
    * until speeds and torques are as accurate as `Accuracy/Contact target` asks for.
    *
-   * The error by the meshes is taken from the change from the next coarser ones, with a margin, as
-   * convergence is not regular at the edge of contact; that by the step, which is of first order,
-   * from the change by halving it on the coarser mesh.
+   * The meshes are the same for all points; each point has its own time step, so short that its
+   * powers balance, too. Errors of a point come from its own changes alone: by the meshes from the
+   * change from the next coarser ones, with a margin, as convergence is not regular at the edge of
+   * contact; by the step, which is of first order, from the change since one step per pitch, on the
+   * mesh in use; by the wave from a solution with the wave changed by its error.
    */
   class CurveSearch
   {
@@ -41,8 +46,8 @@ namespace ringmotor
     {
       std::function<CondensedMotor(unsigned int level)> motor;
       std::function<std::vector<CurvePoint>(const Parameters &, const CondensedMotor &,
-                                            const CurveSetting &,
-                                            const std::vector<PointRequest> &)>
+                                            const CurveSetting &, const std::vector<PointRequest> &,
+                                            const std::vector<CurvePoint> &starts)>
           points;
     };
 
@@ -54,10 +59,10 @@ namespace ringmotor
      * @throws ComputationError if the target is out of reach */
     void find();
 
-    /** The setting that find() ended with, its motor and its points with their error bars. */
-    const CurveSetting &setting() const { return reached; }
-    const CondensedMotor &motor() const { return *motors.at(reached.level); }
-    const std::vector<CurvePoint> &points() const { return curves.at(reached); }
+    /** The meshes that find() ended with, their motor and its points with their error bars. */
+    unsigned int level() const { return reached_level; }
+    const CondensedMotor &motor() const { return *motors.at(reached_level); }
+    const std::vector<CurvePoint> &points() const { return results; }
     /** Relative to the fastest speed and to the stall torque: the largest error bar. */
     double worst_error() const;
 
@@ -89,29 +94,40 @@ namespace ringmotor
 
   private:
     const CondensedMotor &motor_of(const unsigned int level);
-    std::vector<CurvePoint> &points_of(const CurveSetting &setting);
-    std::vector<PointError> mesh_errors(const CurveSetting &setting);
-    std::vector<PointError> time_errors(const CurveSetting &setting);
-    /** Gives the points of a setting their error bars. */
-    void estimate_errors(const CurveSetting &setting);
+    /** Points of some requests, computed where they are not known yet. */
+    std::vector<CurvePoint> points_of(const CurveSetting &setting,
+                                      const std::vector<unsigned int> &wanted);
+    /** One of them. */
+    CurvePoint point_of(const CurveSetting &setting, const unsigned int request)
+    {
+      return points_of(setting, {request}).front();
+    }
+    void compute(const CurveSetting &setting, const std::vector<unsigned int> &missing);
+    /** All points of the reached level with their time steps and error bars. */
+    void evaluate();
+    PointErrors errors_of(const unsigned int request);
+    /** Shortens steps until powers balance. */
+    void balance_powers();
     void refine();
     Rung rung_of(const CurveSetting &setting);
     /** Processor seconds of the points of a setting. */
     double point_seconds(const CurveSetting &setting);
-    void find_requests(const CurveSetting &setting);
+    void find_requests(const unsigned int n_parts);
     /** Steps of the steady state so that a period has ninety or more. */
     unsigned int parts_to_start_with() const;
-    /** The larger one of the relative errors of speeds and torques. */
-    double worst(const std::vector<PointError> &errors) const;
+    /** Relative to the fastest speed and to the stall torque. */
+    double relative(const PointError &error) const;
 
     const Parameters &parameters;
     const double wave_error;
     const Sources sources;
     double stall_torque = 0.; ///< N m; of the first motor that was computed
     std::vector<PointRequest> requests;
-    CurveSetting reached;
+    unsigned int reached_level = 0;
+    std::vector<unsigned int> n_parts; ///< by request
+    std::vector<CurvePoint> results;
     std::map<unsigned int, std::unique_ptr<const CondensedMotor>> motors; ///< by level
-    std::map<CurveSetting, std::vector<CurvePoint>> curves;
-    std::map<unsigned int, double> motor_seconds; ///< wall clock, by level
+    std::map<CurveSetting, std::map<unsigned int, CurvePoint>> known;     ///< by request
+    std::map<unsigned int, double> motor_seconds;                         ///< wall clock, by level
   };
 } // namespace ringmotor

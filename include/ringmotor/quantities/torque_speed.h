@@ -29,6 +29,12 @@ namespace ringmotor
     double speed = 0., torque = 0., loss = 0.; ///< rad/s, N m, W
     double rotor_power = 0.;                   ///< W, see power_per_loss_factor()
 
+    PointError &operator*=(const double factor)
+    {
+      for (double *error : {&speed, &torque, &loss, &rotor_power})
+        *error *= factor;
+      return *this;
+    }
     PointError &operator+=(const PointError &other)
     {
       speed += other.speed;
@@ -118,11 +124,13 @@ namespace ringmotor
                          PointMemory *memory = nullptr);
 
     /**
-     * Asks the memory first. The next point is found as if this one had been computed, to the last
+     * Asks the memory first. A steady state is looked for from that of @p start, of the same
+     * request and of this setting or of one time sample, or else from the point before. The next
+     * point is found as if this one had been computed, to the last
      * bit.
      * @throws ComputationError if none is found
      */
-    CurvePoint find(const PointRequest &request);
+    CurvePoint find(const PointRequest &request, const CurvePoint *start = nullptr);
 
   private:
     CurvePoint find_steady(const PointRequest &request);
@@ -152,21 +160,17 @@ namespace ringmotor
 
   /**
    * Finds several points, spread over the ranks of @p communicator; all of them end up on each
-   * rank. @p after_point is called, and @p memory asked, on the rank that finds a point.
+   * rank. @p starts has none or as many points as requests, to start from. @p after_point is
+   * called, and @p memory asked, on the rank that finds a point.
    */
   std::vector<CurvePoint> find_points(const Parameters &parameters, const CondensedMotor &motor,
                                       const std::vector<PointRequest> &requests,
                                       MPI_Comm communicator,
                                       const std::function<void(const CurvePoint &)> &after_point,
-                                      PointMemory *memory = nullptr);
+                                      PointMemory *memory                   = nullptr,
+                                      const std::vector<CurvePoint> &starts = {});
 
-  /**
-   * Error bars of points from how they change from one discretisation to another. A change can be
-   * small by accident: a bar is @p factor times the largest of the point's own change, those of its
-   * neighbours in the list, and the median of all relative changes. Prescribed quantities have no
-   * error. Speeds at more than 0.95 of the largest torque tell nothing of others: there the speed
-   * hangs on the last bit of torque.
-   */
-  std::vector<PointError> errors_by_change(const std::vector<CurvePoint> &from,
-                                           const std::vector<CurvePoint> &to, const double factor);
+  /** By how much a point changes from one discretisation, or one wave, to another. What is
+   * prescribed does not change. */
+  PointError change(const CurvePoint &from, const CurvePoint &to);
 } // namespace ringmotor
