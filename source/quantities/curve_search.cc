@@ -108,18 +108,25 @@ namespace ringmotor
           (is_marched(parameters) ? ", or a smaller Time/Time step" : ""));
   }
 
-  unsigned int CurveSearch::parts_to_start_with() const
+  unsigned int CurveSearch::parts_for(const unsigned int n_steps) const
   {
     if (is_marched(parameters))
       return 1;
     const unsigned int n_teeth_that_differ =
         parameters.motor.n_teeth / std::gcd(parameters.motor.n_waves, parameters.motor.n_teeth);
-    // One step per pitch tells the error of several.
-    constexpr unsigned int fewest = 2;
-    return parameters.accuracy.mode == AccuracyMode::fixed
-               ? parameters.time.n_snapshots
-               : std::max({fewest, parameters.time.n_snapshots,
-                           (89 + n_teeth_that_differ) / n_teeth_that_differ});
+    return (n_steps - 1 + n_teeth_that_differ) / n_teeth_that_differ;
+  }
+
+  CurveSetting CurveSearch::plain_setting(const unsigned int level) const
+  {
+    return {level, parts_for(45)};
+  }
+
+  unsigned int CurveSearch::parts_to_start_with() const
+  {
+    if (parameters.accuracy.mode == AccuracyMode::fixed || is_marched(parameters))
+      return parameters.time.n_snapshots;
+    return std::max({plain_setting(0).n_parts + 1, parts_for(90), parameters.time.n_snapshots});
   }
 
   const CondensedMotor &CurveSearch::motor_of(const unsigned int level)
@@ -156,9 +163,9 @@ namespace ringmotor
     for (const unsigned int request : missing)
       asked.push_back(requests[request]);
     // Short steps and other waves are found from the state of one step per pitch.
-    const CurveSetting plain{setting.level};
+    const CurveSetting plain = plain_setting(setting.level);
     std::vector<CurvePoint> starts;
-    if (plain < setting)
+    if (plain < setting && (plain.n_parts == 1 || plain.n_parts == setting.n_parts))
       starts = points_of(plain, missing);
     const Parameters divided = with_parts_of_a_step(parameters, setting.n_parts);
     std::vector<CurvePoint> points;
@@ -175,8 +182,8 @@ namespace ringmotor
   void CurveSearch::find_requests(const unsigned int n_parts_to_start_with)
   {
     requests                 = {{Control::speed, 0.}};
-    stall_torque             = point_of({reached_level}, 0).result.torque;
-    const CurvePoint stalled = point_of({reached_level}, 0);
+    const CurvePoint stalled = point_of(plain_setting(reached_level), 0);
+    stall_torque             = stalled.result.torque;
     if (parameters.loading.control == Control::torque)
       for (const double torque : parameters.loading.values)
         if (torque >= stall_torque)
@@ -188,25 +195,27 @@ namespace ringmotor
     known.clear();
     for (unsigned int i = 0; i < requests.size(); ++i)
       if (requests[i].control == Control::speed && requests[i].value == 0.)
-        known[{reached_level}][i] = stalled;
+        known[plain_setting(reached_level)][i] = stalled;
     n_parts.assign(requests.size(), n_parts_to_start_with);
   }
 
   PointErrors CurveSearch::errors_of(const unsigned int request)
   {
     constexpr double margin  = 2.;
+    const CurveSetting plain = plain_setting(reached_level);
     const unsigned int parts = n_parts[request];
-    const CurvePoint plain   = point_of({reached_level}, request),
-                     coarse  = point_of({compared_with(reached_level)}, request),
-                     faster  = point_of({reached_level, 1, 1. + wave_error}, request),
+    const CurvePoint before  = point_of(plain, request),
+                     coarse  = point_of(plain_setting(compared_with(reached_level)), request),
+                     faster  = point_of({reached_level, plain.n_parts, 1. + wave_error}, request),
                      point   = point_of({reached_level, parts}, request);
     PointErrors errors;
-    errors.mesh = change(coarse, plain);
+    errors.mesh = change(coarse, before);
     errors.mesh *= margin;
-    // Of first order: C / n with n steps per pitch.
-    errors.time = change(plain, point_of({reached_level, std::max(2u, parts)}, request));
-    errors.time *= parts == 1 ? 2. : 1. / (parts - 1.);
-    errors.wave                  = change(plain, faster);
+    // Of first order, C / n with n steps per pitch: C follows from two of them.
+    const unsigned int other = parts == plain.n_parts ? 2 * parts : plain.n_parts;
+    errors.time              = change(point, point_of({reached_level, other}, request));
+    errors.time *= static_cast<double>(other) / std::abs(static_cast<double>(other) - parts);
+    errors.wave                  = change(before, faster);
     errors.window                = point.window;
     const OperatingPoint &result = point.result;
     const bool of_torque         = requests[request].control == Control::torque;
@@ -220,11 +229,12 @@ namespace ringmotor
   void CurveSearch::evaluate()
   {
     // Together as far as possible: each point starts from the one before, and ranks share them.
+    const CurveSetting plain = plain_setting(reached_level);
     std::vector<unsigned int> all(requests.size());
     std::iota(all.begin(), all.end(), 0u);
     for (const CurveSetting &setting :
-         {CurveSetting{reached_level}, CurveSetting{compared_with(reached_level)},
-          CurveSetting{reached_level, 1, 1. + wave_error}})
+         {plain, plain_setting(compared_with(reached_level)),
+          CurveSetting{reached_level, plain.n_parts, 1. + wave_error}})
       points_of(setting, all);
     for (const unsigned int parts : std::set<unsigned int>(n_parts.begin(), n_parts.end()))
     {
@@ -232,7 +242,7 @@ namespace ringmotor
       for (const unsigned int i : all)
         if (n_parts[i] == parts)
           these.push_back(i);
-      points_of({reached_level, std::max(2u, parts)}, these);
+      points_of({reached_level, parts == plain.n_parts ? 2 * parts : parts}, these);
     }
     results.clear();
     for (const unsigned int i : all)
@@ -272,10 +282,11 @@ namespace ringmotor
       return of_torque ? to.result.speed - from.result.speed
                        : to.result.torque - from.result.torque;
     };
-    const CurvePoint plain = point_of({reached_level}, middle);
+    const CurveSetting plain = plain_setting(reached_level);
+    const CurvePoint before  = point_of(plain, middle);
     return {results[middle], signed_change(results[middle], dynamic),
-            signed_change(plain, point_of({reached_level, 2}, middle)),
-            signed_change(point_of({compared_with(reached_level)}, middle), plain)};
+            signed_change(before, point_of({reached_level, 2 * plain.n_parts}, middle)),
+            signed_change(point_of(plain_setting(compared_with(reached_level)), middle), before)};
   }
 
   double CurveSearch::point_seconds(const CurveSetting &setting)
@@ -301,12 +312,13 @@ namespace ringmotor
     rung.n_steps                = std::lround(motor().period() / points().front().fields.time_step);
     rung.largest_error          = worst_error();
     rung.seconds                = motor_seconds[setting.level] + point_seconds(setting);
-    rung.seconds_with_error_bar = rung.seconds + motor_seconds[coarse] + point_seconds({coarse}) +
-                                  point_seconds({setting.level, 1, 1. + wave_error});
-    if (setting.n_parts > 1)
-      rung.seconds_with_error_bar += point_seconds({setting.level});
-    else
-      rung.seconds_with_error_bar += point_seconds({setting.level, 2});
+    const CurveSetting plain    = plain_setting(setting.level);
+    rung.seconds_with_error_bar = motor_seconds[setting.level] + motor_seconds[coarse] +
+                                  point_seconds(plain_setting(coarse)) + point_seconds(plain) +
+                                  point_seconds({setting.level, plain.n_parts, 1. + wave_error});
+    rung.seconds_with_error_bar += point_seconds(
+        setting.n_parts == plain.n_parts ? CurveSetting{setting.level, 2 * plain.n_parts}
+                                         : setting);
     return rung;
   }
 

@@ -35,8 +35,8 @@ namespace ringmotor
    * The meshes are the same for all points; each point has its own time step, so short that its
    * powers balance, too. Errors of a point come from its own changes alone: by the meshes from the
    * change from the next coarser ones, with a margin, as convergence is not regular at the edge of
-   * contact; by the step, which is of first order, from the change since one step per pitch, on the
-   * mesh in use; by the wave from a solution with the wave changed by its error.
+   * contact; by the step, which is of first order, from the change since a longer one, on the mesh
+   * in use; by the wave from a solution with the wave changed by its error.
    */
   class CurveSearch
   {
@@ -113,7 +113,10 @@ namespace ringmotor
     /** Processor seconds of the points of a setting. */
     double point_seconds(const CurveSetting &setting);
     void find_requests(const unsigned int n_parts);
-    /** Steps of the steady state so that a period has ninety or more. */
+    /** Parts of a step so that a period has so many steps or more; one when marching. */
+    unsigned int parts_for(const unsigned int n_steps) const;
+    /** With which meshes and waves are compared. */
+    CurveSetting plain_setting(const unsigned int level) const;
     unsigned int parts_to_start_with() const;
     /** Relative to the fastest speed and to the stall torque. */
     double relative(const PointError &error) const;
