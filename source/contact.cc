@@ -17,6 +17,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -47,6 +48,11 @@ namespace ringmotor
                                    const CurveSetting &setting,
                                    const std::vector<PointRequest> &requests,
                                    const std::vector<CurvePoint> &starts);
+      /** Says what operating points cost if that is worth telling. */
+      void tell_price(const CondensedMotor &motor, const CurveSetting &setting,
+                      const unsigned int n_points);
+      /** @throws ComputationError */
+      void check_time_limit() const;
       void report();
       void report_static_friction();
       void warn_of_long_steps();
@@ -61,6 +67,9 @@ namespace ringmotor
       Phases phases;
       const StatorWave wave;
       std::optional<ContactKeep> keep; ///< of run(); a study measures what it costs without
+      const std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
+      static constexpr double growth = 1.5; ///< exponent of the seconds of a point, measured
+      double seconds_per_unknown     = 0.;  ///< to that exponent, at the last point
       CurveSearch search;
     };
 
@@ -148,19 +157,58 @@ namespace ringmotor
       const auto scope = phases.measure(
           "operating points, interface mesh " + std::to_string(setting.level) + ", step " +
           std::to_string(setting.n_parts) + (setting.wave_factor == 1. ? "" : ", wave changed"));
+      tell_price(motor, setting, requests.size());
       unsigned int n_found   = 0;
-      const auto after_point = [&](const CurvePoint &)
-      { log.progress("operating points", std::min(1., ++n_found / (1. * requests.size()))); };
+      const auto after_point = [&](const CurvePoint &point)
+      {
+        log.progress("operating points", std::min(1., ++n_found / (1. * requests.size())));
+        const double n_unknowns = motor.nodes.size() * point.fields.times.size();
+        seconds_per_unknown     = point.seconds / std::pow(n_unknowns, growth);
+        check_time_limit();
+      };
       return keep ? keep->points(divided, motor, setting.level, requests, after_point,
                                  setting.wave_factor, starts)
                   : find_points(divided, motor, requests, MPI_COMM_WORLD, after_point, nullptr,
                                 starts);
     }
 
+    void ContactProgram::tell_price(const CondensedMotor &motor, const CurveSetting &setting,
+                                    const unsigned int n_points)
+    {
+      constexpr double worth_telling = 60.;
+      const double n_unknowns        = motor.nodes.size() * motor.repeating().n_sectors() *
+                                static_cast<double>(setting.n_parts),
+                   seconds = n_points * seconds_per_unknown *
+                             std::pow(n_unknowns / motor.repeating().n_sectors(), growth);
+      if (seconds > worth_telling)
+        log.line("the next " + std::to_string(n_points) + " operating points on interface mesh " +
+                 std::to_string(setting.level) + " have " + text(n_unknowns, 0) +
+                 " contact points each and may take some " + text(seconds, 0) +
+                 " s; Accuracy/Time limit stops them, a larger Accuracy/Contact target makes them "
+                 "cheaper");
+    }
+
+    void ContactProgram::check_time_limit() const
+    {
+      const std::optional<double> limit = parameters.accuracy.time_limit;
+      const double seconds =
+          std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+      if (limit && seconds > *limit)
+        throw ComputationError(
+            "Accuracy/Time limit = " + text(*limit, 0) + " s is over after " + text(seconds, 1) +
+            " s; the operating points found so far are kept: choose a larger "
+            "limit and go on with --resume, or a larger Accuracy/Contact target");
+    }
+
     void ContactProgram::report()
     {
       for (const CurvePoint &point : search.points())
         log.line(describe(point));
+      if (search.rotor_sticks())
+        log.line(
+            "warning: the wave does not turn the rotor: all of its contact sticks, because the "
+            "preload is too large for the amplitude; the torques above are half of what "
+            "sliding friction bears and less");
       for (const CurvePoint &point : search.points())
         if (!point.remark.empty())
           log.line("note: at " + text(1e3 * point.result.torque, 2) +

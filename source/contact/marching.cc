@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/contact/marching.h>
-#include <ringmotor/parameters/errors.h>
-
-#include <string>
-
 namespace ringmotor
 {
   MarchingDriver::MarchingDriver(const CondensedMotor &motor, const Friction &friction,
@@ -28,25 +24,10 @@ namespace ringmotor
     std::vector<FrictionMemory> limits = memory;
     const PointFriction law            = [&](const unsigned int point, const double slip)
     { return friction_coefficient(friction, limits[point], slip, length); };
-    const auto solved_from = [&](ContactState begin)
-    {
-      if (load.torque)
-        begin.rigid.push_back(last_speed * length);
-      return solve_contact(*contact, law, motor.constants, begin);
-    };
-    ContactSolution solution;
-    try
-    {
-      solution = solved_from(state);
-    }
-    catch (const ComputationError &error)
-    {
-      // In a long step others than the points of its begin come to touch.
-      const RingContact sliding(motor, {load.preload, {}, last_speed}, time_step, warp);
-      solution     = solved_from(solve_without_friction(sliding, motor.constants, state).state);
-      solution.how = std::string(error.what()) + "; found from the state without friction" +
-                     (solution.how.empty() ? "" : ", " + solution.how);
-    }
+    ContactState begin = state;
+    if (load.torque)
+      begin.rigid.push_back(last_speed * length);
+    ContactSolution solution = solve_contact(*contact, law, motor.constants, begin);
     while (lose_static_limits(solution, limits))
     {
       const unsigned int n_iterations = solution.n_iterations;

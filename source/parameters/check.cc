@@ -284,8 +284,10 @@ namespace ringmotor
            {std::make_pair("Dynamic coefficient", friction.dynamic_coefficient),
             std::make_pair("Static coefficient", friction.static_coefficient)})
         if (value <= 0.)
-          throw UserError(std::string("Friction/") + name + " = " + std::to_string(value) +
-                          " drives no motor; allowed: above 0");
+          throw UserError(
+              std::string("Friction/") + name + " = " + std::to_string(value) +
+              " must be positive: without friction the wave does not drive the rotor, and its "
+              "speed is not determined");
       if (friction.law == FrictionLaw::velocity && !friction.decay_velocity)
         throw UserError(
             "Friction/Law = velocity needs Friction/Decay velocity, which is none; give "

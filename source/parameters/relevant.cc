@@ -34,6 +34,7 @@ namespace ringmotor
     relevant.loading.n_curve_points = defaults.loading.n_curve_points;
     if (!is_marched(parameters)) // marching goes on until what changes is small against the target
       relevant.accuracy.contact_target = defaults.accuracy.contact_target;
+    relevant.accuracy.time_limit           = defaults.accuracy.time_limit;
     relevant.accuracy.mode                 = defaults.accuracy.mode;
     relevant.accuracy.interface_refinement = defaults.accuracy.interface_refinement;
     relevant.output                        = defaults.output;

@@ -52,6 +52,9 @@ namespace ringmotor
               "The same for speed and torque, relative to those without load and at stall; the "
               "program stator refines until the wave's share is a fifth of it at most. Units: "
               "none.");
+    add_entry(prm, "Time limit", time_limit, number_or("none", positive_number()),
+              "Time after which the program contact stops; operating points found so far are kept, "
+              "and --resume goes on from there. Units: s.");
     add_entry(prm, "Mode", mode,
               selection<AccuracyMode>(
                   {{"adaptive", AccuracyMode::adaptive}, {"fixed", AccuracyMode::fixed}}),

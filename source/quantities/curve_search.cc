@@ -184,6 +184,13 @@ namespace ringmotor
     requests                 = {{Control::speed, 0.}};
     const CurvePoint stalled = point_of(plain_setting(reached_level), 0);
     stall_torque             = stalled.result.torque;
+    // Where all points stick at rest their forces are not determined; the rotor holds what friction
+    // bears. Half of it is asked for, and refused if they slip.
+    constexpr double all = 1. - 1e-9, asked_of_sticking = 0.5;
+    sticks = stalled.result.stick_fraction > all;
+    if (sticks)
+      stall_torque = asked_of_sticking * parameters.friction.dynamic_coefficient *
+                     parameters.loading.preload * motor_of(reached_level).nodes.front().radius;
     if (parameters.loading.control == Control::torque)
       for (const double torque : parameters.loading.values)
         if (torque >= stall_torque)
@@ -192,6 +199,8 @@ namespace ringmotor
                           short_text(stall_torque) +
                           " N m; allowed: less than that, or Loading/Control = speed");
     requests = requested_points(parameters.loading, stall_torque);
+    if (sticks && parameters.loading.values.empty())
+      requests.back() = {Control::torque, stall_torque};
     known.clear();
     for (unsigned int i = 0; i < requests.size(); ++i)
       if (requests[i].control == Control::speed && requests[i].value == 0.)
@@ -262,7 +271,11 @@ namespace ringmotor
 
   double CurveSearch::relative(const PointError &error) const
   {
-    double fastest = 0.;
+    constexpr double slow = 0.01; // against the crests of the wave: as good as at rest
+    double fastest        = 0.;
+    for (const CondensedMotor::Node &node : motor().nodes)
+      fastest = std::max(fastest, slow * motor().angular_frequency * std::abs(node.free_motion[1]) /
+                                      node.radius);
     for (const CurvePoint &point : points())
       fastest = std::max(fastest, std::abs(point.result.speed));
     return std::max(error.torque / std::abs(stall_torque), // the motor may stand still

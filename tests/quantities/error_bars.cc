@@ -10,13 +10,14 @@
 #include "support/ring_sector.h"
 
 #include <ringmotor/mesh/stator_sector.h>
+#include <ringmotor/quantities/curve_search.h>
 #include <ringmotor/quantities/mode_search.h>
-#include <ringmotor/quantities/torque_speed.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 using namespace ringmotor;
 using namespace ringmotor::tests;
@@ -194,36 +195,83 @@ TEST(ErrorBars, OfShapesFollowTheLastChange)
 
 namespace
 {
-  /** A point of a curve that is asked for by its torque (N m), or the one at stall. */
-  CurvePoint point_of(const double torque, const double speed, const double loss)
+  /** Made-up sources of points: speeds w0 - T with an error a 4^-level by the mesh, b/n by the step
+   * of n parts, and in proportion to the wave; powers balance with four parts. */
+  CurveSearch::Sources made_up_sources(const double a, const double b)
   {
-    CurvePoint point;
-    point.request =
-        speed > 0. ? PointRequest{Control::torque, torque} : PointRequest{Control::speed, 0.};
-    point.result.torque          = torque;
-    point.result.speed           = speed;
-    point.result.tangential_loss = loss;
-    return point;
+    CurveSearch::Sources sources;
+    sources.motor = [](unsigned int)
+    {
+      CondensedMotor motor;
+      motor.n_teeth           = 90;
+      motor.n_waves           = 7;
+      motor.angular_frequency = 2e5;
+      motor.nodes.resize(1);
+      return motor;
+    };
+    sources.points = [a, b](const Parameters &, const CondensedMotor &, const CurveSetting &setting,
+                            const std::vector<PointRequest> &requests,
+                            const std::vector<CurvePoint> &)
+    {
+      std::vector<CurvePoint> points;
+      for (const PointRequest &request : requests)
+      {
+        CurvePoint point;
+        point.request        = request;
+        const bool of_torque = request.control == Control::torque;
+        point.result.torque  = of_torque ? request.value : 8.;
+        const double exact   = (8. - point.result.torque) * setting.wave_factor;
+        point.result.speed =
+            of_torque ? exact + a * std::pow(0.25, setting.level) * (1. + point.result.torque) +
+                            b / setting.n_parts
+                      : request.value;
+        point.result.input_power     = 1.;
+        point.result.output_work     = 0.5;
+        point.result.tangential_loss = setting.n_parts < 4 ? 0.49 : 0.5;
+        point.fields.time_step       = 1e-7;
+        points.push_back(point);
+      }
+      return points;
+    };
+    return sources;
+  }
+
+  CurvePoint point_at(const double torque, const std::vector<double> &asked_for, const double a,
+                      const double b)
+  {
+    Parameters parameters;
+    parameters.loading.values          = asked_for;
+    parameters.loading.control         = Control::torque;
+    parameters.initial_deformation     = {};
+    parameters.accuracy.contact_target = 0.1;
+    CurveSearch search(parameters, 1e-3, made_up_sources(a, b));
+    search.find();
+    for (const CurvePoint &point : search.points())
+      if (point.request.value == torque)
+        return point;
+    throw std::runtime_error("the point is missing");
   }
 } // namespace
 
-TEST(ErrorBars, OfOperatingPointsFollowTheirOwnChangesAndThoseBesideThem)
+TEST(ErrorBars, OfOperatingPointsHoldTheirErrorsCauseByCause)
 {
-  // The loss at the first point is small and changes much: relative changes of 1, 0.1, 0.1, 0.002
-  // and 0.001; their median is 0.1. Speeds change by 0.3, 0, 0.1 and 2, the last one near stall.
-  const std::vector<CurvePoint> from   = {point_of(0., 8.3, 2.), point_of(0.5, 7., 2.2),
-                                          point_of(1., 6.1, 4.4), point_of(1.97, 3., 10.02),
-                                          point_of(2.2, 0., 20.02)},
-                                to     = {point_of(0., 8., 1.), point_of(0.5, 7., 2.),
-                                          point_of(1., 6., 4.), point_of(1.97, 1., 10.),
-                                          point_of(2., 0., 20.)};
-  const std::vector<PointError> errors = errors_by_change(from, to, 2.);
-  const std::vector<double> loss       = {1., 1., 0.4, 1., 2.};
-  const std::vector<double> speed      = {0.3, 0.3, 0.1, 2., 0.};
-  for (unsigned int i = 0; i < to.size(); ++i)
-  {
-    EXPECT_NEAR(errors[i].loss, 2. * loss[i], 1e-12) << i;
-    EXPECT_NEAR(errors[i].speed, 2. * speed[i], 1e-12) << i;
-    EXPECT_NEAR(errors[i].torque, i == 4 ? 2. * 0.2 : 0., 1e-12) << i;
-  }
+  constexpr double a = 0.2, b = 0.1, torque = 3., exact = 8. - torque;
+  const CurvePoint point  = point_at(torque, {torque}, a, b);
+  const PointErrors &bars = point.errors;
+  // Level 1, and four parts, with which powers balance
+  EXPECT_NEAR(point.result.speed, exact + a * 0.25 * (1. + torque) + b / 4., 1e-12);
+  EXPECT_GE(bars.mesh.speed, a * 0.25 * (1. + torque));
+  EXPECT_LE(bars.mesh.speed, 8. * a * 0.25 * (1. + torque));
+  EXPECT_NEAR(bars.time.speed, b / 4., 1e-12); // exact for an error of first order
+  EXPECT_NEAR(bars.wave.speed, 1e-3 * exact, 1e-12);
+  EXPECT_EQ(bars.total().torque, 0.); // prescribed
+}
+
+TEST(ErrorBars, OfAnOperatingPointDoNotDependOnTheOthers)
+{
+  const CurvePoint alone = point_at(3., {3.}, 0.2, 0.1),
+                   among = point_at(3., {0., 1., 3., 7.9}, 0.2, 0.1);
+  EXPECT_EQ(alone.result.speed, among.result.speed);
+  for (unsigned int i = 0; i < alone.errors.causes().size(); ++i)
+    EXPECT_EQ(alone.errors.causes()[i].second.speed, among.errors.causes()[i].second.speed) << i;
 }

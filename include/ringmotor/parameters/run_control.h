@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,8 +21,9 @@ namespace ringmotor
   /** How accurate the results have to be, or how they are to be computed. */
   struct Accuracy
   {
-    double target                     = 1.e-4; ///< relative error of the results
-    double contact_target             = 0.03;  ///< relative error of speeds and torques
+    double target         = 1.e-4;    ///< relative error of the results
+    double contact_target = 0.03;     ///< relative error of speeds and torques
+    std::optional<double> time_limit; ///< s of a run of the program contact
     AccuracyMode mode                 = AccuracyMode::adaptive;
     unsigned int polynomial_degree    = 3; ///< mode fixed only
     unsigned int refinement           = 0; ///< of the body meshes, mode fixed only

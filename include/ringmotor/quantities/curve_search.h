@@ -63,6 +63,8 @@ namespace ringmotor
     unsigned int level() const { return reached_level; }
     const CondensedMotor &motor() const { return *motors.at(reached_level); }
     const std::vector<CurvePoint> &points() const { return results; }
+    /** Whether the wave does not turn the rotor, because all points stick. */
+    bool rotor_sticks() const { return sticks; }
     /** Relative to the fastest speed and to the stall torque: the largest error bar. */
     double worst_error() const;
 
@@ -124,6 +126,7 @@ namespace ringmotor
     const Parameters &parameters;
     const double wave_error;
     const Sources sources;
+    bool sticks         = false;
     double stall_torque = 0.; ///< N m; of the first motor that was computed
     std::vector<PointRequest> requests;
     unsigned int reached_level = 0;
