@@ -37,6 +37,7 @@ namespace
                                             "Loading/Number of curve points",
                                             "Accuracy/Contact target",
                                             "Accuracy/Mode",
+                                            "Accuracy/Time limit",
                                             "Accuracy/Interface refinement",
                                             "Output/Directory",
                                             "Output/VTU",

@@ -204,7 +204,7 @@ class OtherStators(unittest.TestCase):
 
     def test_parts_that_are_missing_in_the_parameters_are_named(self):
         mesh = ROOT / "meshes" / "canon_half_sector.msh"
-        quickly = settings("Accuracy/Mode = fixed", "Loading/Values = 0.05", "Output/VTU = false")
+        quickly = settings("Accuracy/Mode = fixed", "Time/Snapshots = 3", "Loading/Values = 0.05", "Output/VTU = false")
         for entry, said in (("Effects/Target plates = on", "Effects/Target plates = on there, off here"),
                             (f"Stator/Mesh file = {mesh}", " there, none here"),
                             ("Stator/Piezoceramic element = shell",
@@ -272,7 +272,7 @@ class Histories(WithWave):
     def test_teeth_live_alike_one_after_the_other(self):
         """In the steady state tooth 12 lives as tooth 0 does, 12 n T / N later."""
         done = self.contact("Output/History points = 0:0.0342, 12:0.0342, 89.75:0.0333", "Output/VTU = false",
-                            "Loading/Values = 0.05", "Accuracy/Mode = fixed")
+                            "Loading/Values = 0.05", "Accuracy/Mode = fixed", "Time/Snapshots = 3")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertFalse((self.case / "contact" / "motor.pvd").exists())
         with h5py.File(self.case / "contact" / "contact.h5") as file:

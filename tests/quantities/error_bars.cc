@@ -243,7 +243,7 @@ namespace
     parameters.loading.values          = asked_for;
     parameters.loading.control         = Control::torque;
     parameters.initial_deformation     = {};
-    parameters.accuracy.contact_target = 0.1;
+    parameters.accuracy.contact_target = 0.5;
     CurveSearch search(parameters, 1e-3, made_up_sources(a, b));
     search.find();
     for (const CurvePoint &point : search.points())
