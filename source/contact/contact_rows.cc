@@ -18,6 +18,8 @@ namespace ringmotor
   {
     /** Unknowns up to which a dense matrix is faster than GMRES without a preconditioner. */
     constexpr unsigned int most_dense = 3000;
+    /** Unknowns up to which its memory is spent where GMRES does not converge. */
+    constexpr unsigned int largest_dense = 7000;
 
     /** The rows of a linear system, as an operator and as matrices of its parts. */
     class ContactRows
@@ -423,7 +425,7 @@ namespace ringmotor
     bool solve_by_gmres(ContactRows &rows, Vector<double> &solution)
     {
       // Restarts would make it stagnate.
-      constexpr unsigned int most_steps = 1000;
+      constexpr unsigned int most_steps = 250; // beyond, its orthogonalisation costs seconds
       constexpr double reduction        = 1e-9;
       rows.scale_rigid_motions();
       Vector<double> right_hand_side = solution;
@@ -476,7 +478,15 @@ namespace ringmotor
     }
     const bool is_ring = parts.size() > 1 && of_parts < 2. / 3. * cubed(all.size());
     if ((is_ring ? largest : all.size()) > most_dense)
-      return solve_by_gmres(system, solution);
+    {
+      const Vector<double> right_hand_side = solution;
+      if (solve_by_gmres(system, solution))
+        return true;
+      if (all.size() > largest_dense)
+        return false;
+      solution = right_hand_side;
+      return solve_dense(ContactRows(problem, touching, rows), all, solution);
+    }
     if (!is_ring)
       return solve_dense(system, all, solution);
     std::sort(in_parts.begin(), in_parts.end());

@@ -101,8 +101,11 @@ namespace ringmotor
           return found;
         }
       }
-      found.failed       = true;
+      found.motion       = problem.relative_motion(found.state);
+      found.certificate  = certify(problem, bound_of, found.state, found.motion);
       found.n_iterations = n_problems;
+      // A state that the chain did not confirm is none, even if it fulfils the laws.
+      found.failed = found.certificate.holds();
       return found;
     }
 

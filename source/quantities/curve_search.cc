@@ -70,6 +70,10 @@ namespace ringmotor
 
   void CurveSearch::balance_powers()
   {
+    // All at once, each from the one before; those with shorter steps start from them.
+    std::vector<unsigned int> all(requests.size());
+    std::iota(all.begin(), all.end(), 0u);
+    points_of(plain_setting(reached_level), all);
     for (unsigned int i = 0; i < requests.size(); ++i)
       while (n_parts[i] < most_parts &&
              point_of({reached_level, n_parts[i]}, i).result.power_imbalance() >
