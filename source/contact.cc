@@ -222,7 +222,7 @@ namespace ringmotor
     void ContactProgram::report_static_friction()
     {
       const Friction &friction = parameters.friction;
-      if (effective_friction(parameters).law == FrictionLaw::coulomb ||
+      if (search.rotor_sticks() || effective_friction(parameters).law == FrictionLaw::coulomb ||
           friction.static_coefficient == friction.dynamic_coefficient)
         return;
       // Static friction above dynamic friction has no fracture energy unless the law has a length

@@ -292,9 +292,10 @@ namespace ringmotor
     const bool of_torque      = requests[middle].control == Control::torque;
     Parameters without        = with_parts_of_a_step(parameters, n_parts[middle]);
     without.friction.law      = FrictionLaw::coulomb;
-    const CurvePoint dynamic =
-        sources.points(without, motor(), {reached_level, n_parts[middle]}, {requests[middle]}, {})
-            .front();
+    const CurvePoint dynamic  = sources
+                                   .points(without, motor(), {reached_level, n_parts[middle]},
+                                           {requests[middle]}, {results[middle]})
+                                   .front();
     const auto signed_change = [&](const CurvePoint &from, const CurvePoint &to) {
       return of_torque ? to.result.speed - from.result.speed
                        : to.result.torque - from.result.torque;
