@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/contact/marching.h>
+
 namespace ringmotor
 {
   MarchingDriver::MarchingDriver(const CondensedMotor &motor, const Friction &friction,

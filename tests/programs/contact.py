@@ -21,7 +21,7 @@ import h5py
 import numpy as np
 
 sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
-from program import QUICK, ROOT, rows_of, run, settings, vtu_array  # noqa: E402
+from program import QUICK, ROOT, WithWave, rows_of, run, settings, vtu_array  # noqa: E402
 
 STATOR, CONTACT = sys.argv.pop(1), sys.argv.pop(1)
 PRELOAD = 14.0
@@ -29,25 +29,15 @@ PRELOAD = 14.0
 FIFTEEN_STEPS = ("Time/Number of steps = 15", "Time/Average from step = 6", "Time/Average to step = 15")
 
 
-class WithWave(unittest.TestCase):
-    """Has a case in which the program stator has run."""
-
-    @classmethod
-    def setUpClass(cls):
-        cls.case = pathlib.Path(tempfile.mkdtemp())
-        done = run(STATOR, QUICK, "--output", cls.case)
-        assert done.returncode == 0, done.stderr
-
-    @classmethod
-    def tearDownClass(cls):
-        shutil.rmtree(cls.case)
+class WithContact(WithWave):
+    stator = STATOR
 
     def contact(self, *entries, ranks=1):
         launcher = ["mpirun", "--oversubscribe", "-n", ranks] if ranks > 1 else []
         return run(*launcher, CONTACT, QUICK, "--output", self.case, *settings(*entries))
 
 
-class Results(WithWave):
+class Results(WithContact):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
@@ -142,7 +132,7 @@ class Results(WithWave):
                 self.assertAlmostEqual(float(a[column]), float(b[column]), delta=1e-5)
 
 
-class Mistakes(WithWave):
+class Mistakes(WithContact):
     def refused(self, status, *entries):
         done = self.contact(*entries)
         self.assertEqual(done.returncode, status, done.stderr)
@@ -268,7 +258,7 @@ class Targets(unittest.TestCase):
             self.assertIn("run the program stator with these parameters", done.stderr)
 
 
-class Histories(WithWave):
+class Histories(WithContact):
     def test_teeth_live_alike_one_after_the_other(self):
         """In the steady state tooth 12 lives as tooth 0 does, 12 n T / N later."""
         done = self.contact("Output/History points = 0:0.0342, 12:0.0342, 89.75:0.0333", "Output/VTU = false",
@@ -298,7 +288,7 @@ class Histories(WithWave):
         self.assertGreater(max(float(row["force_n_N"]) for row in histories[12, edge]), 0.01)
 
 
-class Resume(WithWave):
+class Resume(WithContact):
     """What an interrupted run has found is there for the next one."""
 
     @classmethod
@@ -383,7 +373,7 @@ class Resume(WithWave):
             self.assertIn(said, done.stderr)
 
 
-class Paper(WithWave):
+class Paper(WithContact):
     def test_marching_and_warp(self):
         """Fifteen steps of 5e-7 s with springs at the nodes; warp makes the motor slower."""
         speeds = []
@@ -420,7 +410,7 @@ class Paper(WithWave):
         self.assertAlmostEqual(len(moments) * (moments[1] - moments[0]) / period, 0.5)
 
 
-class Study(WithWave):
+class Study(WithContact):
     def test_shows_what_accuracy_costs(self):
         done = run(CONTACT, QUICK, "--output", self.case, "--study",
                    *settings("Loading/Values = 0.05", "Accuracy/Mode = fixed", "Accuracy/Interface refinement = 1"))

@@ -18,7 +18,7 @@ import h5py
 import numpy as np
 
 sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
-from program import QUICK, rows_of, run, settings, vtu_array  # noqa: E402
+from program import QUICK, WithWave, rows_of, run, settings, vtu_array  # noqa: E402
 
 STATOR, CONTACT, LOSSES = sys.argv.pop(1), sys.argv.pop(1), sys.argv.pop(1)
 PARTS = ("friction_loss", "internal_loss_stator_metal", "internal_loss_piezoceramic", "internal_loss_rotor",
@@ -166,18 +166,10 @@ class Losses(unittest.TestCase):
         self.assertIn("warning: the felt", done.stdout)
 
 
-class Powers(unittest.TestCase):
+class Powers(WithWave):
     """The powers of a point, from forces and motions in contact.h5 (doc/theory.md, section 9)."""
 
-    @classmethod
-    def setUpClass(cls):
-        cls.case = pathlib.Path(tempfile.mkdtemp())
-        done = run(STATOR, QUICK, "--output", cls.case)
-        assert done.returncode == 0, done.stderr
-
-    @classmethod
-    def tearDownClass(cls):
-        shutil.rmtree(cls.case)
+    stator = STATOR
 
     def powers(self, file, point, steps):
         """Input, output, friction loss along and across the ring (W), the means over steps that are numbered as the

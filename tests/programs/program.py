@@ -4,7 +4,10 @@ import base64
 import csv
 import os
 import pathlib
+import shutil
 import subprocess
+import tempfile
+import unittest
 import zlib
 
 import numpy as np
@@ -37,3 +40,19 @@ def vtu_array(path, name, dtype=np.float32):
     tag = text.index(f'Name="{name}"' if name else "<Points>")
     code = text[text.index("\n", text.index("binary", tag)):].split(maxsplit=1)[0]
     return np.frombuffer(zlib.decompress(base64.b64decode(code[24:])), dtype)
+
+
+class WithWave(unittest.TestCase):
+    """Has a case in which the program `stator` has run."""
+
+    stator = None  # the program, to be named by the tests
+
+    @classmethod
+    def setUpClass(cls):
+        cls.case = pathlib.Path(tempfile.mkdtemp())
+        done = run(cls.stator, QUICK, "--output", cls.case)
+        assert done.returncode == 0, done.stderr
+
+    @classmethod
+    def tearDownClass(cls):
+        shutil.rmtree(cls.case)
