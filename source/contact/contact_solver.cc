@@ -14,42 +14,54 @@ namespace ringmotor
   {
     constexpr NewtonLimits alone{40}, finishing{12}, of_proximal{12, 1e-3};
 
-    /** Springs as strong as the bodies themselves, times @p strength. Those of a rigid motion are
-     * measured by what it does at the nodes that touch. */
-    ProximalProblem::Springs springs_of(const ContactProblem &problem,
-                                        const ComplementarityConstants &constants,
-                                        const ContactState &state, const double strength)
+    /** What elastic nodes would hold the rigid motions with, if only their own compliance gave way:
+     * a scale for the springs of these motions. */
+    class RigidStiffness
     {
-      ProximalProblem::Springs springs{strength / constants.normal, strength / constants.tangential,
-                                       std::vector<double>(problem.n_rigid(), 0.)};
-      std::vector<unsigned int> all(problem.n_points());
-      std::iota(all.begin(), all.end(), 0u);
-      dealii::FullMatrix<double> balance;
-      if (problem.n_rigid() > 0)
-        problem.balance_derivatives(all, balance);
-      for (unsigned int r = 0; r < problem.n_rigid(); ++r)
+    public:
+      RigidStiffness(const ContactProblem &problem, const ComplementarityConstants &constants)
       {
-        ContactState unit{std::vector<PointVector>(problem.n_points()),
-                          std::vector<double>(problem.n_rigid())};
-        unit.rigid[r]                         = 1.;
-        const std::vector<PointVector> motion = problem.motion_by(unit);
-        double of_touching = 0., of_node = 0.; // of a rigid motion's own sign
-        for (const unsigned int i : all)
+        std::vector<unsigned int> all(problem.n_points());
+        std::iota(all.begin(), all.end(), 0u);
+        dealii::FullMatrix<double> balance;
+        if (problem.n_rigid() > 0)
+          problem.balance_derivatives(all, balance);
+        for (unsigned int r = 0; r < problem.n_rigid(); ++r)
         {
-          double stiffness = 0.;
-          for (unsigned int c = 0; c < 3; ++c)
-            stiffness += (c == 0 ? constants.normal : constants.tangential) *
-                         balance(r, 3 * i + c) * motion[i][c];
-          if (std::abs(stiffness) > std::abs(of_node))
-            of_node = stiffness;
-          if (state.force[i][0] > 0.)
-            of_touching += stiffness;
+          ContactState unit{std::vector<PointVector>(all.size()),
+                            std::vector<double>(problem.n_rigid())};
+          unit.rigid[r]                         = 1.;
+          const std::vector<PointVector> motion = problem.motion_by(unit);
+          of_node.emplace_back(all.size());
+          for (const unsigned int i : all)
+            for (unsigned int c = 0; c < 3; ++c)
+              of_node[r][i] += (c == 0 ? constants.normal : constants.tangential) *
+                               balance(r, 3 * i + c) * motion[i][c];
         }
-        springs.rigid_stiffness[r] =
-            strength * (std::abs(of_node) > std::abs(of_touching) ? of_node : of_touching);
       }
-      return springs;
-    }
+
+      /** By the nodes that touch, or by the stiffest one if that is more. */
+      std::vector<double> against(const ContactState &state) const
+      {
+        std::vector<double> stiffness; // of each motion's own sign
+        for (const std::vector<double> &of_motion : of_node)
+        {
+          double of_touching = 0., largest = 0.;
+          for (unsigned int i = 0; i < of_motion.size(); ++i)
+          {
+            if (std::abs(of_motion[i]) > std::abs(largest))
+              largest = of_motion[i];
+            if (state.force[i][0] > 0.)
+              of_touching += of_motion[i];
+          }
+          stiffness.push_back(std::abs(largest) > std::abs(of_touching) ? largest : of_touching);
+        }
+        return stiffness;
+      }
+
+    private:
+      std::vector<std::vector<double>> of_node; ///< by rigid motion
+    };
 
     /**
      * The proximal point algorithm: a chain of problems with springs, each of which begins where
@@ -62,48 +74,49 @@ namespace ringmotor
     {
       constexpr unsigned int most_steps = 80;
       constexpr double weakest = 1e-8, strongest = 1e5, nearly = 0.05, fulfilled = 1e-10;
-      ContactIterate found;
-      found.state             = start;
-      unsigned int n_problems = 0;
-      double strength         = 1.;
+      const RigidStiffness rigid_stiffness(problem, constants);
+      unsigned int n_systems = 0;
+      const auto judged      = [&](const ContactState &state)
+      {
+        ContactIterate iterate;
+        iterate.state        = state;
+        iterate.motion       = problem.relative_motion(state);
+        iterate.certificate  = certify(problem, bound_of, state, iterate.motion);
+        iterate.n_iterations = n_systems;
+        return iterate;
+      };
+      ContactIterate found = judged(start);
+      double strength      = 1.; // of the springs, compared with the bodies themselves
       for (unsigned int step = 0; step < most_steps && strength < strongest; ++step)
       {
-        const ContactState centre              = found.state;
-        const ProximalProblem::Springs springs = springs_of(problem, constants, centre, strength);
-        const ProximalProblem proximal(problem, centre, springs);
+        ProximalProblem::Springs springs{strength / constants.normal,
+                                         strength / constants.tangential,
+                                         rigid_stiffness.against(found.state)};
+        for (double &stiffness : springs.rigid_stiffness)
+          stiffness *= strength;
+        const ProximalProblem proximal(problem, found.state, springs);
         const ComplementarityConstants softer{constants.normal / (1. + strength),
                                               constants.tangential / (1. + strength)};
-        const ContactIterate next = newton(proximal, bound_of, softer, centre, of_proximal);
-        n_problems += next.n_iterations;
+        const ContactIterate next = newton(proximal, bound_of, softer, found.state, of_proximal);
+        found.n_iterations        = n_systems += next.n_iterations;
         if (next.failed || !(next.certificate.worst() <= of_proximal.converged))
         {
           strength *= 8.;
           continue;
         }
-        found.state = next.state;
-        strength /= 6.;
-        const double distance =
-            certify(problem, bound_of, found.state, problem.relative_motion(found.state)).worst();
-        if (distance > nearly && strength > weakest)
+        found = judged(next.state);
+        strength /= 16.;
+        if (found.certificate.worst() > nearly && strength > weakest)
           continue;
         ContactIterate exact = newton(problem, bound_of, constants, found.state, finishing);
-        n_problems += exact.n_iterations;
-        exact.n_iterations = n_problems;
+        exact.n_iterations = found.n_iterations = n_systems += exact.n_iterations;
         if (exact.certified())
           return exact;
         // The springs' forces vanish as the chain converges, so its limit solves the problem
         // itself, also where that has more solutions than one and Newton's systems are singular.
-        if (distance <= fulfilled)
-        {
-          found.motion       = problem.relative_motion(found.state);
-          found.certificate  = certify(problem, bound_of, found.state, found.motion);
-          found.n_iterations = n_problems;
+        if (found.certificate.worst() <= fulfilled)
           return found;
-        }
       }
-      found.motion       = problem.relative_motion(found.state);
-      found.certificate  = certify(problem, bound_of, found.state, found.motion);
-      found.n_iterations = n_problems;
       // A state that the chain did not confirm is none, even if it fulfils the laws.
       found.failed = found.certificate.holds();
       return found;
@@ -120,6 +133,12 @@ namespace ringmotor
                          [](const PointVector &force) { return std::isfinite(force.norm()); }) &&
              std::all_of(state.rigid.begin(), state.rigid.end(),
                          [](const double motion) { return std::isfinite(motion); });
+    }
+
+    bool has_forces(const ContactState &state)
+    {
+      return std::any_of(state.force.begin(), state.force.end(),
+                         [](const PointVector &force) { return force != PointVector(); });
     }
 
     std::vector<PointStatus> status_of(const ContactIterate &iterate,
@@ -158,7 +177,7 @@ namespace ringmotor
         return true;
       tried << (tried.str().empty() ? "" : ", ") << what << " (";
       if (iterate.failed)
-        tried << "a linear system was singular";
+        tried << "a linear system was not solved";
       else
         tried << iterate.certificate.worst();
       tried << " after " << iterate.n_iterations << ")";
@@ -170,10 +189,14 @@ namespace ringmotor
                              iterate.certificate, n_iterations,   tried.str()};
     };
 
-    const ContactState begin   = is_finite(start) ? start : nothing(problem);
-    const ContactIterate first = newton(problem, bound_of, constants, begin, alone);
-    if (solved(first, "Newton's method"))
-      return solution(first);
+    const ContactState begin = is_finite(start) ? start : nothing(problem);
+    // Without forces Newton's first steps let far too many nodes touch; springs hold them back.
+    if (has_forces(begin))
+    {
+      const ContactIterate first = newton(problem, bound_of, constants, begin, alone);
+      if (solved(first, "Newton's method"))
+        return solution(first);
+    }
     const ContactIterate second = proximal_points(problem, bound_of, constants, begin);
     if (solved(second, "the proximal point algorithm"))
       return solution(second);

@@ -32,6 +32,50 @@ namespace ringmotor
       return memory;
     }
 
+    /**
+     * Makes what points remember and what happened a step earlier agree. The law with a jump has
+     * more than one such state. A point that slips loses the static coefficient; one without it
+     * whose predecessor stuck gets it, but once only, so that the search ends.
+     */
+    class MemoryUpdate
+    {
+    public:
+      MemoryUpdate(const Friction &friction, const std::vector<FrictionMemory> &start)
+          : friction(friction)
+      {
+        for (const FrictionMemory &memory : start)
+          had_stuck.push_back(memory.stuck);
+      }
+
+      /** Changes @p memory where it does not agree with @p found; whether it did. */
+      bool settled(const std::vector<FrictionMemory> &found, const std::vector<PointStatus> &status,
+                   std::vector<FrictionMemory> &memory)
+      {
+        bool settled = true;
+        for (unsigned int point = 0; point < memory.size(); ++point)
+          if (friction.law == FrictionLaw::static_dynamic && status[point] != PointStatus::open)
+          {
+            const bool sticks   = memory[point].stuck
+                                      ? found[point].stuck && status[point] == PointStatus::stick
+                                      : found[point].stuck && !had_stuck[point];
+            settled             = settled && sticks == memory[point].stuck;
+            memory[point].stuck = sticks;
+            had_stuck[point]    = had_stuck[point] || sticks;
+          }
+          else if (friction.law == FrictionLaw::slip_weakening)
+          {
+            settled = settled && std::abs(found[point].slipped - memory[point].slipped) <=
+                                     1e-9 * *friction.weakening_length;
+            memory[point] = found[point];
+          }
+        return settled;
+      }
+
+    private:
+      const Friction &friction;
+      std::vector<char> had_stuck; ///< points that have had the static coefficient
+    };
+
     /** What a user can do where the law itself stands in the way. */
     std::string remedy(const FrictionLaw law)
     {
@@ -62,43 +106,25 @@ namespace ringmotor
   {
   }
 
-  OperatingState SteadyDriver::find(const RotorLoad &load, const ContactState &begin,
-                                    const double speed) const
+  OperatingState SteadyDriver::find(const RotorLoad &load, const Start &start) const
   try
   {
     const auto contact = std::make_shared<const RingContact>(motor, load, n_moments);
-    const bool jumps   = friction.law == FrictionLaw::static_dynamic;
-    // The law with a jump starts with the static limit everywhere; points only lose it.
-    std::vector<FrictionMemory> memory(contact->n_points(), {jumps, 0.});
+    std::vector<FrictionMemory> memory = start.memory;
+    MemoryUpdate update(friction, memory);
     const PointFriction law = [&](const unsigned int point, const double slip)
     { return friction_coefficient(friction, memory[point], slip, contact->time_step()); };
     unsigned int n_iterations = 0;
-    ContactState from         = begin;
+    ContactState from         = start.state;
     from.rigid.resize(contact->n_rigid());
     if (load.torque)
-      from.rigid.back() = speed * contact->time_step();
+      from.rigid.back() = start.speed * contact->time_step();
     for (unsigned int round = 0; round < most_rounds; ++round)
     {
-      ContactSolution solution                = solve_contact(*contact, law, motor.constants, from);
-      n_iterations                            = solution.n_iterations += n_iterations;
-      from                                    = solution.state;
-      const std::vector<FrictionMemory> found = travelled(*contact, solution);
-      bool settled                            = true;
-      for (unsigned int point = 0; point < memory.size(); ++point)
-        if (jumps)
-        {
-          const bool falls = memory[point].stuck && solution.status[point] != PointStatus::open &&
-                             (!found[point].stuck || solution.status[point] == PointStatus::slip);
-          settled             = settled && !falls;
-          memory[point].stuck = memory[point].stuck && !falls;
-        }
-        else if (friction.law == FrictionLaw::slip_weakening)
-        {
-          settled = settled && std::abs(found[point].slipped - memory[point].slipped) <=
-                                   1e-9 * *friction.weakening_length;
-          memory[point] = found[point];
-        }
-      if (settled)
+      ContactSolution solution = solve_contact(*contact, law, motor.constants, from);
+      n_iterations             = solution.n_iterations += n_iterations;
+      from                     = solution.state;
+      if (update.settled(travelled(*contact, solution), solution.status, memory))
         return {contact, std::move(solution), std::move(memory)};
     }
     throw ComputationError("the memory of the friction law did not settle in " +
@@ -109,24 +135,36 @@ namespace ringmotor
     throw ComputationError(error.what() + remedy(friction.law));
   }
 
-  void SteadyDriver::start(const double preload)
+  SteadyDriver::Start SteadyDriver::after(const RingContact &contact,
+                                          const ContactSolution &solution) const
   {
-    // Somewhat below the speed of the wave's crests, where the rotor turns without load.
+    return {solution.state, travelled(contact, solution), contact.speed(solution.state)};
+  }
+
+  SteadyDriver::Start SteadyDriver::from_rest(const RotorLoad &load) const
+  {
+    // Without load the rotor turns somewhat slower than the wave's crests.
     double crest = 0.;
     for (const CondensedMotor::Node &node : motor.nodes)
       crest =
           std::max(crest, motor.angular_frequency * std::abs(node.free_motion[1]) / node.radius);
-    const RotorLoad load{preload, {}, 0.97 * crest};
-    const RingContact contact(motor, load, n_moments);
-    last = find(load, contact.pressed_down(), load.speed);
+    const RotorLoad with_speed{load.preload, {}, load.torque ? 0.97 * crest : load.speed};
+    const RingContact contact(motor, with_speed, n_moments);
+    // The law with a jump starts with the static limit everywhere.
+    const Start pressed{contact.pressed_down(),
+                        std::vector<FrictionMemory>(contact.n_points(), {true, 0.}),
+                        with_speed.speed};
+    if (!load.torque)
+      return pressed;
+    const OperatingState state = find(with_speed, pressed);
+    return after(*state.contact, state.solution);
   }
 
   OperatingState SteadyDriver::at(const RotorLoad &load)
   {
-    if (!last)
-      start(load.preload);
-    last = find(load, last->solution.state, last->contact->speed(last->solution.state));
-    return *last;
+    const OperatingState state = find(load, next ? *next : from_rest(load));
+    next                       = after(*state.contact, state.solution);
+    return state;
   }
 
   namespace
@@ -153,19 +191,23 @@ namespace ringmotor
         for (unsigned int r = 0; r < n_rigid; ++r)
           result.rigid[m * n_rigid + r] = state.rigid[r];
       }
-      if (state.rigid.size() > n_rigid)
-        result.rigid.back() = state.rigid.back() / n_samples;
       return result;
     }
   } // namespace
 
-  void SteadyDriver::go_on_from(const RotorLoad &load, const ContactState &state)
+  void SteadyDriver::go_on_from(const RotorLoad &load, const ContactSolution &solution)
   {
-    const auto contact   = std::make_shared<const RingContact>(motor, load, n_moments),
-               coarse    = std::make_shared<const RingContact>(motor, load, 1);
-    last                 = OperatingState{contact, {}, {}};
-    last->solution.state = n_moments > 1 && state.force.size() == coarse->n_points()
-                               ? with_more_samples(*coarse, state, *contact)
-                               : state;
+    const RingContact contact(motor, load, n_moments), coarse(motor, load, 1);
+    if (solution.state.force.size() == contact.n_points())
+    {
+      next = after(contact, solution);
+      return;
+    }
+    next        = after(coarse, solution);
+    next->state = with_more_samples(coarse, solution.state, contact);
+    std::vector<FrictionMemory> memory;
+    for (unsigned int point = 0; point < contact.n_points(); ++point)
+      memory.push_back(next->memory[point % coarse.n_points()]);
+    next->memory = memory;
   }
 } // namespace ringmotor

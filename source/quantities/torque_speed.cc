@@ -13,13 +13,17 @@ namespace ringmotor
 
   namespace
   {
-    /** The state that a point of the steady state was found in. */
-    ContactState state_of(const CurvePoint &point)
+    /** The solution by which a point of the steady state was found, without its certificate. */
+    ContactSolution solution_of(const CurvePoint &point)
     {
-      ContactState state{point.fields.force, point.fields.rigid};
+      ContactSolution solution;
+      solution.state  = {point.fields.force, point.fields.rigid};
+      solution.motion = point.fields.motion;
       if (point.request.control == Control::torque)
-        state.rigid.push_back(point.fields.turn);
-      return state;
+        solution.state.rigid.push_back(point.fields.turn);
+      for (const unsigned char status : point.fields.status)
+        solution.status.push_back(static_cast<PointStatus>(status));
+      return solution;
     }
   } // namespace
 
@@ -100,11 +104,11 @@ namespace ringmotor
       if (std::optional<CurvePoint> known = memory->recall(request))
       {
         if (!is_marched(parameters))
-          steady.go_on_from(load_of(parameters.loading, request), state_of(*known));
+          steady.go_on_from(load_of(parameters.loading, request), solution_of(*known));
         return *known;
       }
     if (start && !is_marched(parameters))
-      steady.go_on_from(load_of(parameters.loading, request), state_of(*start));
+      steady.go_on_from(load_of(parameters.loading, request), solution_of(*start));
     const auto begin = std::chrono::steady_clock::now();
     CurvePoint point =
         is_marched(parameters) ? find_marched(parameters, motor, request) : find_steady(request);

@@ -32,9 +32,8 @@ namespace ringmotor
   using PointFriction = std::function<FrictionCoefficient(unsigned int point, double slip)>;
 
   /**
-   * Solves a contact problem with friction by the semi-smooth Newton method. If its iterates do not
-   * settle, other constants are tried, and then starts from states of smoothed friction, which is
-   * smoothed less and less.
+   * Solves a contact problem with friction by the semi-smooth Newton method. Where its iterates do
+   * not settle, or @p start has no forces, the proximal point algorithm leads it to the solution.
    *
    * @throws ComputationError if nothing converged to a state that certifies.
    */

@@ -36,19 +36,26 @@ namespace ringmotor
     OperatingState at(const RotorLoad &load);
 
     /** Takes a known state as that from which the next one is to be found. It may have one time
-     * sample only: then those between follow from it. */
-    void go_on_from(const RotorLoad &load, const ContactState &state);
+     * sample only: then those between follow from it. Of @p solution the state, the motion and the
+     * status of all points are used. */
+    void go_on_from(const RotorLoad &load, const ContactSolution &solution);
 
   private:
-    /** Solves from another state, of this or the other control, in which the rotor turns with
-     * @p speed (rad/s). */
-    OperatingState find(const RotorLoad &load, const ContactState &begin, const double speed) const;
-    void start(const double preload);
+    /** From where a state is looked for. */
+    struct Start
+    {
+      ContactState state;
+      std::vector<FrictionMemory> memory;
+      double speed; ///< rad/s
+    };
+    OperatingState find(const RotorLoad &load, const Start &start) const;
+    Start from_rest(const RotorLoad &load) const;
+    Start after(const RingContact &contact, const ContactSolution &solution) const;
 
     const CondensedMotor &motor;
     const Friction friction;
     const unsigned int n_moments;
-    std::optional<OperatingState> last;
+    std::optional<Start> next;
   };
 
   /** How far each point has slipped (m) since it stuck or came into contact, at the end of the
