@@ -44,7 +44,7 @@ namespace ringmotor
 
     private:
       CondensedMotor condense(const unsigned int level);
-      std::vector<CurvePoint> find(const Parameters &divided, const CondensedMotor &motor,
+      std::vector<CurvePoint> find(const Parameters &of_points, const CondensedMotor &motor,
                                    const CurveSetting &setting,
                                    const std::vector<PointRequest> &requests,
                                    const std::vector<CurvePoint> &starts);
@@ -68,7 +68,7 @@ namespace ringmotor
       const StatorWave wave;
       std::optional<ContactKeep> keep; ///< of run(); a study measures what it costs without
       const std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
-      static constexpr double growth = 1.5; ///< exponent of the seconds of a point, measured
+      static constexpr double growth = 1.5; ///< exponent of the seconds of a point, assumed
       double seconds_per_unknown     = 0.;  ///< to that exponent, at the last point
       CurveSearch search;
     };
@@ -96,10 +96,10 @@ namespace ringmotor
           wave(read_stator_wave(parameters.output.directory + "/stator/modes.h5", parameters)),
           search(parameters, wave.relative_error,
                  {[this](const unsigned int level) { return condense(level); },
-                  [this](const Parameters &divided, const CondensedMotor &motor,
+                  [this](const Parameters &of_points, const CondensedMotor &motor,
                          const CurveSetting &setting, const std::vector<PointRequest> &requests,
                          const std::vector<CurvePoint> &starts)
-                  { return find(divided, motor, setting, requests, starts); }})
+                  { return find(of_points, motor, setting, requests, starts); }})
     {
       for (const std::string &warning : check_for_contact(parameters))
         log.line("warning: " + warning);
@@ -148,7 +148,7 @@ namespace ringmotor
       return motor;
     }
 
-    std::vector<CurvePoint> ContactProgram::find(const Parameters &divided,
+    std::vector<CurvePoint> ContactProgram::find(const Parameters &of_points,
                                                  const CondensedMotor &motor,
                                                  const CurveSetting &setting,
                                                  const std::vector<PointRequest> &requests,
@@ -156,20 +156,21 @@ namespace ringmotor
     {
       const auto scope = phases.measure(
           "operating points, interface mesh " + std::to_string(setting.level) + ", step " +
-          std::to_string(setting.n_parts) + (setting.wave_factor == 1. ? "" : ", wave changed"));
+          (setting.n_joined > 1 ? std::to_string(setting.n_joined)
+                                : "1/" + std::to_string(setting.n_parts)) +
+          (setting.wave_factor == 1. ? "" : ", wave changed"));
       tell_price(motor, setting, requests.size());
       unsigned int n_found   = 0;
       const auto after_point = [&](const CurvePoint &point)
       {
         log.progress("operating points", std::min(1., ++n_found / (1. * requests.size())));
-        const double n_unknowns = motor.nodes.size() * point.fields.times.size();
+        const double n_unknowns = motor.nodes.size() * setting.n_parts;
         seconds_per_unknown     = point.seconds / std::pow(n_unknowns, growth);
         check_time_limit();
       };
-      return keep ? keep->points(divided, motor, setting.level, requests, after_point,
-                                 setting.wave_factor, starts)
-                  : find_points(divided, motor, requests, MPI_COMM_WORLD, after_point, nullptr,
-                                starts);
+      return keep ? keep->points(of_points, motor, setting, requests, after_point, starts)
+                  : find_points(of_points, motor, setting, requests, MPI_COMM_WORLD, after_point,
+                                nullptr, starts);
     }
 
     void ContactProgram::tell_price(const CondensedMotor &motor, const CurveSetting &setting,

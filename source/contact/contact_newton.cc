@@ -7,7 +7,8 @@ namespace ringmotor
 {
   ContactIterate newton(const ContactProblem &problem, const FrictionBoundOf &bound_of,
                         const ComplementarityConstants &constants, const ContactState &start,
-                        const NewtonLimits &limits)
+                        const NewtonLimits &limits, RowSolver &solver,
+                        const std::vector<PointVector> &seen)
   {
     ContactIterate iterate;
     iterate.state        = start;
@@ -16,9 +17,14 @@ namespace ringmotor
     unsigned int of_gain = 0; // iteration of the last gain
     while (iterate.n_iterations < limits.most_iterations)
     {
-      const NewtonSystem system(problem, bound_of, constants, iterate.state, iterate.motion);
+      const bool is_first                      = iterate.n_iterations == 0 && !seen.empty();
+      const std::vector<PointVector> chosen_by = is_first ? seen : iterate.motion;
+      const NewtonSystem system(problem, bound_of, constants, chosen_by, iterate.state,
+                                iterate.motion);
+      if (system.n_touching() > limits.most_touching)
+        break;
       ++iterate.n_iterations;
-      iterate.failed = !system.solve(iterate.state);
+      iterate.failed = !system.solve(solver, iterate.state);
       if (iterate.failed)
         break;
       iterate.motion      = problem.relative_motion(iterate.state);

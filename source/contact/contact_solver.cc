@@ -12,7 +12,13 @@ namespace ringmotor
 {
   namespace
   {
-    constexpr NewtonLimits alone{40}, finishing{12}, of_proximal{12, 1e-3};
+    constexpr NewtonLimits finishing{12}, of_proximal{12, 1e-3};
+
+    unsigned int n_pressed(const ContactState &state)
+    {
+      return std::count_if(state.force.begin(), state.force.end(),
+                           [](const PointVector &force) { return force[0] > 0.; });
+    }
 
     /** What elastic nodes would hold the rigid motions with, if only their own compliance gave way:
      * a scale for the springs of these motions. */
@@ -70,7 +76,7 @@ namespace ringmotor
      */
     ContactIterate proximal_points(const ContactProblem &problem, const FrictionBoundOf &bound_of,
                                    const ComplementarityConstants &constants,
-                                   const ContactState &start)
+                                   const ContactState &start, RowSolver &solver)
     {
       constexpr unsigned int most_steps = 80;
       constexpr double weakest = 1e-8, strongest = 1e5, nearly = 0.05, fulfilled = 1e-10;
@@ -86,7 +92,8 @@ namespace ringmotor
         return iterate;
       };
       ContactIterate found = judged(start);
-      double strength      = 1.; // of the springs, compared with the bodies themselves
+      // Of the springs, compared with the bodies themselves.
+      double strength = n_pressed(start) > 0 ? 1. / 16. : 1.;
       for (unsigned int step = 0; step < most_steps && strength < strongest; ++step)
       {
         ProximalProblem::Springs springs{strength / constants.normal,
@@ -97,8 +104,10 @@ namespace ringmotor
         const ProximalProblem proximal(problem, found.state, springs);
         const ComplementarityConstants softer{constants.normal / (1. + strength),
                                               constants.tangential / (1. + strength)};
-        const ContactIterate next = newton(proximal, bound_of, softer, found.state, of_proximal);
-        found.n_iterations        = n_systems += next.n_iterations;
+        RowSolver of_springs; // whose systems are others
+        const ContactIterate next =
+            newton(proximal, bound_of, softer, found.state, of_proximal, of_springs);
+        found.n_iterations = n_systems += next.n_iterations;
         if (next.failed || !(next.certificate.worst() <= of_proximal.converged))
         {
           strength *= 8.;
@@ -108,7 +117,7 @@ namespace ringmotor
         strength /= 16.;
         if (found.certificate.worst() > nearly && strength > weakest)
           continue;
-        ContactIterate exact = newton(problem, bound_of, constants, found.state, finishing);
+        ContactIterate exact = newton(problem, bound_of, constants, found.state, finishing, solver);
         exact.n_iterations = found.n_iterations = n_systems += exact.n_iterations;
         if (exact.certified())
           return exact;
@@ -135,12 +144,6 @@ namespace ringmotor
                          [](const double motion) { return std::isfinite(motion); });
     }
 
-    bool has_forces(const ContactState &state)
-    {
-      return std::any_of(state.force.begin(), state.force.end(),
-                         [](const PointVector &force) { return force != PointVector(); });
-    }
-
     std::vector<PointStatus> status_of(const ContactIterate &iterate,
                                        const FrictionBoundOf &bound_of)
     {
@@ -160,7 +163,8 @@ namespace ringmotor
 
   ContactSolution solve_contact(const ContactProblem &problem, const PointFriction &friction,
                                 const ComplementarityConstants &constants,
-                                const ContactState &start)
+                                const ContactState &start, const std::vector<PointVector> &seen,
+                                RowSolver &solver)
   {
     const FrictionBoundOf bound_of =
         [&](const unsigned int point, const double pressure_force, const double slip)
@@ -191,19 +195,29 @@ namespace ringmotor
 
     const ContactState begin = is_finite(start) ? start : nothing(problem);
     // Without forces Newton's first steps let far too many nodes touch; springs hold them back.
-    if (has_forces(begin))
+    if (const unsigned int n = n_pressed(begin); n > 0)
     {
-      const ContactIterate first = newton(problem, bound_of, constants, begin, alone);
+      NewtonLimits alone{40};
+      alone.most_touching        = 2 * n + 20;
+      const ContactIterate first = newton(problem, bound_of, constants, begin, alone, solver, seen);
       if (solved(first, "Newton's method"))
         return solution(first);
     }
-    const ContactIterate second = proximal_points(problem, bound_of, constants, begin);
+    const ContactIterate second = proximal_points(problem, bound_of, constants, begin, solver);
     if (solved(second, "the proximal point algorithm"))
       return solution(second);
     throw ComputationError("the contact problem of " + std::to_string(problem.n_points()) +
                            " points was not solved; tried, with the largest violation of the laws "
                            "of contact and the linear problems solved: " +
                            tried.str());
+  }
+
+  ContactSolution solve_contact(const ContactProblem &problem, const PointFriction &friction,
+                                const ComplementarityConstants &constants,
+                                const ContactState &start)
+  {
+    RowSolver solver;
+    return solve_contact(problem, friction, constants, start, {}, solver);
   }
 
   ContactSolution solve_without_friction(const ContactProblem &problem,

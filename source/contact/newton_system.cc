@@ -31,7 +31,8 @@ namespace ringmotor
   };
 
   NewtonSystem::NewtonSystem(const ContactProblem &problem, const FrictionBoundOf &bound_of,
-                             const ComplementarityConstants &constants, ContactState &state,
+                             const ComplementarityConstants &constants,
+                             const std::vector<PointVector> &seen, ContactState &state,
                              std::vector<PointVector> &motion)
       : problem(problem), constants(constants)
   {
@@ -40,12 +41,11 @@ namespace ringmotor
     for (unsigned int i = 0; i < state.force.size(); ++i)
     {
       PointVector &force = state.force[i];
-      const double reach = force[0] - constants.normal * motion[i][0];
+      const double reach = force[0] - constants.normal * seen[i][0];
       if (reach > 0.)
       {
         touching.push_back(i);
-        choices.push_back(
-            choice_of(force, motion[i], bound_of(i, reach, tangential_norm(motion[i]))));
+        choices.push_back(choice_of(force, seen[i], bound_of(i, reach, tangential_norm(seen[i]))));
       }
       else
       {
@@ -121,7 +121,7 @@ namespace ringmotor
     }
   }
 
-  bool NewtonSystem::solve(ContactState &state) const
+  bool NewtonSystem::solve(RowSolver &solver, ContactState &state) const
   {
     Vector<double> solution(3 * touching.size() + balances.size());
     for (unsigned int a = 0; a < touching.size(); ++a)
@@ -129,8 +129,7 @@ namespace ringmotor
         solution[3 * a + c] = rows[a].right_hand_side[c];
     for (unsigned int r = 0; r < balances.size(); ++r)
       solution[3 * touching.size() + r] = -balances[r];
-    if (!solve_contact_rows(problem, touching, rows, solution) ||
-        !std::isfinite(solution.l1_norm()))
+    if (!solver.solve(problem, touching, rows, solution) || !std::isfinite(solution.l1_norm()))
       return false;
     for (unsigned int a = 0; a < touching.size(); ++a)
       for (unsigned int c = 0; c < 3; ++c)

@@ -22,15 +22,17 @@ namespace ringmotor
   } // namespace
 
   RingContact::RingContact(const CondensedMotor &motor, const RotorLoad &load,
-                           const unsigned int n_moments)
+                           const SteadyStep &steady_step)
       : motor(motor), load(load), fold(motor.n_repeats()), n_sectors(motor.n_teeth / fold),
-        n_nodes(motor.nodes.size()), n_moments(n_moments),
-        step(motor.period() / (n_sectors * n_moments)),
-        steady_neighbour(neighbour_of(motor.n_waves, motor.n_teeth, fold)),
+        n_nodes(motor.nodes.size()), n_moments(steady_step.n_moments),
+        step(motor.period() * steady_step.n_joined / (n_sectors * n_moments)),
+        steady_neighbour(steady_step.n_joined * neighbour_of(motor.n_waves, motor.n_teeth, fold) %
+                         n_sectors),
         // Forces that repeat themselves around the ring shift and tilt nothing.
         n_rigid_of_moment(fold > 1 ? 1 : 1 + 2 * motor.loose_motions.size()),
         compliance(motor.repeating())
   {
+    Assert(n_moments == 1 || steady_step.n_joined == 1, ExcMessage("one moment, or short steps"));
     place_stator(0., Warp());
     tabulate_rigid_motions();
   }

@@ -101,17 +101,18 @@ namespace ringmotor
   }
 
   SteadyDriver::SteadyDriver(const CondensedMotor &motor, const Friction &friction,
-                             const unsigned int n_moments)
-      : motor(motor), friction(friction), n_moments(n_moments)
+                             const SteadyStep &step)
+      : motor(motor), friction(friction), step(step)
   {
   }
 
   OperatingState SteadyDriver::find(const RotorLoad &load, const Start &start) const
   try
   {
-    const auto contact = std::make_shared<const RingContact>(motor, load, n_moments);
+    const auto contact                 = std::make_shared<const RingContact>(motor, load, step);
     std::vector<FrictionMemory> memory = start.memory;
     MemoryUpdate update(friction, memory);
+    RowSolver solver;
     const PointFriction law = [&](const unsigned int point, const double slip)
     { return friction_coefficient(friction, memory[point], slip, contact->time_step()); };
     unsigned int n_iterations = 0;
@@ -121,9 +122,11 @@ namespace ringmotor
       from.rigid.back() = start.speed * contact->time_step();
     for (unsigned int round = 0; round < most_rounds; ++round)
     {
-      ContactSolution solution = solve_contact(*contact, law, motor.constants, from);
-      n_iterations             = solution.n_iterations += n_iterations;
-      from                     = solution.state;
+      ContactSolution solution =
+          solve_contact(*contact, law, motor.constants, from,
+                        round == 0 ? start.motion : std::vector<PointVector>(), solver);
+      n_iterations = solution.n_iterations += n_iterations;
+      from         = solution.state;
       if (update.settled(travelled(*contact, solution), solution.status, memory))
         return {contact, std::move(solution), std::move(memory)};
     }
@@ -135,12 +138,6 @@ namespace ringmotor
     throw ComputationError(error.what() + remedy(friction.law));
   }
 
-  SteadyDriver::Start SteadyDriver::after(const RingContact &contact,
-                                          const ContactSolution &solution) const
-  {
-    return {solution.state, travelled(contact, solution), contact.speed(solution.state)};
-  }
-
   SteadyDriver::Start SteadyDriver::from_rest(const RotorLoad &load) const
   {
     // Without load the rotor turns somewhat slower than the wave's crests.
@@ -149,21 +146,25 @@ namespace ringmotor
       crest =
           std::max(crest, motor.angular_frequency * std::abs(node.free_motion[1]) / node.radius);
     const RotorLoad with_speed{load.preload, {}, load.torque ? 0.97 * crest : load.speed};
-    const RingContact contact(motor, with_speed, n_moments);
+    const RingContact contact(motor, with_speed, step);
     // The law with a jump starts with the static limit everywhere.
     const Start pressed{contact.pressed_down(),
+                        {},
                         std::vector<FrictionMemory>(contact.n_points(), {true, 0.}),
                         with_speed.speed};
     if (!load.torque)
       return pressed;
     const OperatingState state = find(with_speed, pressed);
-    return after(*state.contact, state.solution);
+    return {state.solution.state, state.solution.motion, travelled(*state.contact, state.solution),
+            with_speed.speed};
   }
 
   OperatingState SteadyDriver::at(const RotorLoad &load)
   {
     const OperatingState state = find(load, next ? *next : from_rest(load));
-    next                       = after(*state.contact, state.solution);
+    next                       = Start{state.solution.state, state.solution.motion,
+                 travelled(*state.contact, state.solution),
+                 state.contact->speed(state.solution.state)};
     return state;
   }
 
@@ -195,19 +196,19 @@ namespace ringmotor
     }
   } // namespace
 
-  void SteadyDriver::go_on_from(const RotorLoad &load, const ContactSolution &solution)
+  void SteadyDriver::go_on_from(const RotorLoad &load, const ContactSolution &solution,
+                                const double speed)
   {
-    const RingContact contact(motor, load, n_moments), coarse(motor, load, 1);
+    const RingContact contact(motor, load, step);
     if (solution.state.force.size() == contact.n_points())
     {
-      next = after(contact, solution);
+      next = Start{solution.state, solution.motion, travelled(contact, solution), speed};
       return;
     }
-    next        = after(coarse, solution);
-    next->state = with_more_samples(coarse, solution.state, contact);
-    std::vector<FrictionMemory> memory;
+    const RingContact coarse(motor, load, SteadyStep());
+    next = Start{with_more_samples(coarse, solution.state, contact), {}, {}, speed};
+    const std::vector<FrictionMemory> memory = travelled(coarse, solution);
     for (unsigned int point = 0; point < contact.n_points(); ++point)
-      memory.push_back(next->memory[point % coarse.n_points()]);
-    next->memory = memory;
+      next->memory.push_back(memory[point % coarse.n_points()]);
   }
 } // namespace ringmotor

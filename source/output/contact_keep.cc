@@ -131,15 +131,17 @@ namespace ringmotor
 
   std::vector<CurvePoint>
   ContactKeep::points(const Parameters &parameters, const CondensedMotor &motor,
-                      const unsigned int level, const std::vector<PointRequest> &requests,
+                      const CurveSetting &setting, const std::vector<PointRequest> &requests,
                       const std::function<void(const CurvePoint &)> &after_point,
-                      const double wave_factor, const std::vector<CurvePoint> &starts)
+                      const std::vector<CurvePoint> &starts)
   {
     std::ostringstream key;
     key << std::setprecision(std::numeric_limits<double>::max_digits10)
-        << points_key(parameters, wave, level) << "wave times " << wave_factor << "\n";
+        << points_key(parameters, wave, setting.level) << "step " << setting.n_joined << "/"
+        << setting.n_parts << "\nwave times " << setting.wave_factor << "\n";
     Points memory(points_folder, key.str(), counts);
-    return find_points(parameters, motor, requests, communicator, after_point, &memory, starts);
+    return find_points(parameters, motor, setting, requests, communicator, after_point, &memory,
+                       starts);
   }
 
   void ContactKeep::report()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/quantities/curve_search.h>
+#include <ringmotor/quantities/mesh_transfer.h>
 
 #include <algorithm>
 #include <chrono>
@@ -19,6 +20,17 @@ namespace ringmotor
     unsigned int compared_with(const unsigned int level)
     {
       return level == 0 ? 1 : level - 1;
+    }
+
+    bool are_equal(const CurveSetting &a, const CurveSetting &b)
+    {
+      return !(a < b) && !(b < a);
+    }
+
+    /** Steps in the time in which a tooth comes to be where another one was. */
+    double steps_of(const CurveSetting &setting)
+    {
+      return setting.n_parts / static_cast<double>(setting.n_joined);
     }
 
     /** The same motor with a wave that moves its surface faster, but not higher. */
@@ -57,28 +69,56 @@ namespace ringmotor
           "; run the program stator with these parameters (and Accuracy/Mode = adaptive) first");
     reached_level = is_fixed ? accuracy.interface_refinement : 1;
     find_requests(parts_to_start_with());
-    if (!is_fixed)
-      balance_powers();
-    evaluate();
-    while (!is_fixed && worst_error() > accuracy.contact_target)
+    while (true)
     {
-      refine();
-      balance_powers();
+      if (!is_fixed)
+      {
+        refine_meshes();
+        balance_powers();
+      }
       evaluate();
+      if (is_fixed || worst_error() <= accuracy.contact_target)
+        return;
+      refine();
     }
+  }
+
+  void CurveSearch::refine_meshes()
+  {
+    // Short steps and other waves are worth their price on the meshes that stay.
+    const auto is_too_coarse = [&](const unsigned int request)
+    { return relative(mesh_error(request)) > parameters.accuracy.contact_target; };
+    while (true)
+    {
+      find_on_both_meshes();
+      const std::vector<unsigned int> all = all_requests();
+      if (reached_level == finest_level || std::none_of(all.begin(), all.end(), is_too_coarse))
+        return;
+      take_finer_meshes();
+    }
+  }
+
+  void CurveSearch::take_finer_meshes()
+  {
+    ++reached_level;
+    motors.erase(motors.begin(), motors.lower_bound(compared_with(reached_level)));
   }
 
   void CurveSearch::balance_powers()
   {
-    // All at once, each from the one before; those with shorter steps start from them.
-    std::vector<unsigned int> all(requests.size());
-    std::iota(all.begin(), all.end(), 0u);
-    points_of(plain_setting(reached_level), all);
-    for (unsigned int i = 0; i < requests.size(); ++i)
-      while (n_parts[i] < most_parts &&
-             point_of({reached_level, n_parts[i]}, i).result.power_imbalance() >
-                 OperatingPoint::largest_imbalance)
-        n_parts[i] += (n_parts[i] + 2) / 3;
+    for (bool is_balanced = false; !is_balanced;)
+    {
+      find_with_own_steps();
+      is_balanced = true;
+      for (const unsigned int i : all_requests())
+        if (n_parts[i] < most_parts &&
+            point_of({reached_level, n_parts[i]}, i).result.power_imbalance() >
+                OperatingPoint::largest_imbalance)
+        {
+          n_parts[i] += (n_parts[i] + 2) / 3;
+          is_balanced = false;
+        }
+    }
   }
 
   void CurveSearch::refine()
@@ -100,10 +140,7 @@ namespace ringmotor
     if (!needs_mesh)
       return;
     if (reached_level < finest_level)
-    {
-      ++reached_level;
-      motors.erase(motors.begin(), motors.lower_bound(compared_with(reached_level)));
-    }
+      take_finer_meshes();
     else if (!shortened)
       throw ComputationError(
           "speeds and torques are known to " + short_text(worst_error()) +
@@ -112,25 +149,51 @@ namespace ringmotor
           (is_marched(parameters) ? ", or a smaller Time/Time step" : ""));
   }
 
-  unsigned int CurveSearch::parts_for(const unsigned int n_steps) const
+  namespace
   {
-    if (is_marched(parameters))
-      return 1;
-    const unsigned int n_teeth_that_differ =
-        parameters.motor.n_teeth / std::gcd(parameters.motor.n_waves, parameters.motor.n_teeth);
-    return (n_steps - 1 + n_teeth_that_differ) / n_teeth_that_differ;
-  }
+    /** Teeth after which all repeats itself: steps in a period of the wave, undivided. */
+    unsigned int teeth_that_differ(const Motor &motor)
+    {
+      return motor.n_teeth / std::gcd(motor.n_waves, motor.n_teeth);
+    }
+
+    /** Parts of a step so that a period has so many steps or more. */
+    unsigned int parts_for(const Motor &motor, const unsigned int n_steps)
+    {
+      return (n_steps - 1 + teeth_that_differ(motor)) / teeth_that_differ(motor);
+    }
+
+    constexpr unsigned int few_steps = 45, many_steps = 90; ///< in a period
+  }                                                         // namespace
 
   CurveSetting CurveSearch::plain_setting(const unsigned int level) const
   {
-    return {level, parts_for(45)};
+    CurveSetting plain{level};
+    if (is_marched(parameters))
+      return plain;
+    plain.n_parts = parts_for(parameters.motor, few_steps);
+    while (2 * plain.n_joined * few_steps <= teeth_that_differ(parameters.motor))
+      plain.n_joined *= 2;
+    return plain;
+  }
+
+  CurveSetting CurveSearch::compared_step(const unsigned int request) const
+  {
+    CurveSetting other = plain_setting(reached_level);
+    if (other.n_joined == 1 && other.n_parts == n_parts[request])
+      other.n_parts *= 2;
+    return other;
   }
 
   unsigned int CurveSearch::parts_to_start_with() const
   {
-    if (parameters.accuracy.mode == AccuracyMode::fixed || is_marched(parameters))
+    if (is_marched(parameters))
+      return 1;
+    if (parameters.accuracy.mode == AccuracyMode::fixed)
       return parameters.time.n_snapshots;
-    return std::max({plain_setting(0).n_parts + 1, parts_for(90), parameters.time.n_snapshots});
+    const CurveSetting plain = plain_setting(0);
+    return std::max({plain.n_joined > 1 ? 1 : plain.n_parts + 1,
+                     parts_for(parameters.motor, many_steps), parameters.time.n_snapshots});
   }
 
   const CondensedMotor &CurveSearch::motor_of(const unsigned int level)
@@ -146,41 +209,56 @@ namespace ringmotor
     return *motor;
   }
 
-  std::vector<CurvePoint> CurveSearch::points_of(const CurveSetting &setting,
-                                                 const std::vector<unsigned int> &wanted)
+  void CurveSearch::find_points_of(const CurveSetting &setting,
+                                   const std::vector<unsigned int> &wanted)
   {
     std::vector<unsigned int> missing;
     for (const unsigned int request : wanted)
       if (known[setting].count(request) == 0)
         missing.push_back(request);
-    if (!missing.empty())
-      compute(setting, missing);
-    std::vector<CurvePoint> points;
-    for (const unsigned int request : wanted)
-      points.push_back(known[setting].at(request));
-    return points;
-  }
-
-  void CurveSearch::compute(const CurveSetting &setting, const std::vector<unsigned int> &missing)
-  {
+    if (missing.empty())
+      return;
+    const std::vector<CurvePoint> starts = starts_for(setting, missing);
     std::vector<PointRequest> asked;
     for (const unsigned int request : missing)
       asked.push_back(requests[request]);
-    // Short steps and other waves are found from the state of one step per pitch.
-    const CurveSetting plain = plain_setting(setting.level);
-    std::vector<CurvePoint> starts;
-    if (plain < setting && (plain.n_parts == 1 || plain.n_parts == setting.n_parts))
-      starts = points_of(plain, missing);
-    const Parameters divided = with_parts_of_a_step(parameters, setting.n_parts);
-    std::vector<CurvePoint> points;
-    if (setting.wave_factor == 1.)
-      points = sources.points(divided, motor_of(setting.level), setting, asked, starts);
-    else
-      points =
-          sources.points(divided, with_faster_wave(motor_of(setting.level), setting.wave_factor),
-                         setting, asked, starts);
+    const CondensedMotor &motor = motor_of(setting.level);
+    const std::vector<CurvePoint> points =
+        setting.wave_factor == 1.
+            ? sources.points(parameters, motor, setting, asked, starts)
+            : sources.points(parameters, with_faster_wave(motor, setting.wave_factor), setting,
+                             asked, starts);
     for (unsigned int i = 0; i < missing.size(); ++i)
       known[setting][missing[i]] = points[i];
+  }
+
+  std::vector<CurvePoint> CurveSearch::starts_for(const CurveSetting &setting,
+                                                  const std::vector<unsigned int> &wanted)
+  {
+    std::vector<CurvePoint> starts;
+    const CurveSetting plain = plain_setting(setting.level);
+    if (!are_equal(setting, plain)) // short steps and other waves
+    {
+      if (plain.n_parts == 1 || plain.n_parts == setting.n_parts)
+        for (const unsigned int request : wanted)
+          starts.push_back(point_of(plain, request));
+      return starts;
+    }
+    for (const auto &[level, motor] : motors)
+    {
+      const auto points = known.find(plain_setting(level));
+      if (level == setting.level || is_marched(parameters) || points == known.end() ||
+          std::any_of(wanted.begin(), wanted.end(),
+                      [&](const unsigned int i) { return points->second.count(i) == 0; }))
+        continue;
+      for (const unsigned int request : wanted)
+      {
+        starts.push_back(points->second.at(request));
+        starts.back().fields = transferred(starts.back().fields, *motor, motor_of(setting.level));
+      }
+      break;
+    }
+    return starts;
   }
 
   void CurveSearch::find_requests(const unsigned int n_parts_to_start_with)
@@ -212,23 +290,26 @@ namespace ringmotor
     n_parts.assign(requests.size(), n_parts_to_start_with);
   }
 
+  PointError CurveSearch::mesh_error(const unsigned int request)
+  {
+    constexpr double margin = 2.;
+    PointError error        = change(point_of(plain_setting(compared_with(reached_level)), request),
+                                     point_of(plain_setting(reached_level), request));
+    error *= margin;
+    return error;
+  }
+
   PointErrors CurveSearch::errors_of(const unsigned int request)
   {
-    constexpr double margin  = 2.;
-    const CurveSetting plain = plain_setting(reached_level);
-    const unsigned int parts = n_parts[request];
-    const CurvePoint before  = point_of(plain, request),
-                     coarse  = point_of(plain_setting(compared_with(reached_level)), request),
-                     faster  = point_of({reached_level, plain.n_parts, 1. + wave_error}, request),
-                     point   = point_of({reached_level, parts}, request);
+    const CurveSetting own{reached_level, n_parts[request]}, other = compared_step(request);
+    const CurvePoint &point = point_of(own, request);
     PointErrors errors;
-    errors.mesh = change(coarse, before);
-    errors.mesh *= margin;
+    errors.mesh = mesh_error(request);
     // Of first order, C / n with n steps per pitch: C follows from two of them.
-    const unsigned int other = parts == plain.n_parts ? 2 * parts : plain.n_parts;
-    errors.time              = change(point, point_of({reached_level, other}, request));
-    errors.time *= static_cast<double>(other) / std::abs(static_cast<double>(other) - parts);
-    errors.wave                  = change(before, faster);
+    errors.time = change(point, point_of(other, request));
+    errors.time *= steps_of(other) / std::abs(steps_of(other) - steps_of(own));
+    errors.wave =
+        change(point_of(plain_setting(reached_level), request), point_of(changed_wave(), request));
     errors.window                = point.window;
     const OperatingPoint &result = point.result;
     const bool of_torque         = requests[request].control == Control::torque;
@@ -239,26 +320,46 @@ namespace ringmotor
     return errors;
   }
 
-  void CurveSearch::evaluate()
+  CurveSetting CurveSearch::changed_wave() const
   {
-    // Together as far as possible: each point starts from the one before, and ranks share them.
-    const CurveSetting plain = plain_setting(reached_level);
+    CurveSetting setting = plain_setting(reached_level);
+    setting.wave_factor  = 1. + wave_error;
+    return setting;
+  }
+
+  std::vector<unsigned int> CurveSearch::all_requests() const
+  {
     std::vector<unsigned int> all(requests.size());
     std::iota(all.begin(), all.end(), 0u);
-    for (const CurveSetting &setting :
-         {plain, plain_setting(compared_with(reached_level)),
-          CurveSetting{reached_level, plain.n_parts, 1. + wave_error}})
-      points_of(setting, all);
+    return all;
+  }
+
+  void CurveSearch::find_on_both_meshes()
+  {
+    find_points_of(plain_setting(reached_level), all_requests());
+    find_points_of(plain_setting(compared_with(reached_level)), all_requests());
+  }
+
+  void CurveSearch::find_with_own_steps()
+  {
     for (const unsigned int parts : std::set<unsigned int>(n_parts.begin(), n_parts.end()))
     {
       std::vector<unsigned int> these;
-      for (const unsigned int i : all)
+      for (const unsigned int i : all_requests())
         if (n_parts[i] == parts)
           these.push_back(i);
-      points_of({reached_level, parts == plain.n_parts ? 2 * parts : parts}, these);
+      find_points_of({reached_level, parts}, these);
     }
+  }
+
+  void CurveSearch::evaluate()
+  {
+    // Together as far as possible: ranks share them.
+    find_on_both_meshes();
+    find_points_of(changed_wave(), all_requests());
+    find_with_own_steps();
     results.clear();
-    for (const unsigned int i : all)
+    for (const unsigned int i : all_requests())
     {
       results.push_back(point_of({reached_level, n_parts[i]}, i));
       results.back().errors = errors_of(i);
@@ -280,7 +381,7 @@ namespace ringmotor
     for (const CondensedMotor::Node &node : motor().nodes)
       fastest = std::max(fastest, slow * motor().angular_frequency * std::abs(node.free_motion[1]) /
                                       node.radius);
-    for (const CurvePoint &point : points())
+    for (const auto &[request, point] : known.at(plain_setting(reached_level)))
       fastest = std::max(fastest, std::abs(point.result.speed));
     return std::max(error.torque / std::abs(stall_torque), // the motor may stand still
                     error.speed > 0. ? error.speed / fastest : 0.);
@@ -290,7 +391,7 @@ namespace ringmotor
   {
     const unsigned int middle = (requests.size() - 1) / 2;
     const bool of_torque      = requests[middle].control == Control::torque;
-    Parameters without        = with_parts_of_a_step(parameters, n_parts[middle]);
+    Parameters without        = parameters;
     without.friction.law      = FrictionLaw::coulomb;
     const CurvePoint dynamic  = sources
                                    .points(without, motor(), {reached_level, n_parts[middle]},
@@ -301,9 +402,10 @@ namespace ringmotor
                        : to.result.torque - from.result.torque;
     };
     const CurveSetting plain = plain_setting(reached_level);
-    const CurvePoint before  = point_of(plain, middle);
+    const CurveSetting shorter{reached_level, plain.n_joined > 1 ? 1 : 2 * plain.n_parts};
+    const CurvePoint &before = point_of(plain, middle);
     return {results[middle], signed_change(results[middle], dynamic),
-            signed_change(before, point_of({reached_level, 2 * plain.n_parts}, middle)),
+            signed_change(before, point_of(shorter, middle)),
             signed_change(point_of(plain_setting(compared_with(reached_level)), middle), before)};
   }
 
@@ -330,13 +432,11 @@ namespace ringmotor
     rung.n_steps                = std::lround(motor().period() / points().front().fields.time_step);
     rung.largest_error          = worst_error();
     rung.seconds                = motor_seconds[setting.level] + point_seconds(setting);
-    const CurveSetting plain    = plain_setting(setting.level);
-    rung.seconds_with_error_bar = motor_seconds[setting.level] + motor_seconds[coarse] +
-                                  point_seconds(plain_setting(coarse)) + point_seconds(plain) +
-                                  point_seconds({setting.level, plain.n_parts, 1. + wave_error});
-    rung.seconds_with_error_bar += point_seconds(
-        setting.n_parts == plain.n_parts ? CurveSetting{setting.level, 2 * plain.n_parts}
-                                         : setting);
+    rung.seconds_with_error_bar = motor_seconds[setting.level] + motor_seconds[coarse];
+    for (const CurveSetting &used :
+         std::set<CurveSetting>{setting, plain_setting(setting.level), plain_setting(coarse),
+                                changed_wave(), compared_step(0)})
+      rung.seconds_with_error_bar += point_seconds(used);
     return rung;
   }
 

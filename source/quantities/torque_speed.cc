@@ -92,9 +92,11 @@ namespace ringmotor
   }
 
   OperatingPointFinder::OperatingPointFinder(const Parameters &all_parameters,
-                                             const CondensedMotor &motor, PointMemory *memory)
+                                             const CondensedMotor &motor, PointMemory *memory,
+                                             const unsigned int n_joined)
       : parameters(relevant_for_points(all_parameters)), motor(motor),
-        steady(motor, effective_friction(parameters), parameters.time.n_snapshots), memory(memory)
+        steady(motor, effective_friction(parameters), {parameters.time.n_snapshots, n_joined}),
+        memory(memory)
   {
   }
 
@@ -104,11 +106,13 @@ namespace ringmotor
       if (std::optional<CurvePoint> known = memory->recall(request))
       {
         if (!is_marched(parameters))
-          steady.go_on_from(load_of(parameters.loading, request), solution_of(*known));
+          steady.go_on_from(load_of(parameters.loading, request), solution_of(*known),
+                            known->result.speed);
         return *known;
       }
     if (start && !is_marched(parameters))
-      steady.go_on_from(load_of(parameters.loading, request), solution_of(*start));
+      steady.go_on_from(load_of(parameters.loading, request), solution_of(*start),
+                        start->result.speed);
     const auto begin = std::chrono::steady_clock::now();
     CurvePoint point =
         is_marched(parameters) ? find_marched(parameters, motor, request) : find_steady(request);
@@ -145,6 +149,7 @@ namespace ringmotor
   }
 
   std::vector<CurvePoint> find_points(const Parameters &parameters, const CondensedMotor &motor,
+                                      const CurveSetting &setting,
                                       const std::vector<PointRequest> &requests,
                                       MPI_Comm communicator,
                                       const std::function<void(const CurvePoint &)> &after_point,
@@ -152,7 +157,8 @@ namespace ringmotor
   {
     const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator),
                        n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-    OperatingPointFinder finder(parameters, motor, memory);
+    OperatingPointFinder finder(with_parts_of_a_step(parameters, setting.n_parts), motor, memory,
+                                setting.n_joined);
     std::vector<CurvePoint> mine;
     for (unsigned int i = rank; i < requests.size(); i += n_ranks)
     {

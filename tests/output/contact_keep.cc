@@ -229,7 +229,7 @@ TEST_F(ContactKeepFiles, PointsThatAreMissingComeOutTheSameToTheLastBit)
     const auto points = [&](ContactKeep store, const unsigned int n)
     {
       return without_seconds(
-          store.points(parameters, motor, 0, {requests.begin(), requests.begin() + n}));
+          store.points(parameters, motor, {}, {requests.begin(), requests.begin() + n}));
     };
     const std::string whole = points(keep(false), 3);
     points(keep(false), n_left);
@@ -244,11 +244,11 @@ TEST_F(ContactKeepFiles, PointsAreThereUnlessDamagedOrOfAnotherLoad)
   {
     said.str("");
     ContactKeep store = keep(true);
-    store.points(parameters, motor, 0, requests);
+    store.points(parameters, motor, {}, requests);
     store.report();
     return said.str().substr(said.str().find('\n'));
   };
-  keep(false).points(parameters, motor, 0, requests);
+  keep(false).points(parameters, motor, {}, requests);
   EXPECT_NE(report().find("3 operating points, those for error bars included, were there already; "
                           "nothing was left to compute"),
             std::string::npos);

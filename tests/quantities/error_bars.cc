@@ -223,7 +223,7 @@ namespace
         const double exact   = (8. - point.result.torque) * setting.wave_factor;
         point.result.speed =
             of_torque ? exact + a * std::pow(0.25, setting.level) * (1. + point.result.torque) +
-                            b / setting.n_parts
+                            b * setting.n_joined / setting.n_parts
                       : request.value;
         point.result.input_power     = 1.;
         point.result.output_work     = 0.5;

@@ -158,7 +158,7 @@ TEST(MotorIndependenceRanks, SameResultsOnTwo)
   const CondensedMotor motor        = condense_motor(parameters, stator_wave(parameters), coarse());
   const std::vector<PointRequest> requests = requested_points(parameters.loading, 0.19);
   const auto curve_on                      = [&](MPI_Comm communicator)
-  { return find_points(parameters, motor, requests, communicator, [](const CurvePoint &) {}); };
+  { return find_points(parameters, motor, {}, requests, communicator, [](const CurvePoint &) {}); };
   const std::vector<CurvePoint> one = curve_on(MPI_COMM_SELF), two = curve_on(MPI_COMM_WORLD);
   ASSERT_EQ(one.size(), 5u);
   ASSERT_EQ(two.size(), 5u);

@@ -3,6 +3,7 @@
 
 #include <ringmotor/contact/newton_system.h>
 
+#include <limits>
 #include <vector>
 
 namespace ringmotor
@@ -27,13 +28,18 @@ namespace ringmotor
     /** Iterations without a smaller violation of the laws than ever before. Newton's method gains
      * in nearly every iteration, or jumps from one set of touching nodes to another for ever. */
     unsigned int most_without_gain = 6;
+    /** Touching nodes. From a start that is near the solution they do not become many times more.
+     */
+    unsigned int most_touching = std::numeric_limits<unsigned int>::max();
   };
 
   /**
-   * The semi-smooth Newton method, see NewtonSystem.
+   * The semi-smooth Newton method, see NewtonSystem. @p solver may know factors of like systems.
+   * @param seen the motion by which the first system is chosen; that of @p start if empty
    * @return the last iterate, whether it has converged or not
    */
   ContactIterate newton(const ContactProblem &problem, const FrictionBoundOf &bound_of,
                         const ComplementarityConstants &constants, const ContactState &start,
-                        const NewtonLimits &limits);
+                        const NewtonLimits &limits, RowSolver &solver,
+                        const std::vector<PointVector> &seen = {});
 } // namespace ringmotor

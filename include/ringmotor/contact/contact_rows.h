@@ -3,6 +3,7 @@
 
 #include <ringmotor/contact/contact_problem.h>
 
+#include <deal.II/lac/lapack_full_matrix.h>
 #include <deal.II/lac/vector.h>
 
 #include <vector>
@@ -19,15 +20,51 @@ namespace ringmotor
   };
 
   /**
-   * Solves the rows of touching nodes, together with the balances, for the changes of the forces
-   * and of the rigid motions: by LAPACK with a dense matrix, or with one for each part of a problem
-   * of several parts, whichever takes fewer operations; if these matrices would be too large, by
-   * GMRES, which applies the compliance without a matrix.
-   *
-   * @param solution the right-hand side, three entries for each touching node and one for each
-   * balance; replaced by the solution
-   * @return false if a matrix is singular or GMRES does not converge
+   * The rows of touching nodes together with the balances, as an operator and as matrices of some
+   * of its rows and columns. Entries of vectors are three for each touching node and one for each
+   * rigid motion. Friction that is zero and stays zero is not among the unknowns.
    */
-  bool solve_contact_rows(const ContactProblem &problem, const std::vector<unsigned int> &touching,
-                          const std::vector<ContactRow> &rows, dealii::Vector<double> &solution);
+  class ContactRows
+  {
+  public:
+    /** All must outlive this object. */
+    ContactRows(const ContactProblem &problem, const std::vector<unsigned int> &touching,
+                const std::vector<ContactRow> &rows);
+
+    unsigned int size() const { return 3 * touching.size() + problem.n_rigid(); }
+    unsigned int n_of_nodes() const { return 3 * touching.size(); }
+    unsigned int n_rigid() const { return problem.n_rigid(); }
+
+    /** The unknowns, in ascending order. */
+    const std::vector<unsigned int> &unknowns() const { return all_unknowns; }
+    /** The part of the problem that an unknown belongs to, see ContactProblem::no_part. */
+    unsigned int part_of(const unsigned int unknown) const;
+
+    /** The entries in the rows of some unknowns and the columns of others, both in ascending order.
+     */
+    dealii::LAPACKFullMatrix<double>
+    matrix_of(const std::vector<unsigned int> &row_unknowns,
+              const std::vector<unsigned int> &column_unknowns) const;
+
+    void vmult(dealii::Vector<double> &product, const dealii::Vector<double> &vector) const;
+
+    /** What forces add to the balance of a rigid motion. */
+    double balance_of(const unsigned int motion, const unsigned int unknown) const
+    {
+      return balance(motion, unknown);
+    }
+
+  private:
+    /** Adds the blocks of the forces themselves, which belong to single nodes. */
+    void add_forces(const std::vector<unsigned int> &row_unknowns,
+                    const std::vector<unsigned int> &column_unknowns,
+                    dealii::LAPACKFullMatrix<double> &matrix) const;
+
+    const ContactProblem &problem;
+    const std::vector<unsigned int> &touching;
+    const std::vector<ContactRow> &rows;
+    std::vector<unsigned int> all_unknowns;
+    dealii::FullMatrix<double> balance;
+    mutable ContactState change; ///< zero where nothing touches
+  };
 } // namespace ringmotor

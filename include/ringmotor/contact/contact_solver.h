@@ -35,8 +35,15 @@ namespace ringmotor
    * Solves a contact problem with friction by the semi-smooth Newton method. Where its iterates do
    * not settle, or @p start has no forces, the proximal point algorithm leads it to the solution.
    *
+   * @param seen gaps and slips of a like problem in the state @p start, where they are known: the
+   * first guess of what touches and what sticks
+   * @param solver keeps what it knows of the linear systems for problems that are alike
    * @throws ComputationError if nothing converged to a state that certifies.
    */
+  ContactSolution solve_contact(const ContactProblem &problem, const PointFriction &friction,
+                                const ComplementarityConstants &constants,
+                                const ContactState &start, const std::vector<PointVector> &seen,
+                                RowSolver &solver);
   ContactSolution solve_contact(const ContactProblem &problem, const PointFriction &friction,
                                 const ComplementarityConstants &constants,
                                 const ContactState &start);

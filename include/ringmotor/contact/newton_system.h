@@ -2,7 +2,7 @@
 #pragma once
 
 #include <ringmotor/contact/contact_certificate.h>
-#include <ringmotor/contact/contact_rows.h>
+#include <ringmotor/contact/row_solver.h>
 
 #include <vector>
 
@@ -25,15 +25,15 @@ namespace ringmotor
   class NewtonSystem
   {
   public:
-    /** Chooses open, sticking and slipping nodes. Open nodes lose their forces: @p state and
-     * @p motion, its relative motion, are changed. */
+    /** Chooses open, sticking and slipping nodes, by the forces and by the motion @p seen. Open
+     * nodes lose their forces: @p state and @p motion, its relative motion, are changed. */
     NewtonSystem(const ContactProblem &problem, const FrictionBoundOf &bound_of,
-                 const ComplementarityConstants &constants, ContactState &state,
-                 std::vector<PointVector> &motion);
+                 const ComplementarityConstants &constants, const std::vector<PointVector> &seen,
+                 ContactState &state, std::vector<PointVector> &motion);
 
     /** Adds the solution to the state. @return false if the system is singular, or the Krylov
      * method does not converge */
-    bool solve(ContactState &state) const;
+    bool solve(RowSolver &solver, ContactState &state) const;
 
     unsigned int n_touching() const { return touching.size(); }
 

@@ -17,6 +17,14 @@ namespace ringmotor
     double speed = 0.;            ///< rad/s, if no torque is given
   };
 
+  /** The length of a step of the steady state: that from which on each tooth is where another one
+   * was, divided by the number of moments, or several of them joined. */
+  struct SteadyStep
+  {
+    unsigned int n_moments = 1;
+    unsigned int n_joined  = 1; ///< with one moment only
+  };
+
   /** One step in time from a known state. */
   struct TimeStep
   {
@@ -32,7 +40,8 @@ namespace ringmotor
    * teeth, and T/P later each tooth is where its s-th neighbour was, n s = gcd(n, N) (mod N). One
    * moment shows the whole period; S moments, T/(P S) apart, show it more finely. The slip of a
    * point in a step is the difference of its positions at one moment and at the one before or, at
-   * the first moment, of its s-th neighbour at the last one. The rotor turns at an even speed.
+   * the first moment, of its s-th neighbour at the last one. With one moment a step may be longer,
+   * too: J of them joined look back at the (J s)-th neighbour. The rotor turns at an even speed.
    *
    * *One step* from a known state, of a ring that need not be uniform.
    *
@@ -43,8 +52,8 @@ namespace ringmotor
   class RingContact : public ContactProblem
   {
   public:
-    /** The steady state with @p n_moments moments. @p motor must outlive this object. */
-    RingContact(const CondensedMotor &motor, const RotorLoad &load, const unsigned int n_moments);
+    /** The steady state with steps of a given length. @p motor must outlive this object. */
+    RingContact(const CondensedMotor &motor, const RotorLoad &load, const SteadyStep &step);
 
     /** One step of a ring that may be warped at rest. */
     RingContact(const CondensedMotor &motor, const RotorLoad &load, const TimeStep &step,

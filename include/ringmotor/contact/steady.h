@@ -26,8 +26,7 @@ namespace ringmotor
   {
   public:
     /** @p motor must outlive this object and all its states. */
-    SteadyDriver(const CondensedMotor &motor, const Friction &friction,
-                 const unsigned int n_moments);
+    SteadyDriver(const CondensedMotor &motor, const Friction &friction, const SteadyStep &step);
 
     /**
      * The state under a load.
@@ -35,26 +34,26 @@ namespace ringmotor
      */
     OperatingState at(const RotorLoad &load);
 
-    /** Takes a known state as that from which the next one is to be found. It may have one time
-     * sample only: then those between follow from it. Of @p solution the state, the motion and the
-     * status of all points are used. */
-    void go_on_from(const RotorLoad &load, const ContactSolution &solution);
+    /** Takes a known state, in which the rotor turns with @p speed (rad/s), as that from which the
+     * next one is to be found. It may have one moment only: then those between follow from it. Of
+     * @p solution the state, the motion and the status of all points are used. */
+    void go_on_from(const RotorLoad &load, const ContactSolution &solution, const double speed);
 
   private:
     /** From where a state is looked for. */
     struct Start
     {
       ContactState state;
+      std::vector<PointVector> motion; ///< gap and slip, if they are known
       std::vector<FrictionMemory> memory;
       double speed; ///< rad/s
     };
     OperatingState find(const RotorLoad &load, const Start &start) const;
     Start from_rest(const RotorLoad &load) const;
-    Start after(const RingContact &contact, const ContactSolution &solution) const;
 
     const CondensedMotor &motor;
     const Friction friction;
-    const unsigned int n_moments;
+    const SteadyStep step;
     std::optional<Start> next;
   };
 

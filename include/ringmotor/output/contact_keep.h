@@ -39,13 +39,12 @@ namespace ringmotor
     /** The condensed motor with ContactDiscretisation::level(): read or computed. */
     CondensedMotor motor(const Parameters &parameters, const unsigned int level);
 
-    /** find_points() for that motor, or one whose wave is @p wave_factor times as fast: what is not
-     * there yet is computed and kept at once. */
+    /** find_points(): what is not there yet is computed and kept at once. */
     std::vector<CurvePoint> points(
-        const Parameters &parameters, const CondensedMotor &motor, const unsigned int level,
+        const Parameters &parameters, const CondensedMotor &motor, const CurveSetting &setting,
         const std::vector<PointRequest> &requests,
         const std::function<void(const CurvePoint &)> &after_point = [](const CurvePoint &) {},
-        const double wave_factor = 1., const std::vector<CurvePoint> &starts = {});
+        const std::vector<CurvePoint> &starts                      = {});
 
     /** Says in the log how much of a run that resumed was there already. */
     void report();

@@ -11,23 +11,6 @@
 
 namespace ringmotor
 {
-  /** How finely bodies and time are divided. */
-  struct CurveSetting
-  {
-    unsigned int level = 0; ///< of the meshes, see ContactDiscretisation::level()
-    /** Into how many parts a step is divided: the moments of the steady state, or the parts of
-     * Time/Time step. */
-    unsigned int n_parts = 1;
-    /** Factor of the speed of the stator's surface, by which its error is felt. */
-    double wave_factor = 1.;
-
-    bool operator<(const CurveSetting &other) const
-    {
-      return std::tie(level, n_parts, wave_factor) <
-             std::tie(other.level, other.n_parts, other.wave_factor);
-    }
-  };
-
   /**
    * The operating points that `Loading` asks for, on meshes and with time steps that get finer
    * until speeds and torques are as accurate as `Accuracy/Contact target` asks for.
@@ -96,18 +79,29 @@ namespace ringmotor
 
   private:
     const CondensedMotor &motor_of(const unsigned int level);
-    /** Points of some requests, computed where they are not known yet. */
-    std::vector<CurvePoint> points_of(const CurveSetting &setting,
-                                      const std::vector<unsigned int> &wanted);
+    /** Computes points of some requests where they are not known yet. */
+    void find_points_of(const CurveSetting &setting, const std::vector<unsigned int> &wanted);
     /** One of them. */
-    CurvePoint point_of(const CurveSetting &setting, const unsigned int request)
+    const CurvePoint &point_of(const CurveSetting &setting, const unsigned int request)
     {
-      return points_of(setting, {request}).front();
+      find_points_of(setting, {request});
+      return known[setting].at(request);
     }
-    void compute(const CurveSetting &setting, const std::vector<unsigned int> &missing);
+    /** Known points from which others can be found: of longer steps, or of another mesh. */
+    std::vector<CurvePoint> starts_for(const CurveSetting &setting,
+                                       const std::vector<unsigned int> &wanted);
+    /** Points with few steps of the reached level and of that with which it is compared. */
+    void find_on_both_meshes();
+    /** Points with the step that each has. */
+    void find_with_own_steps();
+    std::vector<unsigned int> all_requests() const;
     /** All points of the reached level with their time steps and error bars. */
     void evaluate();
     PointErrors errors_of(const unsigned int request);
+    PointError mesh_error(const unsigned int request);
+    /** Takes finer meshes as long as their error alone is too large. */
+    void refine_meshes();
+    void take_finer_meshes();
     /** Shortens steps until powers balance. */
     void balance_powers();
     void refine();
@@ -115,10 +109,12 @@ namespace ringmotor
     /** Processor seconds of the points of a setting. */
     double point_seconds(const CurveSetting &setting);
     void find_requests(const unsigned int n_parts);
-    /** Parts of a step so that a period has so many steps or more; one when marching. */
-    unsigned int parts_for(const unsigned int n_steps) const;
-    /** With which meshes and waves are compared. */
+    /** With which meshes and waves are compared: the same steps on all meshes, not more unknowns
+     * than necessary. */
     CurveSetting plain_setting(const unsigned int level) const;
+    /** With which steps those of a point are compared. */
+    CurveSetting compared_step(const unsigned int request) const;
+    CurveSetting changed_wave() const;
     unsigned int parts_to_start_with() const;
     /** Relative to the fastest speed and to the stall torque. */
     double relative(const PointError &error) const;

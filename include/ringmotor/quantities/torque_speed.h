@@ -12,10 +12,31 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace ringmotor
 {
+  /** How finely bodies and time are divided. */
+  struct CurveSetting
+  {
+    unsigned int level = 0; ///< of the meshes, see ContactDiscretisation::level()
+    /** Into how many parts a step is divided: the moments of the steady state, or the parts of
+     * Time/Time step. */
+    unsigned int n_parts = 1;
+    /** How many steps of the steady state are joined to one, see SteadyStep; only such long steps
+     * tell without more unknowns how large the error of a step is. */
+    unsigned int n_joined = 1;
+    /** Factor of the speed of the stator's surface, by which its error is felt. */
+    double wave_factor = 1.;
+
+    bool operator<(const CurveSetting &other) const
+    {
+      return std::tie(level, n_parts, n_joined, wave_factor) <
+             std::tie(other.level, other.n_parts, other.n_joined, other.wave_factor);
+    }
+  };
+
   /** An operating point that is asked for. */
   struct PointRequest
   {
@@ -121,13 +142,12 @@ namespace ringmotor
   public:
     /** @p motor and @p memory, which may be left out, must outlive this object. */
     OperatingPointFinder(const Parameters &parameters, const CondensedMotor &motor,
-                         PointMemory *memory = nullptr);
+                         PointMemory *memory = nullptr, const unsigned int n_joined = 1);
 
     /**
      * Asks the memory first. A steady state is looked for from that of @p start, of the same
-     * request and of this setting or of one time sample, or else from the point before. The next
-     * point is found as if this one had been computed, to the last
-     * bit.
+     * request and of this setting or of one moment, or else from the point before. The next point
+     * is found as if this one had been computed, to the last bit.
      * @throws ComputationError if none is found
      */
     CurvePoint find(const PointRequest &request, const CurvePoint *start = nullptr);
@@ -159,16 +179,16 @@ namespace ringmotor
   std::vector<PointRequest> requested_points(const Loading &loading, const double stall_torque);
 
   /**
-   * Finds several points, spread over the ranks of @p communicator; all of them end up on each
-   * rank. @p starts has none or as many points as requests, to start from. @p after_point is
-   * called, and @p memory asked, on the rank that finds a point.
+   * Finds several points with the steps of @p setting, spread over the ranks of @p communicator;
+   * all of them end up on each rank. @p motor is of its mesh and its wave. @p starts has none or as
+   * many points as requests, to start from. @p after_point is called, and @p memory asked, on the
+   * rank that finds a point.
    */
-  std::vector<CurvePoint> find_points(const Parameters &parameters, const CondensedMotor &motor,
-                                      const std::vector<PointRequest> &requests,
-                                      MPI_Comm communicator,
-                                      const std::function<void(const CurvePoint &)> &after_point,
-                                      PointMemory *memory                   = nullptr,
-                                      const std::vector<CurvePoint> &starts = {});
+  std::vector<CurvePoint>
+  find_points(const Parameters &parameters, const CondensedMotor &motor,
+              const CurveSetting &setting, const std::vector<PointRequest> &requests,
+              MPI_Comm communicator, const std::function<void(const CurvePoint &)> &after_point,
+              PointMemory *memory = nullptr, const std::vector<CurvePoint> &starts = {});
 
   /** By how much a point changes from one discretisation, or one wave, to another. What is
    * prescribed does not change. */

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/contact/ring_of_parts.h>
+#include <ringmotor/contact/row_solver.h>
+
+#include <deal.II/lac/precondition.h>
+#include <deal.II/lac/solver_gmres.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ringmotor
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** Unknowns from which on kept factors are worth while: below, new ones take milliseconds. */
+    constexpr unsigned int fewest_for_kept_factors = 800;
+    /** Unknowns up to which a dense matrix is faster than GMRES without a preconditioner. */
+    constexpr unsigned int most_dense = 5000;
+    /** Unknowns up to which its memory is spent where GMRES does not converge. */
+    constexpr unsigned int largest_dense = 7000;
+
+    constexpr double reduction = 1e-9; ///< of the residual by GMRES
+
+    /** @return whether the residual was reduced in @p most_steps steps, without restarts, which
+     * would make it stagnate */
+    template <typename Matrix, typename Preconditioner>
+    bool gmres(const Matrix &matrix, const Preconditioner &preconditioner,
+               const unsigned int most_steps, const Vector<double> &right_hand_side,
+               Vector<double> &solution)
+    {
+      solution = 0.;
+      if (right_hand_side.l2_norm() == 0.)
+        return true;
+      SolverControl control(most_steps, reduction * right_hand_side.l2_norm(), false, false);
+      SolverGMRES<Vector<double>> solver(
+          control, SolverGMRES<Vector<double>>::AdditionalData(most_steps + 2, /*right =*/true));
+      try
+      {
+        solver.solve(matrix, solution, right_hand_side, preconditioner);
+      }
+      catch (const SolverControl::NoConvergence &)
+      {
+        return false;
+      }
+      return true;
+    }
+
+    /** Rows whose columns and balances of rigid motions are as long as those of a force. */
+    class ScaledRows
+    {
+    public:
+      explicit ScaledRows(const ContactRows &rows)
+          : rows(rows), row_scale(rows.size()), column_scale(rows.size())
+      {
+        row_scale = column_scale = 1.;
+        for (unsigned int r = 0; r < rows.n_rigid(); ++r)
+        {
+          Vector<double> unit(rows.size()), column(rows.size());
+          unit[rows.n_of_nodes() + r] = 1.;
+          rows.vmult(column, unit);
+          double of_column = 0., of_row = 0.;
+          for (unsigned int i = 0; i < rows.n_of_nodes(); ++i)
+          {
+            of_column += column[i] * column[i];
+            of_row += rows.balance_of(r, i) * rows.balance_of(r, i);
+          }
+          column_scale[rows.n_of_nodes() + r] = of_column > 0. ? 1. / std::sqrt(of_column) : 1.;
+          row_scale[rows.n_of_nodes() + r]    = of_row > 0. ? 1. / std::sqrt(of_row) : 1.;
+        }
+      }
+
+      void vmult(Vector<double> &product, const Vector<double> &vector) const
+      {
+        Vector<double> scaled = vector;
+        scaled.scale(column_scale);
+        rows.vmult(product, scaled);
+        product.scale(row_scale);
+      }
+
+      bool solve(Vector<double> &solution) const
+      {
+        constexpr unsigned int most_steps = 250; // beyond, its orthogonalisation costs seconds
+        Vector<double> right_hand_side    = solution;
+        right_hand_side.scale(row_scale);
+        if (!gmres(*this, PreconditionIdentity(), most_steps, right_hand_side, solution))
+          return false;
+        solution.scale(column_scale);
+        return true;
+      }
+
+    private:
+      const ContactRows &rows;
+      Vector<double> row_scale, column_scale;
+    };
+
+    /** Factors of a matrix of some unknowns, applied to vectors of all; others become zero. */
+    struct FactorsOfUnknowns
+    {
+      void vmult(Vector<double> &result, const Vector<double> &vector) const
+      {
+        Vector<double> values(unknowns.size());
+        for (unsigned int i = 0; i < unknowns.size(); ++i)
+          values[i] = vector[unknowns[i]];
+        factors.solve(values);
+        result = 0.;
+        for (unsigned int i = 0; i < unknowns.size(); ++i)
+          result[unknowns[i]] = values[i];
+      }
+
+      const LAPACKFullMatrix<double> &factors;
+      const std::vector<unsigned int> &unknowns;
+    };
+  } // namespace
+
+  bool RowSolver::solve(const ContactProblem &problem, const std::vector<unsigned int> &touching,
+                        const std::vector<ContactRow> &contact_rows, Vector<double> &solution)
+  {
+    const ContactRows rows(problem, touching, contact_rows);
+    for (unsigned int a = 0; a < touching.size(); ++a)
+      if (!contact_rows[a].has_friction)
+        solution[3 * a + 1] = solution[3 * a + 2] = 0.;
+    const unsigned int n = rows.unknowns().size();
+    if (n == 0) // LAPACK does not take empty matrices
+      return true;
+    const Vector<double> right_hand_side = solution;
+    if (factors && touching == touching_of_factors && rows.unknowns() == unknowns_of_factors)
+    {
+      if (solve_with_kept_factors(rows, solution))
+        return true;
+      solution = right_hand_side;
+    }
+    factors.reset();
+    RingOfParts ring(rows);
+    // An LU factorisation takes two thirds of the cube.
+    const bool is_ring = ring.n_parts() > 1 && ring.n_operations() < 2. / 3. * std::pow(n, 3);
+    if ((is_ring ? ring.largest_part() : n) > most_dense)
+    {
+      if (ScaledRows(rows).solve(solution))
+        return true;
+      if (n > largest_dense)
+        return false;
+      solution = right_hand_side;
+    }
+    else if (is_ring)
+      return ring.solve(solution);
+    touching_of_factors = touching;
+    return solve_dense(rows, solution);
+  }
+
+  bool RowSolver::solve_with_kept_factors(const ContactRows &rows, Vector<double> &solution) const
+  {
+    // So many steps take about as long as new factors.
+    const unsigned int most_steps = std::max<std::size_t>(10, unknowns_of_factors.size() / 100);
+    const Vector<double> right_hand_side = solution;
+    return gmres(rows, FactorsOfUnknowns{*factors, unknowns_of_factors}, most_steps,
+                 right_hand_side, solution);
+  }
+
+  bool RowSolver::solve_dense(const ContactRows &rows, Vector<double> &solution)
+  {
+    auto matrix = std::make_unique<LAPACKFullMatrix<double>>(
+        rows.matrix_of(rows.unknowns(), rows.unknowns()));
+    if (!factorise(*matrix))
+      return false;
+    const FactorsOfUnknowns inverse{*matrix, rows.unknowns()};
+    const Vector<double> right_hand_side = solution;
+    inverse.vmult(solution, right_hand_side);
+    unknowns_of_factors = rows.unknowns();
+    if (unknowns_of_factors.size() >= fewest_for_kept_factors)
+      factors = std::move(matrix);
+    return true;
+  }
+} // namespace ringmotor
