@@ -14,6 +14,7 @@ import numpy
 
 RPM = math.pi / 30.
 TINY = 1e-6  # relative: certified states fulfil their laws to 1e-8 and better
+NO_POWER = 1e-6  # of what goes to and fro: rounding
 
 
 def entries_of(prm):
@@ -96,6 +97,8 @@ class ContactResults:
     def worst_error(self):
         """Largest error bar, of speeds over the fastest speed and of torques over the largest torque."""
         scale = {name: max(abs(row[name]) for row in self.rows) or math.inf for name in ("speed_rpm", "torque_mNm")}
+        if scale["speed_rpm"] < TINY:  # the rotor sticks
+            scale["speed_rpm"] = math.inf
         return max(max(row["speed_error_rpm"] / scale["speed_rpm"],
                        row["torque_error_mNm"] / scale["torque_mNm"]) for row in self.rows)
 
@@ -178,14 +181,15 @@ def check_powers(results, point):
     losses = -per_second * (mean[..., 1:] * slip).sum(axis=(0, 1, 2))
     loss = point["tangential_loss_W"] + point["radial_loss_W"]
     output = point["torque_Nm"] * point["speed_rad_per_s"]
-    scale = max(abs(loss), abs(output), abs(point["input_power_W"]), 1e-300)
+    moved = now(point["tooth"]) - before(point["tooth"])
+    gross = per_second * abs(mean * moved).sum()  # goes to and fro, also where a rotor that sticks takes no power
+    scale = max(abs(loss), abs(output), abs(point["input_power_W"]), NO_POWER * gross)
     for name, value in zip(("tangential_loss_W", "radial_loss_W"), losses):
         if abs(value - point[name]) > TINY * scale:
             found.append(f"{name} is {point[name]:.6g}, forces and slips make {value:.6g}")
     if results.is_marched(point):
         return found  # what the bodies store changes from step to step
     # Over a period the teeth store nothing: the wave's work is that of the forces on the moving tooth tops.
-    moved = now(point["tooth"]) - before(point["tooth"])
     power = per_second * (mean * moved).sum()
     if abs(power - point["input_power_W"]) > TINY * scale:
         found.append(f"input_power_W is {point['input_power_W']:.6g}, forces and tooth motions make {power:.6g}")

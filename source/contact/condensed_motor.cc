@@ -16,7 +16,7 @@ namespace ringmotor
     using Complex = std::complex<double>;
 
     /** Numbers up to which a table of the compliance is faster than its parts. */
-    constexpr std::size_t largest_table = 1u << 22;
+    constexpr std::size_t largest_table = 1u << 24;
 
     /** A tooth alone: its compliance, and how its top follows the motion of its foot. */
     struct CondensedTooth

@@ -266,13 +266,14 @@ namespace ringmotor
   {
     const FullMatrix<double> &known = table.empty() ? near[distance] : table[distance];
     if (!known.empty())
-      for (unsigned int b = 0; b < columns.size(); ++b)
-        for (unsigned int d = 0; d < 3; ++d)
+      for (unsigned int a = 0; a < rows.size(); ++a)
+        for (unsigned int c = first; c < 3; ++c)
         {
-          const double *by_force = &known(3 * columns[b] + d, 0);
-          for (unsigned int a = 0; a < rows.size(); ++a)
-            for (unsigned int c = first; c < 3; ++c)
-              matrix(row + 3 * a + c, column + 3 * b + d) += factor * by_force[3 * rows[a] + c];
+          double *of_row           = &matrix(row + 3 * a + c, column); // contiguous
+          const unsigned int moved = 3 * rows[a] + c;
+          for (unsigned int b = 0; b < columns.size(); ++b)
+            for (unsigned int d = 0; d < 3; ++d)
+              of_row[3 * b + d] += factor * known(3 * columns[b] + d, moved);
         }
     if (!table.empty() || basis.n() == 0)
       return;

@@ -8,19 +8,6 @@ namespace ringmotor
 {
   using namespace dealii;
 
-  bool factorise(LAPACKFullMatrix<double> &matrix)
-  {
-    try
-    {
-      matrix.compute_lu_factorization();
-      return true;
-    }
-    catch (const LACExceptions::ExcSingular &)
-    {
-      return false;
-    }
-  }
-
   RingOfParts::RingOfParts(const ContactRows &rows) : rows(rows)
   {
     std::map<unsigned int, std::vector<unsigned int>> by_part;

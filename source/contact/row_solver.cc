@@ -21,7 +21,7 @@ namespace ringmotor
     /** Unknowns up to which its memory is spent where GMRES does not converge. */
     constexpr unsigned int largest_dense = 7000;
 
-    constexpr double reduction = 1e-9; ///< of the residual by GMRES
+    constexpr double reduction = 1e-8; ///< of the residual by GMRES
 
     /** @return whether the residual was reduced in @p most_steps steps, without restarts, which
      * would make it stagnate */
@@ -96,11 +96,12 @@ namespace ringmotor
     };
 
     /** Factors of a matrix of some unknowns, applied to vectors of all; others become zero. */
+    template <typename Number>
     struct FactorsOfUnknowns
     {
       void vmult(Vector<double> &result, const Vector<double> &vector) const
       {
-        Vector<double> values(unknowns.size());
+        Vector<Number> values(unknowns.size());
         for (unsigned int i = 0; i < unknowns.size(); ++i)
           values[i] = vector[unknowns[i]];
         factors.solve(values);
@@ -109,9 +110,28 @@ namespace ringmotor
           result[unknowns[i]] = values[i];
       }
 
-      const LAPACKFullMatrix<double> &factors;
+      const LAPACKFullMatrix<Number> &factors;
       const std::vector<unsigned int> &unknowns;
     };
+
+    std::unique_ptr<LAPACKFullMatrix<float>> rounded(const LAPACKFullMatrix<double> &matrix)
+    {
+      auto result = std::make_unique<LAPACKFullMatrix<float>>(matrix.m(), matrix.n());
+      for (unsigned int j = 0; j < matrix.n(); ++j) // stored by columns
+        for (unsigned int i = 0; i < matrix.m(); ++i)
+          (*result)(i, j) = matrix(i, j);
+      return result;
+    }
+
+    bool solve_dense(const ContactRows &rows, Vector<double> &solution)
+    {
+      LAPACKFullMatrix<double> matrix = rows.matrix_of(rows.unknowns(), rows.unknowns());
+      if (!factorise(matrix))
+        return false;
+      const Vector<double> right_hand_side = solution;
+      FactorsOfUnknowns<double>{matrix, rows.unknowns()}.vmult(solution, right_hand_side);
+      return true;
+    }
   } // namespace
 
   bool RowSolver::solve(const ContactProblem &problem, const std::vector<unsigned int> &touching,
@@ -124,19 +144,12 @@ namespace ringmotor
     const unsigned int n = rows.unknowns().size();
     if (n == 0) // LAPACK does not take empty matrices
       return true;
-    const Vector<double> right_hand_side = solution;
-    if (factors && touching == touching_of_factors && rows.unknowns() == unknowns_of_factors)
-    {
-      if (solve_with_kept_factors(rows, solution))
-        return true;
-      solution = right_hand_side;
-    }
-    factors.reset();
     RingOfParts ring(rows);
     // An LU factorisation takes two thirds of the cube.
     const bool is_ring = ring.n_parts() > 1 && ring.n_operations() < 2. / 3. * std::pow(n, 3);
     if ((is_ring ? ring.largest_part() : n) > most_dense)
     {
+      const Vector<double> right_hand_side = solution;
       if (ScaledRows(rows).solve(solution))
         return true;
       if (n > largest_dense)
@@ -145,31 +158,42 @@ namespace ringmotor
     }
     else if (is_ring)
       return ring.solve(solution);
-    touching_of_factors = touching;
+    else if (n >= fewest_for_kept_factors && solve_with_factors(rows, touching, solution))
+      return true;
     return solve_dense(rows, solution);
   }
 
-  bool RowSolver::solve_with_kept_factors(const ContactRows &rows, Vector<double> &solution) const
+  bool RowSolver::solve_with_factors(const ContactRows &rows,
+                                     const std::vector<unsigned int> &touching,
+                                     Vector<double> &solution)
   {
+    const Vector<double> right_hand_side = solution;
+    const auto solved                    = [&](const unsigned int most_steps)
+    {
+      return gmres(rows, FactorsOfUnknowns<float>{*factors, unknowns_of_factors}, most_steps,
+                   right_hand_side, solution);
+    };
+    // Far from the solution systems differ too much; after a failure one is solved without trying.
+    const bool may_do = factors && !is_far && touching == touching_of_factors &&
+                        rows.unknowns() == unknowns_of_factors;
     // So many steps take about as long as new factors.
-    const unsigned int most_steps = std::max<std::size_t>(10, unknowns_of_factors.size() / 100);
-    const Vector<double> right_hand_side = solution;
-    return gmres(rows, FactorsOfUnknowns{*factors, unknowns_of_factors}, most_steps,
-                 right_hand_side, solution);
-  }
-
-  bool RowSolver::solve_dense(const ContactRows &rows, Vector<double> &solution)
-  {
-    auto matrix = std::make_unique<LAPACKFullMatrix<double>>(
-        rows.matrix_of(rows.unknowns(), rows.unknowns()));
-    if (!factorise(*matrix))
-      return false;
-    const FactorsOfUnknowns inverse{*matrix, rows.unknowns()};
-    const Vector<double> right_hand_side = solution;
-    inverse.vmult(solution, right_hand_side);
-    unknowns_of_factors = rows.unknowns();
-    if (unknowns_of_factors.size() >= fewest_for_kept_factors)
-      factors = std::move(matrix);
-    return true;
+    if (may_do && solved(std::max<std::size_t>(10, unknowns_of_factors.size() / 60)))
+      return true;
+    is_far = may_do;
+    factors.reset();
+    std::unique_ptr<LAPACKFullMatrix<float>> matrix =
+        rounded(rows.matrix_of(rows.unknowns(), rows.unknowns()));
+    if (factorise(*matrix))
+    {
+      factors                                    = std::move(matrix);
+      touching_of_factors                        = touching;
+      unknowns_of_factors                        = rows.unknowns();
+      constexpr unsigned int enough_for_rounding = 12;
+      if (solved(enough_for_rounding))
+        return true;
+      factors.reset();
+    }
+    solution = right_hand_side;
+    return false;
   }
 } // namespace ringmotor

@@ -85,9 +85,11 @@ namespace ringmotor
 
   void CurveSearch::refine_meshes()
   {
-    // Short steps and other waves are worth their price on the meshes that stay.
+    // Short steps and other waves are worth their price on meshes that stay, and leave the meshes
+    // not all of the target.
+    constexpr double share   = 0.9;
     const auto is_too_coarse = [&](const unsigned int request)
-    { return relative(mesh_error(request)) > parameters.accuracy.contact_target; };
+    { return relative(mesh_error(request)) > share * parameters.accuracy.contact_target; };
     while (true)
     {
       find_on_both_meshes();

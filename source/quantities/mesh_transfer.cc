@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/quantities/mesh_transfer.h>
 
-#include <deal.II/lac/full_matrix.h>
+#include <deal.II/base/geometry_info.h>
+#include <deal.II/fe/fe_q.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace ringmotor
 {
+  using namespace dealii;
+
   namespace
   {
-    /** The points of another mesh that are nearest to a point: more than one if they are equally
-     * far. */
+    /** The points that are nearest to a point: more than one if they are equally far. */
     std::vector<unsigned int> nearest(const CondensedMotor::Node &node,
                                       const std::vector<CondensedMotor::Node> &others)
     {
@@ -27,47 +32,103 @@ namespace ringmotor
           nearest.push_back(i);
       return nearest;
     }
+
+    using Weights = std::vector<std::pair<unsigned int, double>>; ///< by point
+
+    /** The weights by which a field is interpolated to a point, in the face that holds it. */
+    Weights interpolation(const CondensedMotor::Node &node, const CondensedMotor &from)
+    {
+      double least = std::numeric_limits<double>::infinity();
+      Point<2> unit;
+      const std::vector<unsigned int> *face = nullptr;
+      for (const std::vector<unsigned int> &candidate : from.faces)
+      {
+        std::array<Point<2>, 4> corners;
+        for (unsigned int i = 0; i < 4; ++i)
+          corners[i] = {from.nodes[candidate[i]].radius, from.nodes[candidate[i]].angle};
+        const Point<2> found = unit_point(corners, {node.radius, node.angle});
+        const double outside = GeometryInfo<2>::distance_to_unit_cell(found);
+        if (outside < least)
+        {
+          least = outside;
+          unit  = GeometryInfo<2>::project_to_unit_cell(found);
+          face  = &candidate;
+        }
+      }
+      const FE_Q<2> element(from.degree);
+      Weights weights;
+      for (unsigned int i = 0; i < face->size(); ++i)
+        weights.emplace_back((*face)[i], element.shape_value(i, unit));
+      return weights;
+    }
+
+    /** How the points of one tooth's mesh lie among those of another. */
+    struct Neighbours
+    {
+      Neighbours(const CondensedMotor &from, const CondensedMotor &to)
+      {
+        for (const CondensedMotor::Node &node : to.nodes)
+        {
+          sources.push_back(nearest(node, from.nodes));
+          weights.push_back(interpolation(node, from));
+        }
+        for (const CondensedMotor::Node &node : from.nodes)
+          targets.push_back(nearest(node, to.nodes));
+      }
+
+      std::vector<std::vector<unsigned int>> sources; ///< nearest to each point of the new mesh
+      std::vector<Weights> weights;                   ///< of each point of the new mesh
+      std::vector<std::vector<unsigned int>> targets; ///< nearest to each point of the old mesh
+    };
   } // namespace
 
   ContactFields transferred(const ContactFields &fields, const CondensedMotor &from,
                             const CondensedMotor &to)
   {
-    // Shares of the forces at the points b that points a get; each b gives all of its force.
-    const unsigned int n_from = from.nodes.size(), n_to = to.nodes.size();
-    std::vector<std::vector<unsigned int>> sources;
-    dealii::FullMatrix<double> share(n_to, n_from);
-    for (unsigned int a = 0; a < n_to; ++a)
-    {
-      sources.push_back(nearest(to.nodes[a], from.nodes));
-      for (const unsigned int b : sources[a])
-        share(a, b) = to.nodes[a].area / sources[a].size();
-    }
-    for (unsigned int b = 0; b < n_from; ++b)
-    {
-      double sum = 0.;
-      for (unsigned int a = 0; a < n_to; ++a)
-        sum += share(a, b);
-      if (sum == 0.)
-        for (const unsigned int a : nearest(from.nodes[b], to.nodes))
-          sum += share(a, b) = to.nodes[a].area;
-      for (unsigned int a = 0; a < n_to; ++a)
-        share(a, b) /= sum;
-    }
-    const unsigned int n_blocks = fields.force.size() / n_from; // a moment of a tooth
+    constexpr double closed = 1e-12; // m
+    const Neighbours neighbours(from, to);
+    const unsigned int n_from = from.nodes.size(), n_to = to.nodes.size(),
+                       n_blocks = fields.force.size() / n_from; // a tooth at a moment
     ContactFields result        = fields;
-    for (auto *field : {&result.force, &result.motion, &result.tooth, &result.rotor})
-      field->clear();
+    result.tooth.clear();
+    result.rotor.clear();
+    result.force.assign(n_blocks * n_to, PointVector());
+    result.motion.clear();
     result.status.clear();
     for (unsigned int block = 0; block < n_blocks; ++block)
+    {
+      PointVector *force        = &result.force[block * n_to];
+      const PointVector *motion = &fields.motion[block * n_from];
       for (unsigned int a = 0; a < n_to; ++a)
       {
-        PointVector force;
-        for (unsigned int b = 0; b < n_from; ++b)
-          force += share(a, b) * fields.force[block * n_from + b];
-        result.force.push_back(force);
-        result.motion.push_back(fields.motion[block * n_from + sources[a].front()]);
-        result.status.push_back(fields.status[block * n_from + sources[a].front()]);
+        const unsigned int source = neighbours.sources[a].front();
+        result.motion.push_back(motion[source]);
+        result.motion.back()[0] = 0.;
+        for (const auto &[b, weight] : neighbours.weights[a])
+          result.motion.back()[0] += weight * motion[b][0];
+        result.status.push_back(fields.status[block * n_from + source]);
       }
+      // The force of each point goes to the closed points around it, or else to the nearest one.
+      for (unsigned int b = 0; b < n_from; ++b)
+      {
+        std::vector<std::pair<unsigned int, double>> shares;
+        double sum = 0.;
+        for (unsigned int a = 0; a < n_to; ++a)
+          if (result.motion[block * n_to + a][0] < closed &&
+              std::count(neighbours.sources[a].begin(), neighbours.sources[a].end(), b) > 0)
+          {
+            shares.emplace_back(a, to.nodes[a].area / neighbours.sources[a].size());
+            sum += shares.back().second;
+          }
+        if (shares.empty())
+        {
+          shares.emplace_back(neighbours.targets[b].front(), 1.);
+          sum = 1.;
+        }
+        for (const auto &[a, share] : shares)
+          force[a] += share / sum * fields.force[block * n_from + b];
+      }
+    }
     return result;
   }
 } // namespace ringmotor

@@ -103,9 +103,14 @@ namespace ringmotor
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &node_count &near &basis &kernel &table;
+      bool has_table = !table.empty(); // which is made anew faster than it is read
+      archive &node_count &near &basis &kernel &has_table;
       if (Archive::is_loading::value)
+      {
         prepare();
+        if (has_table)
+          tabulate();
+      }
     }
 
   private:

@@ -59,5 +59,17 @@ namespace ringmotor
   };
 
   /** LU factors in place. @return false if the matrix is singular */
-  bool factorise(dealii::LAPACKFullMatrix<double> &matrix);
+  template <typename Number>
+  bool factorise(dealii::LAPACKFullMatrix<Number> &matrix)
+  {
+    try
+    {
+      matrix.compute_lu_factorization();
+      return true;
+    }
+    catch (const dealii::LACExceptions::ExcSingular &)
+    {
+      return false;
+    }
+  }
 } // namespace ringmotor

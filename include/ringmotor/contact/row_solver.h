@@ -29,10 +29,15 @@ namespace ringmotor
                const std::vector<ContactRow> &rows, dealii::Vector<double> &solution);
 
   private:
-    bool solve_with_kept_factors(const ContactRows &rows, dealii::Vector<double> &solution) const;
-    bool solve_dense(const ContactRows &rows, dealii::Vector<double> &solution);
+    /** With the factors of an earlier system or of this one.
+     * @return false if these factors are not good enough; then the solution is left as it was */
+    bool solve_with_factors(const ContactRows &rows, const std::vector<unsigned int> &touching,
+                            dealii::Vector<double> &solution);
 
-    std::unique_ptr<dealii::LAPACKFullMatrix<double>> factors; ///< of the last dense matrix
+    /** Of the last dense matrix. Rounded to single precision they take half the time, and GMRES
+     * makes up for it. */
+    std::unique_ptr<dealii::LAPACKFullMatrix<float>> factors;
     std::vector<unsigned int> touching_of_factors, unknowns_of_factors;
+    bool is_far = false; ///< the factors were of no use for the last system
   };
 } // namespace ringmotor
