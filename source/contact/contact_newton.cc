@@ -21,12 +21,11 @@ namespace ringmotor
       const std::vector<PointVector> chosen_by = is_first ? seen : iterate.motion;
       const NewtonSystem system(problem, bound_of, constants, chosen_by, iterate.state,
                                 iterate.motion);
-      if (system.n_touching() > limits.most_touching)
-        break;
       ++iterate.n_iterations;
-      iterate.failed = !system.solve(solver, iterate.state);
-      if (iterate.failed)
+      iterate.failed = true;
+      if (system.n_touching() > limits.most_touching || !system.solve(solver, iterate.state))
         break;
+      iterate.failed      = false;
       iterate.motion      = problem.relative_motion(iterate.state);
       iterate.certificate = certify(problem, bound_of, iterate.state, iterate.motion);
       const double worst  = iterate.certificate.worst();

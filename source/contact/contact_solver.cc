@@ -89,6 +89,7 @@ namespace ringmotor
         iterate.motion       = problem.relative_motion(state);
         iterate.certificate  = certify(problem, bound_of, state, iterate.motion);
         iterate.n_iterations = n_systems;
+        iterate.failed       = false;
         return iterate;
       };
       ContactIterate found = judged(start);
@@ -181,7 +182,7 @@ namespace ringmotor
         return true;
       tried << (tried.str().empty() ? "" : ", ") << what << " (";
       if (iterate.failed)
-        tried << "a linear system was not solved";
+        tried << "given up";
       else
         tried << iterate.certificate.worst();
       tried << " after " << iterate.n_iterations << ")";

@@ -188,6 +188,25 @@ TEST(ContactHard, OfNothing)
   expect_refused(adrift, 0.3, {1e8, 1e8});
 }
 
+TEST(ContactHard, ThatIsGivenUpIsNotSolved)
+{
+  DenseContact problem(3, 0);
+  for (unsigned int i = 0; i < 9; ++i)
+    problem.compliance(i, i) = 1e-8;
+  for (PointVector &motion : problem.free_motion)
+    motion[0] = -1e-6;
+  const FrictionBoundOf without = [](unsigned int, double, double) { return FrictionBound{}; };
+  for (const unsigned int most_touching : {2u, 3u})
+  {
+    RowSolver solver;
+    NewtonLimits limits{20};
+    limits.most_touching = most_touching;
+    const ContactIterate iterate =
+        newton(problem, without, {1e8, 1e8}, problem.nothing(), limits, solver);
+    EXPECT_EQ(iterate.certified(), most_touching == 3);
+  }
+}
+
 TEST(ContactHard, ThatAllGrazes)
 {
   // All gaps are zero, exactly and up to rounding, first without a load

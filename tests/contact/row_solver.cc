@@ -216,16 +216,16 @@ TEST(RowSolver, SolvesRingsOfParts)
 TEST(RowSolver, SolvesSystemsThatAreNearlyTheSameAndOthers)
 {
   // Enough unknowns for kept factors in single precision. GMRES reduces residuals by 1e-8, which is
-  // a thousandth of these solutions at most; Newton's next step does the rest.
+  // less than a hundredth of these solutions; Newton's next step does the rest.
   const unsigned int n = 400;
   const RandomProblem problem(n, 1, 2);
   RowSolver solver;
   System system(problem, all_but_some(n));
-  system.expect_solved_by(solver, 1e-3);
+  system.expect_solved_by(solver, 1e-2);
   for (const unsigned int n_changed : {1u, 5u, 340u, 1u, 1u})
   {
     system.change(n_changed);
-    system.expect_solved_by(solver, 1e-3);
+    system.expect_solved_by(solver, 1e-2);
   }
   System(problem, {1, 2, 3, 4, 5}).expect_solved_by(solver); // other nodes, and few
 }

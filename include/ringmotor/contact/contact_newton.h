@@ -14,8 +14,8 @@ namespace ringmotor
     ContactState state;
     std::vector<PointVector> motion; ///< gap and slip (m) by contact node
     ContactCertificate certificate;
-    unsigned int n_iterations = 0;     ///< linear systems solved
-    bool failed               = false; ///< a linear system was not solved
+    unsigned int n_iterations = 0; ///< linear systems solved
+    bool failed = true; ///< nothing is known of the state: too many nodes, or a singular system
 
     bool certified() const { return !failed && certificate.holds(); }
   };
