@@ -14,13 +14,7 @@ namespace ringmotor
 {
   namespace
   {
-    constexpr unsigned int finest_level = 3, most_parts = 16;
-
-    /** The level whose change to @p level tells the error of the meshes. */
-    unsigned int compared_with(const unsigned int level)
-    {
-      return level == 0 ? 1 : level - 1;
-    }
+    constexpr unsigned int most_parts = 16;
 
     bool are_equal(const CurveSetting &a, const CurveSetting &b)
     {
@@ -87,14 +81,17 @@ namespace ringmotor
   {
     // Short steps and other waves are worth their price on meshes that stay, and leave the meshes
     // not all of the target.
-    constexpr double share   = 0.9;
-    const auto is_too_coarse = [&](const unsigned int request)
-    { return relative(mesh_error(request)) > share * parameters.accuracy.contact_target; };
+    constexpr double share = 0.9;
+    const double target    = parameters.accuracy.contact_target;
     while (true)
     {
       find_on_both_meshes();
-      const std::vector<unsigned int> all = all_requests();
-      if (reached_level == finest_level || std::none_of(all.begin(), all.end(), is_too_coarse))
+      double worst = 0.;
+      for (const unsigned int i : all_requests())
+        worst = std::max(worst, relative(mesh_error(i)));
+      if (worst > target && reached_level == finest_level)
+        refuse(worst);
+      if (worst <= share * target || reached_level == finest_level)
         return;
       take_finer_meshes();
     }
@@ -144,11 +141,17 @@ namespace ringmotor
     if (reached_level < finest_level)
       take_finer_meshes();
     else if (!shortened)
-      throw ComputationError(
-          "speeds and torques are known to " + short_text(worst_error()) +
-          " (relative) on the finest interface mesh, but Accuracy/Contact target = " +
-          short_text(parameters.accuracy.contact_target) + "; choose a larger one" +
-          (is_marched(parameters) ? ", or a smaller Time/Time step" : ""));
+      refuse(worst_error());
+  }
+
+  void CurveSearch::refuse(const double error) const
+  {
+    throw ComputationError("speeds and torques are known to " + short_text(error) +
+                           " (relative) on the finest interface mesh, but Accuracy/Contact target "
+                           "= " +
+                           short_text(parameters.accuracy.contact_target) +
+                           "; choose a larger one" +
+                           (is_marched(parameters) ? ", or a smaller Time/Time step" : ""));
   }
 
   namespace
@@ -260,14 +263,16 @@ namespace ringmotor
       }
       break;
     }
+    if (starts.empty() && sticks) // under all torques alike
+      starts.assign(wanted.size(), stalled);
     return starts;
   }
 
   void CurveSearch::find_requests(const unsigned int n_parts_to_start_with)
   {
-    requests                 = {{Control::speed, 0.}};
-    const CurvePoint stalled = point_of(plain_setting(reached_level), 0);
-    stall_torque             = stalled.result.torque;
+    requests     = {{Control::speed, 0.}};
+    stalled      = point_of(plain_setting(reached_level), 0);
+    stall_torque = stalled.result.torque;
     // Where all points stick at rest their forces are not determined; the rotor holds what friction
     // bears. Half of it is asked for, and refused if they slip.
     constexpr double all = 1. - 1e-9, asked_of_sticking = 0.5;
@@ -409,64 +414,5 @@ namespace ringmotor
     return {results[middle], signed_change(results[middle], dynamic),
             signed_change(before, point_of(shorter, middle)),
             signed_change(point_of(plain_setting(compared_with(reached_level)), middle), before)};
-  }
-
-  double CurveSearch::point_seconds(const CurveSetting &setting)
-  {
-    double seconds = 0.;
-    for (const auto &[request, point] : known[setting])
-      seconds += point.seconds;
-    return seconds;
-  }
-
-  CurveSearch::Rung CurveSearch::rung_of(const CurveSetting &setting)
-  {
-    reached_level = setting.level;
-    if (requests.empty())
-      find_requests(setting.n_parts);
-    n_parts.assign(requests.size(), setting.n_parts);
-    evaluate();
-    const unsigned int coarse = compared_with(setting.level);
-    Rung rung;
-    rung.setting                = setting;
-    rung.n_nodes                = motor().nodes.size();
-    rung.n_dofs                 = motor().n_dofs;
-    rung.n_steps                = std::lround(motor().period() / points().front().fields.time_step);
-    rung.largest_error          = worst_error();
-    rung.seconds                = motor_seconds[setting.level] + point_seconds(setting);
-    rung.seconds_with_error_bar = motor_seconds[setting.level] + motor_seconds[coarse];
-    for (const CurveSetting &used :
-         std::set<CurveSetting>{setting, plain_setting(setting.level), plain_setting(coarse),
-                                changed_wave(), compared_step(0)})
-      rung.seconds_with_error_bar += point_seconds(used);
-    return rung;
-  }
-
-  std::vector<CurveSearch::Rung>
-  CurveSearch::climb(const std::function<void(const Rung &)> &after_rung)
-  {
-    std::vector<Rung> rungs;
-    const unsigned int first  = parts_to_start_with();
-    const unsigned int finest = parameters.accuracy.mode == AccuracyMode::fixed
-                                    ? std::max(1u, parameters.accuracy.interface_refinement)
-                                    : finest_level;
-    for (unsigned int level = 1; level <= finest; ++level)
-    {
-      motors.erase(motors.begin(), motors.lower_bound(compared_with(level)));
-      // Half the step on the finest mesh would cost more than all other settings together.
-      const unsigned int last = level < finest_level ? 2 * first : first;
-      for (unsigned int parts = first; parts <= last; parts *= 2)
-      {
-        rungs.push_back(rung_of({level, parts}));
-        after_rung(rungs.back());
-      }
-    }
-    for (Rung &rung : rungs)
-    {
-      rung.distance = 0.;
-      for (const auto &[request, point] : known[rung.setting])
-        rung.distance = std::max(rung.distance, relative(change(point, results[request])));
-    }
-    return rungs;
   }
 } // namespace ringmotor

@@ -78,6 +78,13 @@ namespace ringmotor
     std::vector<Rung> climb(const std::function<void(const Rung &)> &after_rung);
 
   private:
+    static constexpr unsigned int finest_level = 3;
+    /** The level whose change to @p level tells the error of the meshes. */
+    static unsigned int compared_with(const unsigned int level)
+    {
+      return level == 0 ? 1 : level - 1;
+    }
+
     const CondensedMotor &motor_of(const unsigned int level);
     /** Computes points of some requests where they are not known yet. */
     void find_points_of(const CurveSetting &setting, const std::vector<unsigned int> &wanted);
@@ -102,6 +109,8 @@ namespace ringmotor
     /** Takes finer meshes as long as their error alone is too large. */
     void refine_meshes();
     void take_finer_meshes();
+    /** The target is out of reach, @p error is not. @throws ComputationError */
+    [[noreturn]] void refuse(const double error) const;
     /** Shortens steps until powers balance. */
     void balance_powers();
     void refine();
@@ -122,6 +131,7 @@ namespace ringmotor
     const Parameters &parameters;
     const double wave_error;
     const Sources sources;
+    CurvePoint stalled; ///< on the first mesh
     bool sticks         = false;
     double stall_torque = 0.; ///< N m; of the first motor that was computed
     std::vector<PointRequest> requests;
