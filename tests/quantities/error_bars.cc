@@ -206,7 +206,9 @@ namespace
       motor.n_teeth           = 90;
       motor.n_waves           = 7;
       motor.angular_frequency = 2e5;
-      motor.nodes.resize(1);
+      motor.nodes  = {{1., 0., 1., {}}, {2., 0., 1., {}}, {1., 0.1, 1., {}}, {2., 0.1, 1., {}}};
+      motor.faces  = {{0, 1, 2, 3}};
+      motor.degree = 1;
       return motor;
     };
     sources.points = [a, b](const Parameters &, const CondensedMotor &, const CurveSetting &setting,
