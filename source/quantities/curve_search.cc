@@ -16,17 +16,6 @@ namespace ringmotor
   {
     constexpr unsigned int most_parts = 16;
 
-    bool are_equal(const CurveSetting &a, const CurveSetting &b)
-    {
-      return !(a < b) && !(b < a);
-    }
-
-    /** Steps in the time in which a tooth comes to be where another one was. */
-    double steps_of(const CurveSetting &setting)
-    {
-      return setting.n_parts / static_cast<double>(setting.n_joined);
-    }
-
     /** The same motor with a wave that moves its surface faster, but not higher. */
     CondensedMotor with_faster_wave(const CondensedMotor &motor, const double factor)
     {
@@ -62,7 +51,7 @@ namespace ringmotor
           " (relative) only, but Accuracy/Contact target = " + short_text(accuracy.contact_target) +
           "; run the program stator with these parameters (and Accuracy/Mode = adaptive) first");
     reached_level = is_fixed ? accuracy.interface_refinement : 1;
-    find_requests(parts_to_start_with());
+    find_requests(parts_to_start_with(parameters));
     while (true)
     {
       if (!is_fixed)
@@ -154,51 +143,10 @@ namespace ringmotor
                            (is_marched(parameters) ? ", or a smaller Time/Time step" : ""));
   }
 
-  namespace
-  {
-    /** Teeth after which all repeats itself: steps in a period of the wave, undivided. */
-    unsigned int teeth_that_differ(const Motor &motor)
-    {
-      return motor.n_teeth / std::gcd(motor.n_waves, motor.n_teeth);
-    }
-
-    /** Parts of a step so that a period has so many steps or more. */
-    unsigned int parts_for(const Motor &motor, const unsigned int n_steps)
-    {
-      return (n_steps - 1 + teeth_that_differ(motor)) / teeth_that_differ(motor);
-    }
-
-    constexpr unsigned int few_steps = 45, many_steps = 90; ///< in a period
-  }                                                         // namespace
-
-  CurveSetting CurveSearch::plain_setting(const unsigned int level) const
-  {
-    CurveSetting plain{level};
-    if (is_marched(parameters))
-      return plain;
-    plain.n_parts = parts_for(parameters.motor, few_steps);
-    while (2 * plain.n_joined * few_steps <= teeth_that_differ(parameters.motor))
-      plain.n_joined *= 2;
-    return plain;
-  }
-
   CurveSetting CurveSearch::compared_step(const unsigned int request) const
   {
-    CurveSetting other = plain_setting(reached_level);
-    if (other.n_joined == 1 && other.n_parts == n_parts[request])
-      other.n_parts *= 2;
-    return other;
-  }
-
-  unsigned int CurveSearch::parts_to_start_with() const
-  {
-    if (is_marched(parameters))
-      return 1;
-    if (parameters.accuracy.mode == AccuracyMode::fixed)
-      return parameters.time.n_snapshots;
-    const CurveSetting plain = plain_setting(0);
-    return std::max({plain.n_joined > 1 ? 1 : plain.n_parts + 1,
-                     parts_for(parameters.motor, many_steps), parameters.time.n_snapshots});
+    const CurveSetting plain = plain_setting(parameters, reached_level);
+    return plain == CurveSetting{reached_level, n_parts[request]} ? plain.halved() : plain;
   }
 
   const CondensedMotor &CurveSearch::motor_of(const unsigned int level)
@@ -241,8 +189,10 @@ namespace ringmotor
                                                   const std::vector<unsigned int> &wanted)
   {
     std::vector<CurvePoint> starts;
-    const CurveSetting plain = plain_setting(setting.level);
-    if (!are_equal(setting, plain)) // short steps and other waves
+    if (is_marched(parameters))
+      return starts;
+    const CurveSetting plain = plain_setting(parameters, setting.level);
+    if (!(setting == plain)) // short steps and other waves
     {
       if (plain.n_parts == 1 || plain.n_parts == setting.n_parts)
         for (const unsigned int request : wanted)
@@ -251,19 +201,20 @@ namespace ringmotor
     }
     for (const auto &[level, motor] : motors)
     {
-      const auto points = known.find(plain_setting(level));
-      if (level == setting.level || is_marched(parameters) || points == known.end() ||
+      const auto points = known.find(plain_setting(parameters, level));
+      if (level == setting.level || points == known.end() ||
           std::any_of(wanted.begin(), wanted.end(),
                       [&](const unsigned int i) { return points->second.count(i) == 0; }))
         continue;
+      const MeshTransfer transfer(*motor, motor_of(setting.level));
       for (const unsigned int request : wanted)
       {
         starts.push_back(points->second.at(request));
-        starts.back().fields = transferred(starts.back().fields, *motor, motor_of(setting.level));
+        starts.back().fields = transfer.fields(starts.back().fields);
       }
-      break;
+      return starts;
     }
-    if (starts.empty() && sticks) // under all torques alike
+    if (rotor_sticks()) // under all torques alike
       starts.assign(wanted.size(), stalled);
     return starts;
   }
@@ -271,13 +222,12 @@ namespace ringmotor
   void CurveSearch::find_requests(const unsigned int n_parts_to_start_with)
   {
     requests     = {{Control::speed, 0.}};
-    stalled      = point_of(plain_setting(reached_level), 0);
+    stalled      = point_of(plain_setting(parameters, reached_level), 0);
     stall_torque = stalled.result.torque;
     // Where all points stick at rest their forces are not determined; the rotor holds what friction
     // bears. Half of it is asked for, and refused if they slip.
-    constexpr double all = 1. - 1e-9, asked_of_sticking = 0.5;
-    sticks = stalled.result.stick_fraction > all;
-    if (sticks)
+    constexpr double asked_of_sticking = 0.5;
+    if (rotor_sticks())
       stall_torque = asked_of_sticking * parameters.friction.dynamic_coefficient *
                      parameters.loading.preload * motor_of(reached_level).nodes.front().radius;
     if (parameters.loading.control == Control::torque)
@@ -288,20 +238,27 @@ namespace ringmotor
                           short_text(stall_torque) +
                           " N m; allowed: less than that, or Loading/Control = speed");
     requests = requested_points(parameters.loading, stall_torque);
-    if (sticks && parameters.loading.values.empty())
+    if (rotor_sticks() && parameters.loading.values.empty())
       requests.back() = {Control::torque, stall_torque};
     known.clear();
     for (unsigned int i = 0; i < requests.size(); ++i)
       if (requests[i].control == Control::speed && requests[i].value == 0.)
-        known[plain_setting(reached_level)][i] = stalled;
+        known[plain_setting(parameters, reached_level)][i] = stalled;
     n_parts.assign(requests.size(), n_parts_to_start_with);
+  }
+
+  bool CurveSearch::rotor_sticks() const
+  {
+    constexpr double all = 1. - 1e-9;
+    return stalled.result.stick_fraction > all;
   }
 
   PointError CurveSearch::mesh_error(const unsigned int request)
   {
     constexpr double margin = 2.;
-    PointError error        = change(point_of(plain_setting(compared_with(reached_level)), request),
-                                     point_of(plain_setting(reached_level), request));
+    PointError error =
+        change(point_of(plain_setting(parameters, compared_with(reached_level)), request),
+               point_of(plain_setting(parameters, reached_level), request));
     error *= margin;
     return error;
   }
@@ -314,10 +271,10 @@ namespace ringmotor
     errors.mesh = mesh_error(request);
     // Of first order, C / n with n steps per pitch: C follows from two of them.
     errors.time = change(point, point_of(other, request));
-    errors.time *= steps_of(other) / std::abs(steps_of(other) - steps_of(own));
-    errors.wave =
-        change(point_of(plain_setting(reached_level), request), point_of(changed_wave(), request));
-    errors.window                = point.window;
+    errors.time *= other.n_steps() / std::abs(other.n_steps() - own.n_steps());
+    errors.wave   = change(point_of(plain_setting(parameters, reached_level), request),
+                           point_of(changed_wave(), request));
+    errors.window = point.window;
     const OperatingPoint &result = point.result;
     const bool of_torque         = requests[request].control == Control::torque;
     errors.algebra               = {of_torque ? std::abs(result.speed) : 0.,
@@ -329,7 +286,7 @@ namespace ringmotor
 
   CurveSetting CurveSearch::changed_wave() const
   {
-    CurveSetting setting = plain_setting(reached_level);
+    CurveSetting setting = plain_setting(parameters, reached_level);
     setting.wave_factor  = 1. + wave_error;
     return setting;
   }
@@ -343,8 +300,8 @@ namespace ringmotor
 
   void CurveSearch::find_on_both_meshes()
   {
-    find_points_of(plain_setting(reached_level), all_requests());
-    find_points_of(plain_setting(compared_with(reached_level)), all_requests());
+    find_points_of(plain_setting(parameters, reached_level), all_requests());
+    find_points_of(plain_setting(parameters, compared_with(reached_level)), all_requests());
   }
 
   void CurveSearch::find_with_own_steps()
@@ -388,7 +345,7 @@ namespace ringmotor
     for (const CondensedMotor::Node &node : motor().nodes)
       fastest = std::max(fastest, slow * motor().angular_frequency * std::abs(node.free_motion[1]) /
                                       node.radius);
-    for (const auto &[request, point] : known.at(plain_setting(reached_level)))
+    for (const auto &[request, point] : known.at(plain_setting(parameters, reached_level)))
       fastest = std::max(fastest, std::abs(point.result.speed));
     return std::max(error.torque / std::abs(stall_torque), // the motor may stand still
                     error.speed > 0. ? error.speed / fastest : 0.);
@@ -408,11 +365,11 @@ namespace ringmotor
       return of_torque ? to.result.speed - from.result.speed
                        : to.result.torque - from.result.torque;
     };
-    const CurveSetting plain = plain_setting(reached_level);
-    const CurveSetting shorter{reached_level, plain.n_joined > 1 ? 1 : 2 * plain.n_parts};
+    const CurveSetting plain = plain_setting(parameters, reached_level);
     const CurvePoint &before = point_of(plain, middle);
     return {results[middle], signed_change(results[middle], dynamic),
-            signed_change(before, point_of(shorter, middle)),
-            signed_change(point_of(plain_setting(compared_with(reached_level)), middle), before)};
+            signed_change(before, point_of(plain.halved(), middle)),
+            signed_change(point_of(plain_setting(parameters, compared_with(reached_level)), middle),
+                          before)};
   }
 } // namespace ringmotor

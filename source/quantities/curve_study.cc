@@ -31,9 +31,9 @@ namespace ringmotor
     rung.largest_error          = worst_error();
     rung.seconds                = motor_seconds[setting.level] + point_seconds(setting);
     rung.seconds_with_error_bar = motor_seconds[setting.level] + motor_seconds[coarse];
-    for (const CurveSetting &used :
-         std::set<CurveSetting>{setting, plain_setting(setting.level), plain_setting(coarse),
-                                changed_wave(), compared_step(0)})
+    for (const CurveSetting &used : std::set<CurveSetting>{
+             setting, plain_setting(parameters, setting.level), plain_setting(parameters, coarse),
+             changed_wave(), compared_step(0)})
       rung.seconds_with_error_bar += point_seconds(used);
     return rung;
   }
@@ -42,7 +42,7 @@ namespace ringmotor
   CurveSearch::climb(const std::function<void(const Rung &)> &after_rung)
   {
     std::vector<Rung> rungs;
-    const unsigned int first  = parts_to_start_with();
+    const unsigned int first  = parts_to_start_with(parameters);
     const unsigned int finest = parameters.accuracy.mode == AccuracyMode::fixed
                                     ? std::max(1u, parameters.accuracy.interface_refinement)
                                     : finest_level;

@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace ringmotor
 {
@@ -61,35 +60,26 @@ namespace ringmotor
         weights.emplace_back((*face)[i], element.shape_value(i, unit));
       return weights;
     }
-
-    /** How the points of one tooth's mesh lie among those of another. */
-    struct Neighbours
-    {
-      Neighbours(const CondensedMotor &from, const CondensedMotor &to)
-      {
-        for (const CondensedMotor::Node &node : to.nodes)
-        {
-          sources.push_back(nearest(node, from.nodes));
-          weights.push_back(interpolation(node, from));
-        }
-        for (const CondensedMotor::Node &node : from.nodes)
-          targets.push_back(nearest(node, to.nodes));
-      }
-
-      std::vector<std::vector<unsigned int>> sources; ///< nearest to each point of the new mesh
-      std::vector<Weights> weights;                   ///< of each point of the new mesh
-      std::vector<std::vector<unsigned int>> targets; ///< nearest to each point of the old mesh
-    };
   } // namespace
 
-  ContactFields transferred(const ContactFields &fields, const CondensedMotor &from,
-                            const CondensedMotor &to)
+  MeshTransfer::MeshTransfer(const CondensedMotor &from, const CondensedMotor &to)
+      : from(from), to(to)
   {
-    constexpr double closed = 1e-12; // m
-    const Neighbours neighbours(from, to);
+    for (const CondensedMotor::Node &node : to.nodes)
+    {
+      sources.push_back(nearest(node, from.nodes));
+      weights.push_back(interpolation(node, from));
+    }
+    for (const CondensedMotor::Node &node : from.nodes)
+      target.push_back(nearest(node, to.nodes).front());
+  }
+
+  ContactFields MeshTransfer::fields(const ContactFields &known) const
+  {
+    constexpr double closed   = 1e-12; // m
     const unsigned int n_from = from.nodes.size(), n_to = to.nodes.size(),
-                       n_blocks = fields.force.size() / n_from; // a tooth at a moment
-    ContactFields result        = fields;
+                       n_blocks = known.force.size() / n_from; // a tooth at a moment
+    ContactFields result        = known;
     result.tooth.clear();
     result.rotor.clear();
     result.force.assign(n_blocks * n_to, PointVector());
@@ -98,15 +88,15 @@ namespace ringmotor
     for (unsigned int block = 0; block < n_blocks; ++block)
     {
       PointVector *force        = &result.force[block * n_to];
-      const PointVector *motion = &fields.motion[block * n_from];
+      const PointVector *motion = &known.motion[block * n_from];
       for (unsigned int a = 0; a < n_to; ++a)
       {
-        const unsigned int source = neighbours.sources[a].front();
+        const unsigned int source = sources[a].front();
         result.motion.push_back(motion[source]);
         result.motion.back()[0] = 0.;
-        for (const auto &[b, weight] : neighbours.weights[a])
+        for (const auto &[b, weight] : weights[a])
           result.motion.back()[0] += weight * motion[b][0];
-        result.status.push_back(fields.status[block * n_from + source]);
+        result.status.push_back(known.status[block * n_from + source]);
       }
       // The force of each point goes to the closed points around it, or else to the nearest one.
       for (unsigned int b = 0; b < n_from; ++b)
@@ -115,18 +105,18 @@ namespace ringmotor
         double sum = 0.;
         for (unsigned int a = 0; a < n_to; ++a)
           if (result.motion[block * n_to + a][0] < closed &&
-              std::count(neighbours.sources[a].begin(), neighbours.sources[a].end(), b) > 0)
+              std::count(sources[a].begin(), sources[a].end(), b) > 0)
           {
-            shares.emplace_back(a, to.nodes[a].area / neighbours.sources[a].size());
+            shares.emplace_back(a, to.nodes[a].area / sources[a].size());
             sum += shares.back().second;
           }
         if (shares.empty())
         {
-          shares.emplace_back(neighbours.targets[b].front(), 1.);
+          shares.emplace_back(target[b], 1.);
           sum = 1.;
         }
         for (const auto &[a, share] : shares)
-          force[a] += share / sum * fields.force[block * n_from + b];
+          force[a] += share / sum * known.force[block * n_from + b];
       }
     }
     return result;

@@ -71,7 +71,7 @@ namespace
 
 TEST(MeshTransfer, ChangesNothingOnTheSameMesh)
 {
-  const ContactFields fields = edge_contact(), same = transferred(fields, coarse, coarse);
+  const ContactFields fields = edge_contact(), same = MeshTransfer(coarse, coarse).fields(fields);
   ASSERT_EQ(same.force.size(), fields.force.size());
   for (unsigned int i = 0; i < fields.force.size(); ++i)
   {
@@ -83,8 +83,8 @@ TEST(MeshTransfer, ChangesNothingOnTheSameMesh)
 
 TEST(MeshTransfer, LosesNoForceAndKeepsTheEdge)
 {
-  const ContactFields fields = edge_contact(), finer = transferred(fields, coarse, fine),
-                      back = transferred(finer, fine, coarse);
+  const ContactFields fields = edge_contact(), finer = MeshTransfer(coarse, fine).fields(fields),
+                      back = MeshTransfer(fine, coarse).fields(finer);
   ASSERT_EQ(finer.force.size(), 30u);
   for (unsigned int tooth = 0; tooth < 2; ++tooth)
   {

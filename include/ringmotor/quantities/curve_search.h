@@ -6,7 +6,6 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <tuple>
 #include <vector>
 
 namespace ringmotor
@@ -47,7 +46,7 @@ namespace ringmotor
     const CondensedMotor &motor() const { return *motors.at(reached_level); }
     const std::vector<CurvePoint> &points() const { return results; }
     /** Whether the wave does not turn the rotor, because all points stick. */
-    bool rotor_sticks() const { return sticks; }
+    bool rotor_sticks() const;
     /** Relative to the fastest speed and to the stall torque: the largest error bar. */
     double worst_error() const;
 
@@ -118,21 +117,16 @@ namespace ringmotor
     /** Processor seconds of the points of a setting. */
     double point_seconds(const CurveSetting &setting);
     void find_requests(const unsigned int n_parts);
-    /** With which meshes and waves are compared: the same steps on all meshes, not more unknowns
-     * than necessary. */
-    CurveSetting plain_setting(const unsigned int level) const;
     /** With which steps those of a point are compared. */
     CurveSetting compared_step(const unsigned int request) const;
     CurveSetting changed_wave() const;
-    unsigned int parts_to_start_with() const;
     /** Relative to the fastest speed and to the stall torque. */
     double relative(const PointError &error) const;
 
     const Parameters &parameters;
     const double wave_error;
     const Sources sources;
-    CurvePoint stalled; ///< on the first mesh
-    bool sticks         = false;
+    CurvePoint stalled;       ///< on the first mesh
     double stall_torque = 0.; ///< N m; of the first motor that was computed
     std::vector<PointRequest> requests;
     unsigned int reached_level = 0;

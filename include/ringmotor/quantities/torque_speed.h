@@ -4,6 +4,7 @@
 #include <ringmotor/contact/steady.h>
 #include <ringmotor/contact/warp.h>
 #include <ringmotor/quantities/contact_fields.h>
+#include <ringmotor/quantities/curve_setting.h>
 #include <ringmotor/quantities/operating_point.h>
 #include <ringmotor/quantities/rotor_energy.h>
 
@@ -12,31 +13,10 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <vector>
 
 namespace ringmotor
 {
-  /** How finely bodies and time are divided. */
-  struct CurveSetting
-  {
-    unsigned int level = 0; ///< of the meshes, see ContactDiscretisation::level()
-    /** Into how many parts a step is divided: the moments of the steady state, or the parts of
-     * Time/Time step. */
-    unsigned int n_parts = 1;
-    /** How many steps of the steady state are joined to one, see SteadyStep; only such long steps
-     * tell without more unknowns how large the error of a step is. */
-    unsigned int n_joined = 1;
-    /** Factor of the speed of the stator's surface, by which its error is felt. */
-    double wave_factor = 1.;
-
-    bool operator<(const CurveSetting &other) const
-    {
-      return std::tie(level, n_parts, n_joined, wave_factor) <
-             std::tie(other.level, other.n_parts, other.n_joined, other.wave_factor);
-    }
-  };
-
   /** An operating point that is asked for. */
   struct PointRequest
   {

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/parameters/parameters.h>
+
+#include <tuple>
+
+namespace ringmotor
+{
+  /** How finely bodies and time are divided. */
+  struct CurveSetting
+  {
+    unsigned int level = 0; ///< of the meshes, see ContactDiscretisation::level()
+    /** Into how many parts a step is divided: the moments of the steady state, or the parts of
+     * Time/Time step. */
+    unsigned int n_parts = 1;
+    /** How many steps of the steady state are joined to one, see SteadyStep; only such long steps
+     * tell without more unknowns how large the error of a step is. */
+    unsigned int n_joined = 1;
+    /** Factor of the speed of the stator's surface, by which its error is felt. */
+    double wave_factor = 1.;
+
+    bool operator<(const CurveSetting &other) const
+    {
+      return std::tie(level, n_parts, n_joined, wave_factor) <
+             std::tie(other.level, other.n_parts, other.n_joined, other.wave_factor);
+    }
+
+    bool operator==(const CurveSetting &other) const
+    {
+      return !(*this < other) && !(other < *this);
+    }
+
+    /** Steps in the time in which a tooth comes to be where another one was. */
+    double n_steps() const { return n_parts / static_cast<double>(n_joined); }
+
+    /** The same with steps of half the length. */
+    CurveSetting halved() const;
+  };
+
+  /** With which meshes and waves are compared: the same steps on all meshes, not more unknowns than
+   * necessary. */
+  CurveSetting plain_setting(const Parameters &parameters, const unsigned int level);
+
+  /** CurveSetting::n_parts to begin with: `Time/Snapshots`, or so many that steps are shorter than
+   * those of plain_setting() and not too long. */
+  unsigned int parts_to_start_with(const Parameters &parameters);
+} // namespace ringmotor
