@@ -68,10 +68,15 @@ namespace ringmotor
       const StatorWave wave;
       std::optional<ContactKeep> keep; ///< of run(); a study measures what it costs without
       const std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
-      static constexpr double growth = 1.5; ///< exponent of the seconds of a point, assumed
-      double seconds_per_unknown     = 0.;  ///< to that exponent, at the last point
+      double seconds_per_effort = 0.; ///< at the last point, see effort_of()
       CurveSearch search;
     };
+
+    /** To what the seconds of an operating point are assumed to be proportional. */
+    double effort_of(const CondensedMotor &motor, const CurveSetting &setting)
+    {
+      return std::pow(motor.nodes.size() * setting.n_parts, 1.5);
+    }
 
     std::string setting_text(const CurveSearch::Rung &rung)
     {
@@ -164,8 +169,7 @@ namespace ringmotor
       const auto after_point = [&](const CurvePoint &point)
       {
         log.progress("operating points", std::min(1., ++n_found / (1. * requests.size())));
-        const double n_unknowns = motor.nodes.size() * setting.n_parts;
-        seconds_per_unknown     = point.seconds / std::pow(n_unknowns, growth);
+        seconds_per_effort = point.seconds / effort_of(motor, setting);
         check_time_limit();
       };
       return keep ? keep->points(of_points, motor, setting, requests, after_point, starts)
@@ -177,16 +181,15 @@ namespace ringmotor
                                     const unsigned int n_points)
     {
       constexpr double worth_telling = 60.;
-      const double n_unknowns        = motor.nodes.size() * motor.repeating().n_sectors() *
-                                static_cast<double>(setting.n_parts),
-                   seconds = n_points * seconds_per_unknown *
-                             std::pow(n_unknowns / motor.repeating().n_sectors(), growth);
+      const double seconds           = n_points * seconds_per_effort * effort_of(motor, setting);
       if (seconds > worth_telling)
-        log.line("the next " + std::to_string(n_points) + " operating points on interface mesh " +
-                 std::to_string(setting.level) + " have " + text(n_unknowns, 0) +
-                 " contact points each and may take some " + text(seconds, 0) +
-                 " s; Accuracy/Time limit stops them, a larger Accuracy/Contact target makes them "
-                 "cheaper");
+        log.line(
+            "the next " + std::to_string(n_points) + " operating points on interface mesh " +
+            std::to_string(setting.level) + " have " +
+            std::to_string(motor.nodes.size() * motor.repeating().n_sectors() * setting.n_parts) +
+            " contact points each and may take some " + text(seconds, 0) +
+            " s; Accuracy/Time limit stops them, a larger Accuracy/Contact target makes them "
+            "cheaper");
     }
 
     void ContactProgram::check_time_limit() const

@@ -17,8 +17,8 @@ namespace ringmotor
     unsigned int of_gain = 0; // iteration of the last gain
     while (iterate.n_iterations < limits.most_iterations)
     {
-      const bool is_first                      = iterate.n_iterations == 0 && !seen.empty();
-      const std::vector<PointVector> chosen_by = is_first ? seen : iterate.motion;
+      const bool is_first                       = iterate.n_iterations == 0 && !seen.empty();
+      const std::vector<PointVector> &chosen_by = is_first ? seen : iterate.motion;
       const NewtonSystem system(problem, bound_of, constants, chosen_by, iterate.state,
                                 iterate.motion);
       ++iterate.n_iterations;

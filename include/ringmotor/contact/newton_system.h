@@ -25,8 +25,9 @@ namespace ringmotor
   class NewtonSystem
   {
   public:
-    /** Chooses open, sticking and slipping nodes, by the forces and by the motion @p seen. Open
-     * nodes lose their forces: @p state and @p motion, its relative motion, are changed. */
+    /** Chooses open, sticking and slipping nodes, by the forces and by the motion @p seen, which
+     * may be @p motion. Open nodes lose their forces: @p state and @p motion, its relative motion,
+     * are changed. */
     NewtonSystem(const ContactProblem &problem, const FrictionBoundOf &bound_of,
                  const ComplementarityConstants &constants, const std::vector<PointVector> &seen,
                  ContactState &state, std::vector<PointVector> &motion);
