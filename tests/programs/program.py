@@ -24,6 +24,11 @@ def run(*command, file_size_limit=None):
                           env=environment)
 
 
+def on_ranks(n_ranks):
+    """The words before those of a program that runs on so many ranks."""
+    return ["mpirun", "--oversubscribe", "-n", n_ranks] if n_ranks > 1 else []
+
+
 def rows_of(path):
     with open(path, newline="") as file:
         return list(csv.DictReader(file))
