@@ -78,8 +78,11 @@ class ContactResults:
         """The moments that a point's values are means of, and what was one time step before them: two
         functions of a field with an axis of moments, then one of teeth."""
         if self.is_marched(point):
-            first, last = int(self.number("Time/Average from step")), int(self.number("Time/Average to step"))
-            return (lambda field: field[first - 1:last]), (lambda field: field[first - 2:last - 1])
+            # A step may have been divided, to tell its error or to balance the powers.
+            n_parts = len(point["force"]) // int(self.number("Time/Number of steps"))
+            first = n_parts * (int(self.number("Time/Average from step")) - 1)
+            last = n_parts * int(self.number("Time/Average to step"))
+            return (lambda field: field[first:last]), (lambda field: field[first - 1:last - 1])
         # The steady pattern repeats itself: before the first moment a tooth was what another one, ahead of it
         # by one phase, is at the last moment.
         n_teeth = point["force"].shape[1]
