@@ -12,9 +12,10 @@ namespace ringmotor
     const RotorLoad load{preload, {}};
     // On teeth without warp it is plain how many of them will touch.
     const RingContact even(motor, load, at_rest, Warp()), contact(motor, load, at_rest, warp);
-    state     = solve_without_friction(even, motor.constants, even.pressed_down()).state;
-    state     = solve_without_friction(contact, motor.constants, state).state;
-    positions = contact.positions(state);
+    const ContactState on_even =
+        solve_without_friction(even, motor.constants, even.pressed_down()).state;
+    last.state = solve_without_friction(contact, motor.constants, on_even).state;
+    positions  = contact.positions(last.state);
     memory.resize(n_points);
   }
 
@@ -25,23 +26,47 @@ namespace ringmotor
     std::vector<FrictionMemory> limits = memory;
     const PointFriction law            = [&](const unsigned int point, const double slip)
     { return friction_coefficient(friction, limits[point], slip, length); };
-    ContactState begin = state;
+    Left begin = predicted(length);
     if (load.torque)
-      begin.rigid.push_back(last_speed * length);
-    ContactSolution solution = solve_contact(*contact, law, motor.constants, begin);
+      begin.state.rigid.push_back(last_speed * length);
+    RowSolver solver;
+    ContactSolution solution =
+        solve_contact(*contact, law, motor.constants, begin.state, begin.motion, solver);
     while (lose_static_limits(solution, limits))
     {
       const unsigned int n_iterations = solution.n_iterations;
-      solution = solve_contact(*contact, law, motor.constants, solution.state);
+      solution =
+          solve_contact(*contact, law, motor.constants, solution.state, solution.motion, solver);
       solution.n_iterations += n_iterations;
     }
     now += length;
     positions  = contact->positions(solution.state);
     memory     = next_memory(solution, memory);
     last_speed = contact->speed(solution.state);
-    state      = solution.state;
-    state.rigid.resize(contact->n_rigid() - (load.torque ? 1 : 0));
+    before     = std::move(last);
+    last       = {solution.state, solution.motion, length};
+    last.state.rigid.resize(contact->n_rigid() - (load.torque ? 1 : 0));
     return {contact, std::move(solution), std::move(limits)};
+  }
+
+  MarchingDriver::Left MarchingDriver::predicted(const double length) const
+  {
+    Left left = last;
+    if (before.motion.empty()) // the start is at rest, and not like what follows
+      return {last.state, {}, length};
+    const double share = length / last.length;
+    for (unsigned int i = 0; i < left.motion.size(); ++i)
+    {
+      PointVector &force = left.state.force[i];
+      force += share * (force - before.state.force[i]);
+      if (force[0] <= 0.)
+        force = 0.;
+      left.motion[i] *= share; // slips
+      left.motion[i][0] = last.motion[i][0] + share * (last.motion[i][0] - before.motion[i][0]);
+    }
+    for (unsigned int r = 0; r < left.state.rigid.size(); ++r)
+      left.state.rigid[r] += share * (last.state.rigid[r] - before.state.rigid[r]);
+    return left;
   }
 
   bool MarchingDriver::lose_static_limits(const ContactSolution &solution,
