@@ -107,9 +107,15 @@ namespace ringmotor
     for (unsigned int r = 0; r < n_rings; ++r)
       transforms->to_harmonics(&forces[r * ring], &by_harmonic[r * of_ring]);
     for (int k = 0; k < n_harmonics; ++k)
-      zgemm_("N", "N", &width, &columns, &width, &one,
-             &harmonics[static_cast<std::size_t>(k) * width * width], &width,
-             &by_harmonic[k * width], &of_ring, &zero, &moved[k * width], &of_ring);
+    {
+      const std::complex<double> *matrix = &harmonics[static_cast<std::size_t>(k) * width * width];
+      if (columns == 1) // for which zgemm would copy the matrix
+        zgemv_("N", &width, &width, &one, matrix, &width, &by_harmonic[k * width], &columns, &zero,
+               &moved[k * width], &columns);
+      else
+        zgemm_("N", "N", &width, &columns, &width, &one, matrix, &width, &by_harmonic[k * width],
+               &of_ring, &zero, &moved[k * width], &of_ring);
+    }
     std::vector<double> of_sectors(ring);
     for (unsigned int r = 0; r < n_rings; ++r)
     {

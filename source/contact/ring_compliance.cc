@@ -237,6 +237,9 @@ namespace ringmotor
     const int n = n_sectors(), width = 3 * node_count, n_far = basis.n();
     const double one = 1., zero = 0.;
     const std::size_t of_ring = static_cast<std::size_t>(n) * width;
+    if (std::all_of(forces, forces + n_rings * of_ring,
+                    [](const double force) { return force == 0.; }))
+      return;
     for (unsigned int ring = 0; ring < n_rings; ++ring)
       for (int d = 0; d < n; ++d)
         if (!near[d].empty())

@@ -13,4 +13,8 @@ extern "C"
               const int *k, const std::complex<double> *alpha, const std::complex<double> *a,
               const int *lda, const std::complex<double> *b, const int *ldb,
               const std::complex<double> *beta, std::complex<double> *c, const int *ldc);
+  void zgemv_(const char *transpose, const int *m, const int *n, const std::complex<double> *alpha,
+              const std::complex<double> *a, const int *lda, const std::complex<double> *x,
+              const int *incx, const std::complex<double> *beta, std::complex<double> *y,
+              const int *incy);
 }
