@@ -5,6 +5,32 @@
 
 namespace ringmotor
 {
+  namespace
+  {
+    /** How far (N) the equations are from being fulfilled that Newton's method solves. */
+    double residual(const FrictionBoundOf &bound_of, const ComplementarityConstants &constants,
+                    const ContactState &state, const std::vector<PointVector> &motion)
+    {
+      double sum = 0.;
+      for (unsigned int i = 0; i < motion.size(); ++i)
+      {
+        const double pressed = std::max(0., state.force[i][0] - constants.normal * motion[i][0]);
+        PointVector required;
+        required[0] = pressed;
+        if (pressed > 0.)
+        {
+          const PointVector tau = state.force[i] - constants.tangential * motion[i];
+          const double size     = tangential_norm(tau),
+                       bound    = bound_of(i, pressed, tangential_norm(motion[i])).value;
+          for (unsigned int c = 1; c < 3; ++c)
+            required[c] = size > bound ? bound / size * tau[c] : tau[c];
+        }
+        sum += (state.force[i] - required).norm_square();
+      }
+      return std::sqrt(sum);
+    }
+  } // namespace
+
   ContactIterate newton(const ContactProblem &problem, const FrictionBoundOf &bound_of,
                         const ComplementarityConstants &constants, const ContactState &start,
                         const NewtonLimits &limits, RowSolver &solver,
@@ -29,14 +55,15 @@ namespace ringmotor
       iterate.motion      = problem.relative_motion(iterate.state);
       iterate.certificate = certify(problem, bound_of, iterate.state, iterate.motion);
       const double worst  = iterate.certificate.worst();
-      const bool gains    = worst < smallest;
+      const double left   = residual(bound_of, constants, iterate.state, iterate.motion);
+      const bool gains    = left < smallest;
       // Without a gain below the limit of certificates rounding is all that is left.
       if (worst <= limits.converged || (iterate.certificate.holds() && !gains) ||
           (!gains && iterate.n_iterations >= of_gain + limits.most_without_gain))
         break;
       if (gains)
       {
-        smallest = worst;
+        smallest = left;
         of_gain  = iterate.n_iterations;
       }
     }

@@ -15,7 +15,7 @@ namespace ringmotor
   namespace
   {
     /** Unknowns from which on kept factors are worth while: below, new ones take milliseconds. */
-    constexpr unsigned int fewest_for_kept_factors = 800;
+    constexpr unsigned int fewest_for_kept_factors = 300;
     /** Unknowns up to which a dense matrix is faster than GMRES without a preconditioner. */
     constexpr unsigned int most_dense = 5000;
     /** Unknowns up to which its memory is spent where GMRES does not converge. */

@@ -165,3 +165,35 @@ TEST(FrictionOfAPoint, MayJumpWhereItWeakensQuickly)
   EXPECT_NEAR(slip_on_springs(weakens, 5.), 0., 1e-15);
   EXPECT_NEAR(slip_on_springs(weakens, 0.6), 1e-6 - 2e-7 * 0.6, 1e-15);
 }
+
+TEST(FrictionOfManyPoints, FallsFromTheStaticCoefficientWhereThePullExceedsIt)
+{
+  // As above, but pulled by 0.1 N to 12 N; from a start without forces all static coefficients
+  // count at first. Those that are pulled with less than 6 N stick, the others slip at 0.6 N.
+  constexpr unsigned int n_points = 60;
+  constexpr double compliance     = 2e-7; // m/N
+  Friction weakening              = friction_of(FrictionLaw::slip_weakening),
+           velocity               = friction_of(FrictionLaw::velocity);
+  weakening.static_coefficient = velocity.static_coefficient = 3.;
+  weakening.weakening_length                                 = 1e-7;
+  velocity.decay_velocity                                    = 1e-8 / time_step;
+  DenseContact problem(n_points, 0);
+  for (unsigned int i = 0; i < n_points; ++i)
+  {
+    for (unsigned int c = 0; c < 3; ++c)
+      problem.compliance(3 * i + c, 3 * i + c) = compliance;
+    problem.free_motion[i][0] = -2. * compliance;
+    problem.free_motion[i][1] = (0.1 + 0.2 * i) * compliance;
+  }
+  for (const Friction &friction : {weakening, velocity})
+  {
+    const PointFriction falls = [&](const unsigned int, const double slip)
+    { return friction_coefficient(friction, stuck, slip, time_step); };
+    const ContactSolution found = solve_contact(problem, falls, {5e6, 5e6}, problem.nothing());
+    for (unsigned int i = 0; i < n_points; ++i)
+    {
+      const double pull = 0.1 + 0.2 * i; // N
+      EXPECT_NEAR(found.motion[i][1], pull < 6. ? 0. : (pull - 0.6) * compliance, 1e-15) << pull;
+    }
+  }
+}

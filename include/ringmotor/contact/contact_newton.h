@@ -23,11 +23,13 @@ namespace ringmotor
   /** When Newton's method ends. */
   struct NewtonLimits
   {
-    unsigned int most_iterations;
-    double converged = 1e-11; ///< of the certificate
-    /** Iterations without a smaller violation of the laws than ever before. Newton's method gains
-     * in nearly every iteration, or jumps from one set of touching nodes to another for ever. */
-    unsigned int most_without_gain = 6;
+    unsigned int most_iterations = 40;
+    double converged             = 1e-11; ///< of the certificate
+    /** Iterations without a smaller residual than ever before. Newton's method gains in nearly
+     * every iteration, or jumps from one set of touching nodes to another for ever. The largest
+     * violation does not tell: where a border between stick and slip moves along the ring by a
+     * tooth in each iteration, it stays the same until the border has arrived. */
+    unsigned int most_without_gain = 8;
     /** Touching nodes. From a start that is near the solution they do not become many times more.
      */
     unsigned int most_touching = std::numeric_limits<unsigned int>::max();

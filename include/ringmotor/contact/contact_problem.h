@@ -5,6 +5,7 @@
 #include <deal.II/base/types.h>
 #include <deal.II/lac/full_matrix.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -25,6 +26,13 @@ namespace ringmotor
   {
     std::vector<PointVector> force; ///< N, on the rotor, by contact point
     std::vector<double> rigid;      ///< rigid motions of the rotor that forces have to balance
+
+    /** Points that are pressed together. */
+    unsigned int n_pressed() const
+    {
+      return std::count_if(force.begin(), force.end(),
+                           [](const PointVector &on_point) { return on_point[0] > 0.; });
+    }
   };
 
   /**
