@@ -170,30 +170,41 @@ namespace ringmotor
 
   namespace
   {
-    /** The state of one time sample, seen at several: between two steps of the coarse state forces
+    /** A start at the moments of @p fine from a state at those of @p coarse, between which forces
      * grow linearly. */
-    ContactState with_more_samples(const RingContact &coarse, const ContactState &state,
-                                   const RingContact &fine)
+    struct AtOtherMoments
     {
-      ContactState result{std::vector<PointVector>(fine.n_points()),
-                          std::vector<double>(fine.n_rigid())};
-      const unsigned int n_samples = fine.n_times(), n_points = coarse.n_points(),
-                         n_rigid = coarse.n_rigid_motions();
-      for (unsigned int m = 0; m < n_samples; ++m)
+      AtOtherMoments(const RingContact &coarse, const ContactSolution &solution,
+                     const RingContact &fine)
+          : state{std::vector<PointVector>(fine.n_points()), std::vector<double>(fine.n_rigid())}
       {
-        // The earlier point was a step ago what this one is now, and is now what this one will be.
-        const double later = m / static_cast<double>(n_samples);
-        for (unsigned int i = 0; i < n_points; ++i)
+        const unsigned int n_coarse = coarse.n_times(), n_fine = fine.n_times(),
+                           n_points                 = coarse.n_points() / n_coarse,
+                           n_rigid                  = coarse.n_rigid_motions();
+        const std::vector<FrictionMemory> of_coarse = travelled(coarse, solution);
+        const ContactState &known                   = solution.state;
+        for (unsigned int m = 0; m < n_fine; ++m)
         {
-          const unsigned int earlier = coarse.earlier(i);
-          result.force[m * n_points + i] += (1. - later) * state.force[i];
-          result.force[m * n_points + earlier] += later * state.force[i];
+          const unsigned int before = m * n_coarse / n_fine;
+          const double later        = m * n_coarse / static_cast<double>(n_fine) - before;
+          for (unsigned int i = 0; i < n_points; ++i)
+          {
+            const unsigned int point = before * n_points + i;
+            memory.push_back(of_coarse[point]);
+            state.force[m * n_points + i] += (1. - later) * known.force[point];
+            // After the last moment a tooth is what another one is at the first.
+            const bool is_last = before + 1 == n_coarse;
+            state.force[m * n_points + (is_last ? coarse.earlier(i) % n_points : i)] +=
+                later * known.force[is_last ? i : point + n_points];
+          }
+          for (unsigned int r = 0; r < n_rigid; ++r)
+            state.rigid[m * n_rigid + r] = known.rigid[before * n_rigid + r];
         }
-        for (unsigned int r = 0; r < n_rigid; ++r)
-          result.rigid[m * n_rigid + r] = state.rigid[r];
       }
-      return result;
-    }
+
+      ContactState state;
+      std::vector<FrictionMemory> memory;
+    };
   } // namespace
 
   void SteadyDriver::go_on_from(const RotorLoad &load, const ContactSolution &solution,
@@ -205,10 +216,9 @@ namespace ringmotor
       next = Start{solution.state, solution.motion, travelled(contact, solution), speed};
       return;
     }
-    const RingContact coarse(motor, load, SteadyStep());
-    next = Start{with_more_samples(coarse, solution.state, contact), {}, {}, speed};
-    const std::vector<FrictionMemory> memory = travelled(coarse, solution);
-    for (unsigned int point = 0; point < contact.n_points(); ++point)
-      next->memory.push_back(memory[point % coarse.n_points()]);
+    SteadyStep coarse_step;
+    coarse_step.n_moments = solution.state.force.size() / (contact.n_points() / contact.n_times());
+    const AtOtherMoments start(RingContact(motor, load, coarse_step), solution, contact);
+    next = Start{start.state, {}, start.memory, speed};
   }
 } // namespace ringmotor

@@ -14,7 +14,14 @@ namespace ringmotor
 {
   namespace
   {
-    constexpr unsigned int most_parts = 16;
+    /** Parts with which an imbalance of power that now exceeds its limit so many times will keep to
+     * it: it falls with the square of the step, and not evenly. */
+    unsigned int parts_for_balance(const unsigned int n_parts, const double excess)
+    {
+      constexpr double margin = 1.2, most_at_once = 8.;
+      const double factor = std::clamp(margin * std::sqrt(excess), 4. / 3., most_at_once);
+      return std::ceil(factor * n_parts);
+    }
 
     /** The same motor with a wave that moves its surface faster, but not higher. */
     CondensedMotor with_faster_wave(const CondensedMotor &motor, const double factor)
@@ -94,18 +101,21 @@ namespace ringmotor
 
   void CurveSearch::balance_powers()
   {
+    const unsigned int most = most_parts(parameters, motor());
     for (bool is_balanced = false; !is_balanced;)
     {
       find_with_own_steps();
       is_balanced = true;
       for (const unsigned int i : all_requests())
-        if (n_parts[i] < most_parts &&
-            point_of({reached_level, n_parts[i]}, i).result.power_imbalance() >
-                OperatingPoint::largest_imbalance)
+      {
+        const OperatingPoint &result = point_of({reached_level, n_parts[i]}, i).result;
+        const double excess          = result.power_imbalance() / OperatingPoint::largest_imbalance;
+        if (excess > 1. && n_parts[i] < most)
         {
-          n_parts[i] += (n_parts[i] + 2) / 3;
+          n_parts[i]  = std::min(most, parts_for_balance(n_parts[i], excess));
           is_balanced = false;
         }
+      }
     }
   }
 
@@ -117,7 +127,8 @@ namespace ringmotor
       const PointErrors &errors = results[i].errors;
       if (relative(errors.total()) <= parameters.accuracy.contact_target)
         continue;
-      if (relative(errors.time) > relative(errors.mesh) && n_parts[i] < most_parts)
+      if (relative(errors.time) > relative(errors.mesh) &&
+          n_parts[i] < most_parts(parameters, motor()))
       {
         n_parts[i] *= 2;
         shortened = true;
@@ -194,9 +205,8 @@ namespace ringmotor
     const CurveSetting plain = plain_setting(parameters, setting.level);
     if (!(setting == plain)) // short steps and other waves
     {
-      if (plain.n_parts == 1 || plain.n_parts == setting.n_parts)
-        for (const unsigned int request : wanted)
-          starts.push_back(point_of(plain, request));
+      for (const unsigned int request : wanted)
+        starts.push_back(point_of(plain, request));
       return starts;
     }
     for (const auto &[level, motor] : motors)
@@ -272,9 +282,12 @@ namespace ringmotor
     // Of first order, C / n with n steps per pitch: C follows from two of them.
     errors.time = change(point, point_of(other, request));
     errors.time *= other.n_steps() / std::abs(other.n_steps() - own.n_steps());
-    errors.wave   = change(point_of(plain_setting(parameters, reached_level), request),
-                           point_of(changed_wave(), request));
-    errors.window = point.window;
+    errors.wave = change(point_of(plain_setting(parameters, reached_level), request),
+                         point_of(changed_wave(), request));
+    // What a window given by the user misses does not depend on the steps.
+    errors.window                = parameters.time.n_steps
+                                       ? point_of(plain_setting(parameters, reached_level), request).window
+                                       : point.window;
     const OperatingPoint &result = point.result;
     const bool of_torque         = requests[request].control == Control::torque;
     errors.algebra               = {of_torque ? std::abs(result.speed) : 0.,

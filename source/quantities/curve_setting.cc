@@ -20,7 +20,7 @@ namespace ringmotor
       return (n_steps - 1 + teeth_that_differ(motor)) / teeth_that_differ(motor);
     }
 
-    constexpr unsigned int few_steps = 45, many_steps = 90; // in a period
+    constexpr unsigned int few_steps = 40, many_steps = 80; // in a period
   }                                                         // namespace
 
   CurveSetting CurveSetting::halved() const
@@ -53,5 +53,14 @@ namespace ringmotor
     const CurveSetting plain = plain_setting(parameters, 0);
     return std::max({plain.n_joined > 1 ? 1 : plain.n_parts + 1,
                      parts_for(parameters.motor, many_steps), parameters.time.n_snapshots});
+  }
+
+  unsigned int most_parts(const Parameters &parameters, const CondensedMotor &motor)
+  {
+    constexpr double most_steps = 2880.; // in a period
+    const double n_steps        = is_marched(parameters)
+                                      ? motor.period() / parameters.time.time_step
+                                      : static_cast<double>(teeth_that_differ(parameters.motor));
+    return std::max(1., std::ceil(most_steps / n_steps));
   }
 } // namespace ringmotor

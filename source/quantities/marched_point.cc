@@ -204,7 +204,7 @@ namespace ringmotor
 
     /** The point of the steps that `Time` tells to average over. */
     CurvePoint find_by_window(const Time &time, MarchedRun &run, Settling &settling,
-                              const double angular_frequency)
+                              const double angular_frequency, const bool tells_window)
     {
       const unsigned int n = time.n_snapshots;
       const double step    = time.time_step / n;
@@ -214,10 +214,12 @@ namespace ringmotor
           run.advance(n * (*time.average_to_step - *time.average_from_step + 1), step);
       fields.append(window.fields);
       fields.append(run.advance(n * (*time.n_steps - *time.average_to_step), step).fields);
+      CurvePoint point = point_of(window, settling, angular_frequency);
+      point.fields     = std::move(fields);
+      if (!tells_window)
+        return point;
       const PointError settled = settling.values_of(settling.settle(run)),
                        found   = settling.values_of(window);
-      CurvePoint point         = point_of(window, settling, angular_frequency);
-      point.fields             = std::move(fields);
       for (double PointError::*quantity : quantities)
         point.window.*quantity =
             std::abs(found.*quantity - settled.*quantity) + settling.remaining().*quantity;
@@ -226,13 +228,13 @@ namespace ringmotor
   } // namespace
 
   CurvePoint find_marched(const Parameters &parameters, const CondensedMotor &motor,
-                          const PointRequest &request)
+                          const PointRequest &request, const bool tells_window)
   {
     MarchedRun run(parameters, motor, request);
     Settling settling(parameters, motor, request);
     CurvePoint point;
     if (parameters.time.n_steps)
-      point = find_by_window(parameters.time, run, settling, motor.angular_frequency);
+      point = find_by_window(parameters.time, run, settling, motor.angular_frequency, tells_window);
     else
     {
       run.advance(parameters.time.n_snapshots, settling.step_length());

@@ -93,9 +93,10 @@ namespace ringmotor
 
   OperatingPointFinder::OperatingPointFinder(const Parameters &all_parameters,
                                              const CondensedMotor &motor, PointMemory *memory,
-                                             const unsigned int n_joined)
-      : parameters(relevant_for_points(all_parameters)), motor(motor),
-        steady(motor, effective_friction(parameters), {parameters.time.n_snapshots, n_joined}),
+                                             const CurveSetting &setting)
+      : setting(setting), parameters(relevant_for_points(all_parameters)), motor(motor),
+        steady(motor, effective_friction(parameters),
+               {parameters.time.n_snapshots, setting.n_joined}),
         memory(memory)
   {
   }
@@ -114,9 +115,10 @@ namespace ringmotor
       steady.go_on_from(load_of(parameters.loading, request), solution_of(*start),
                         start->result.speed);
     const auto begin = std::chrono::steady_clock::now();
-    CurvePoint point =
-        is_marched(parameters) ? find_marched(parameters, motor, request) : find_steady(request);
-    point.request = request;
+    CurvePoint point = is_marched(parameters)
+                           ? find_marched(parameters, motor, request, setting.is_undivided())
+                           : find_steady(request);
+    point.request    = request;
     point.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     if (memory)
       memory->keep(point);
@@ -158,7 +160,7 @@ namespace ringmotor
     const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator),
                        n_ranks = Utilities::MPI::n_mpi_processes(communicator);
     OperatingPointFinder finder(with_parts_of_a_step(parameters, setting.n_parts), motor, memory,
-                                setting.n_joined);
+                                setting);
     std::vector<CurvePoint> mine;
     for (unsigned int i = rank; i < requests.size(); i += n_ranks)
     {

@@ -35,7 +35,7 @@ namespace ringmotor
     OperatingState at(const RotorLoad &load);
 
     /** Takes a known state, in which the rotor turns with @p speed (rad/s), as that from which the
-     * next one is to be found. It may have one moment only: then those between follow from it. Of
+     * next one is to be found. Where it has other moments, those between follow from them. Of
      * @p solution the state, the motion and the status of all points are used. */
     void go_on_from(const RotorLoad &load, const ContactSolution &solution, const double speed);
 

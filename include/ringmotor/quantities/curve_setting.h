@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/contact/condensed_motor.h>
 #include <ringmotor/parameters/parameters.h>
 
 #include <tuple>
@@ -34,6 +35,9 @@ namespace ringmotor
     /** Steps in the time in which a tooth comes to be where another one was. */
     double n_steps() const { return n_parts / static_cast<double>(n_joined); }
 
+    /** Whether steps and wave are those that the parameters give. */
+    bool is_undivided() const { return n_parts == 1 && wave_factor == 1.; }
+
     /** The same with steps of half the length. */
     CurveSetting halved() const;
   };
@@ -45,4 +49,7 @@ namespace ringmotor
   /** CurveSetting::n_parts to begin with: `Time/Snapshots`, or so many that steps are shorter than
    * those of plain_setting() and not too long. */
   unsigned int parts_to_start_with(const Parameters &parameters);
+
+  /** Up to which CurveSetting::n_parts are tried; @p motor gives the period of the wave. */
+  unsigned int most_parts(const Parameters &parameters, const CondensedMotor &motor);
 } // namespace ringmotor

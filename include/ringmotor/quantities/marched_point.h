@@ -53,10 +53,11 @@ namespace ringmotor
    * means have settled to a tenth of `Accuracy/Contact target`, the steps being shortened so that a
    * period is a whole number of them; the fields are those of the last period. If `Time` gives
    * steps to average over, the point has these and the fields of all steps that are asked for, and
-   * what the settled means differ from it by is an error of it, see CurvePoint::window.
+   * what the settled means differ from it by is an error of it, see CurvePoint::window; it is left
+   * at zero if @p tells_window is false, which saves the steps until the means have settled.
    *
    * @throws ComputationError if a step fails or the means do not settle
    */
   CurvePoint find_marched(const Parameters &parameters, const CondensedMotor &motor,
-                          const PointRequest &request);
+                          const PointRequest &request, const bool tells_window = true);
 } // namespace ringmotor

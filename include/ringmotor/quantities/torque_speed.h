@@ -120,13 +120,15 @@ namespace ringmotor
   class OperatingPointFinder
   {
   public:
-    /** @p motor and @p memory, which may be left out, must outlive this object. */
+    /** @p motor and @p memory, which may be left out, must outlive this object. What
+     * @p setting says must hold of them: the parts of a step of @p parameters, the others of
+     * @p motor. */
     OperatingPointFinder(const Parameters &parameters, const CondensedMotor &motor,
-                         PointMemory *memory = nullptr, const unsigned int n_joined = 1);
+                         PointMemory *memory = nullptr, const CurveSetting &setting = {});
 
     /**
      * Asks the memory first. A steady state is looked for from that of @p start, of the same
-     * request and of this setting or of one moment, or else from the point before. The next point
+     * request, or else from the point before. The next point
      * is found as if this one had been computed, to the last bit.
      * @throws ComputationError if none is found
      */
@@ -135,6 +137,7 @@ namespace ringmotor
   private:
     CurvePoint find_steady(const PointRequest &request);
 
+    const CurveSetting setting;
     const Parameters parameters;
     const CondensedMotor &motor;
     SteadyDriver steady;
