@@ -232,7 +232,7 @@ TEST(RowSolver, SolvesSystemsThatAreNearlyTheSameAndOthers)
 
 TEST(RowSolver, NeedsNoMatrixWhereItWouldBeTooLarge)
 {
-  const SpringBed problem(2600);
+  const SpringBed problem(3200);
   std::vector<unsigned int> all;
   for (unsigned int i = 0; i < problem.n_points(); ++i)
     all.push_back(i);
