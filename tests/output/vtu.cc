@@ -6,6 +6,7 @@
 // VTK 9.1, "node numbering for VTK_LAGRANGE_HEXAHEDRON").
 
 #include "scratch.h"
+#include "vtu_file.h"
 #include "wave_field.h"
 
 #include <ringmotor/mesh/ids.h>
@@ -16,93 +17,19 @@
 #include <ringmotor/parameters/errors.h>
 
 #include <algorithm>
-#include <boost/archive/iterators/binary_from_base64.hpp>
-#include <boost/archive/iterators/transform_width.hpp>
 #include <cstdint>
-#include <cstring>
 #include <gtest/gtest.h>
 #include <limits>
 #include <map>
 #include <numeric>
 #include <regex>
 #include <set>
-#include <zlib.h>
 
 using namespace ringmotor;
 using namespace ringmotor::tests;
 
 namespace
 {
-  std::string from_base64(std::string text)
-  {
-    using namespace boost::archive::iterators;
-    using Decoder = transform_width<binary_from_base64<std::string::const_iterator>, 8, 6>;
-
-    const std::size_t n_padding = std::count(text.begin(), text.end(), '=');
-    std::replace(text.begin(), text.end(), '=', 'A');
-    std::string bytes(Decoder(text.cbegin()), Decoder(text.cend()));
-    bytes.resize(bytes.size() - n_padding);
-    return bytes;
-  }
-
-  /** A VTU file as written by deal.II: one piece, every array one block compressed with zlib. */
-  class VtuFile
-  {
-  public:
-    explicit VtuFile(const std::string &path) : text(content_of(path)) {}
-
-    unsigned int count(const std::string &what) const
-    {
-      std::smatch match;
-      const std::string head = text.substr(0, 1000);
-      return std::regex_search(head, match, std::regex("NumberOf" + what + "=\"(\\d+)\""))
-                 ? std::stoul(match[1])
-                 : 0;
-    }
-
-    bool has_old_node_order() const
-    {
-      return text.find("type=\"UnstructuredGrid\" version=\"2.2\"") == std::string::npos;
-    }
-
-    /** An array by its name, or the positions for "". */
-    template <typename Number>
-    std::vector<Number> array(const std::string &name) const
-    {
-      const std::string key = name.empty() ? "<Points>" : "Name=\"" + name + "\"";
-      const std::size_t tag = text.find(key);
-      if (tag == std::string::npos)
-        throw std::runtime_error("no array " + name);
-      const std::size_t first = text.find('\n', text.find("binary", tag)) + 1;
-      const std::string code  = text.substr(first, text.find('\n', first) - first);
-
-      // number of blocks, their size, the last one's size, compressed size: 16 bytes, 24 letters
-      std::array<std::uint32_t, 4> head;
-      std::memcpy(head.data(), from_base64(code.substr(0, 24)).data(), sizeof(head));
-      const std::string packed = from_base64(code.substr(24));
-      std::vector<Number> values(head[1] / sizeof(Number));
-      uLongf n_bytes = head[1];
-      if (head[0] != 1 || packed.size() != head[3] ||
-          uncompress(reinterpret_cast<Bytef *>(values.data()), &n_bytes,
-                     reinterpret_cast<const Bytef *>(packed.data()), packed.size()) != Z_OK)
-        throw std::runtime_error("damaged array " + name);
-      return values;
-    }
-
-    /** The values of a vector field, or the positions for "". */
-    std::vector<std::array<double, 3>> vectors(const std::string &name) const
-    {
-      const std::vector<float> flat = array<float>(name);
-      std::vector<std::array<double, 3>> result;
-      for (std::size_t i = 0; i + 2 < flat.size(); i += 3)
-        result.push_back({{flat[i], flat[i + 1], flat[i + 2]}});
-      return result;
-    }
-
-  private:
-    const std::string text;
-  };
-
   // Files hold floats, so positions are good to 2e-9 m and the wave to 1e-6 of its amplitude.
   constexpr double tolerance = 5e-12;
 
