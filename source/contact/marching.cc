@@ -10,11 +10,8 @@ namespace ringmotor
     const unsigned int n_points = motor.n_teeth * motor.nodes.size();
     const TimeStep at_rest{now, motor.period(), std::vector<PointVector>(n_points)};
     const RotorLoad load{preload, {}};
-    // On teeth without warp it is plain how many of them will touch.
-    const RingContact even(motor, load, at_rest, Warp()), contact(motor, load, at_rest, warp);
-    const ContactState on_even =
-        solve_without_friction(even, motor.constants, even.pressed_down()).state;
-    last.state = solve_without_friction(contact, motor.constants, on_even).state;
+    const RingContact contact(motor, load, at_rest, warp);
+    last.state = solve_without_friction(contact, motor.constants, contact.pressed_down()).state;
     positions  = contact.positions(last.state);
     memory.resize(n_points);
   }
