@@ -90,12 +90,13 @@ namespace ringmotor
           return FrictionBound{coefficients[i] * pressed, coefficients[i], 0.};
         };
         ContactState state = start;
+        double change      = 0.;
         for (unsigned int round = 0; round < most_rounds; ++round)
         {
           if (!solve(given, state, {}))
             return false;
-          state         = found.state;
-          double change = 0.;
+          state  = found.state;
+          change = 0.;
           for (unsigned int i = 0; i < coefficients.size(); ++i)
           {
             const double next = friction(i, tangential_norm(found.motion[i])).value;
@@ -111,6 +112,9 @@ namespace ringmotor
             return found.certified();
           }
         }
+        text << (text.str().empty() ? "" : ", ")
+             << "coefficients by the slip before (they change by " << change << " after "
+             << most_rounds << " problems)";
         return false;
       }
 
