@@ -78,6 +78,15 @@ namespace ringmotor
     return worst;
   }
 
+  double friction_defect(const PointVector &force, const PointVector &motion,
+                         const double stiffness, const double bound)
+  {
+    const PointVector tau = force - stiffness * motion;
+    const double size     = tangential_norm(tau);
+    const double part     = size > bound ? bound / size : 1.;
+    return tangential_norm(force - part * tau);
+  }
+
   ContactCertificate certify(const ContactProblem &problem, const FrictionBoundOf &bound_of,
                              const ContactState &state, const std::vector<PointVector> &motion)
   {
@@ -95,11 +104,9 @@ namespace ringmotor
       found.friction_excess = larger(found.friction_excess, (friction - bound) / scales.friction);
       if (p <= 0.)
         continue;
-      const PointVector tau = state.force[i] - stiffness * motion[i];
-      const double size     = tangential_norm(tau);
-      const double part     = size > bound ? bound / size : 1.;
-      found.friction_defect = larger(
-          found.friction_defect, tangential_norm(state.force[i] - part * tau) / scales.friction);
+      found.friction_defect =
+          larger(found.friction_defect,
+                 friction_defect(state.force[i], motion[i], stiffness, bound) / scales.friction);
     }
     for (const double balance : problem.balances(state))
       found.balance = larger(found.balance, std::abs(balance) / scales.balance);

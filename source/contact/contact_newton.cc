@@ -14,18 +14,11 @@ namespace ringmotor
       double sum = 0.;
       for (unsigned int i = 0; i < motion.size(); ++i)
       {
-        const double pressed = std::max(0., state.force[i][0] - constants.normal * motion[i][0]);
-        PointVector required;
-        required[0] = pressed;
-        if (pressed > 0.)
-        {
-          const PointVector tau = state.force[i] - constants.tangential * motion[i];
-          const double size     = tangential_norm(tau),
-                       bound    = bound_of(i, pressed, tangential_norm(motion[i])).value;
-          for (unsigned int c = 1; c < 3; ++c)
-            required[c] = size > bound ? bound / size * tau[c] : tau[c];
-        }
-        sum += (state.force[i] - required).norm_square();
+        const double pressed = std::max(0., state.force[i][0] - constants.normal * motion[i][0]),
+                     bound =
+                         pressed > 0. ? bound_of(i, pressed, tangential_norm(motion[i])).value : 0.;
+        sum += std::pow(state.force[i][0] - pressed, 2) +
+               std::pow(friction_defect(state.force[i], motion[i], constants.tangential, bound), 2);
       }
       return std::sqrt(sum);
     }

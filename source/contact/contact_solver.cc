@@ -89,13 +89,11 @@ namespace ringmotor
         {
           return FrictionBound{coefficients[i] * pressed, coefficients[i], 0.};
         };
-        ContactState state = start;
-        double change      = 0.;
+        double change = 0.;
         for (unsigned int round = 0; round < most_rounds; ++round)
         {
-          if (!solve(given, state, {}))
+          if (!solve(given, round == 0 ? start : found.state, {}))
             return false;
-          state  = found.state;
           change = 0.;
           for (unsigned int i = 0; i < coefficients.size(); ++i)
           {
@@ -104,7 +102,7 @@ namespace ringmotor
               change = std::max(change, std::abs(next - coefficients[i]) / next);
             coefficients[i] = next;
           }
-          if (change <= nearly && solve_alone(bound_of, state, {}))
+          if (change <= nearly && solve_alone(bound_of, found.state, {}))
             return true;
           if (change <= settled)
           {
@@ -112,9 +110,8 @@ namespace ringmotor
             return found.certified();
           }
         }
-        text << (text.str().empty() ? "" : ", ")
-             << "coefficients by the slip before (they change by " << change << " after "
-             << most_rounds << " problems)";
+        next_try() << "coefficients by the slip before (they change by " << change << " after "
+                   << most_rounds << " problems)";
         return false;
       }
 
@@ -124,6 +121,9 @@ namespace ringmotor
       std::string tried() const { return text.str(); }
 
     private:
+      /** Where what was tried in vain is told. */
+      std::ostream &next_try() { return text << (text.str().empty() ? "" : ", "); }
+
       bool takes(const ContactIterate &iterate, const std::string &what)
       {
         n_systems += iterate.n_iterations;
@@ -132,7 +132,7 @@ namespace ringmotor
           found = iterate;
           return true;
         }
-        text << (text.str().empty() ? "" : ", ") << what << " (";
+        next_try() << what << " (";
         if (iterate.failed)
           text << "given up";
         else

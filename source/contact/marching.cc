@@ -48,9 +48,10 @@ namespace ringmotor
 
   MarchingDriver::Left MarchingDriver::predicted(const double length) const
   {
-    Left left = last;
     if (before.motion.empty()) // the start is at rest, and not like what follows
       return {last.state, {}, length};
+    Left left          = last;
+    left.length        = length;
     const double share = length / last.length;
     for (unsigned int i = 0; i < left.motion.size(); ++i)
     {

@@ -168,44 +168,37 @@ namespace ringmotor
     return state;
   }
 
-  namespace
+  SteadyDriver::Start SteadyDriver::at_other_moments(const RingContact &coarse,
+                                                     const ContactSolution &solution,
+                                                     const RingContact &fine, const double speed)
   {
-    /** A start at the moments of @p fine from a state at those of @p coarse, between which forces
-     * grow linearly. */
-    struct AtOtherMoments
+    const unsigned int n_coarse = coarse.n_times(), n_fine = fine.n_times(),
+                       n_points = coarse.n_points() / n_coarse, n_rigid = coarse.n_rigid_motions();
+    const std::vector<FrictionMemory> memory = travelled(coarse, solution);
+    const ContactState &known                = solution.state;
+    Start start{{std::vector<PointVector>(fine.n_points()), std::vector<double>(fine.n_rigid())},
+                {},
+                {},
+                speed};
+    for (unsigned int m = 0; m < n_fine; ++m)
     {
-      AtOtherMoments(const RingContact &coarse, const ContactSolution &solution,
-                     const RingContact &fine)
-          : state{std::vector<PointVector>(fine.n_points()), std::vector<double>(fine.n_rigid())}
+      const unsigned int before = m * n_coarse / n_fine;
+      const double later        = m * n_coarse / static_cast<double>(n_fine) - before;
+      for (unsigned int i = 0; i < n_points; ++i)
       {
-        const unsigned int n_coarse = coarse.n_times(), n_fine = fine.n_times(),
-                           n_points                 = coarse.n_points() / n_coarse,
-                           n_rigid                  = coarse.n_rigid_motions();
-        const std::vector<FrictionMemory> of_coarse = travelled(coarse, solution);
-        const ContactState &known                   = solution.state;
-        for (unsigned int m = 0; m < n_fine; ++m)
-        {
-          const unsigned int before = m * n_coarse / n_fine;
-          const double later        = m * n_coarse / static_cast<double>(n_fine) - before;
-          for (unsigned int i = 0; i < n_points; ++i)
-          {
-            const unsigned int point = before * n_points + i;
-            memory.push_back(of_coarse[point]);
-            state.force[m * n_points + i] += (1. - later) * known.force[point];
-            // After the last moment a tooth is what another one is at the first.
-            const bool is_last = before + 1 == n_coarse;
-            state.force[m * n_points + (is_last ? coarse.earlier(i) % n_points : i)] +=
-                later * known.force[is_last ? i : point + n_points];
-          }
-          for (unsigned int r = 0; r < n_rigid; ++r)
-            state.rigid[m * n_rigid + r] = known.rigid[before * n_rigid + r];
-        }
+        const unsigned int point = before * n_points + i;
+        start.memory.push_back(memory[point]);
+        start.state.force[m * n_points + i] += (1. - later) * known.force[point];
+        // After the last moment a tooth is what another one is at the first.
+        const bool is_last = before + 1 == n_coarse;
+        start.state.force[m * n_points + (is_last ? coarse.earlier(i) % n_points : i)] +=
+            later * known.force[is_last ? i : point + n_points];
       }
-
-      ContactState state;
-      std::vector<FrictionMemory> memory;
-    };
-  } // namespace
+      for (unsigned int r = 0; r < n_rigid; ++r)
+        start.state.rigid[m * n_rigid + r] = known.rigid[before * n_rigid + r];
+    }
+    return start;
+  }
 
   void SteadyDriver::go_on_from(const RotorLoad &load, const ContactSolution &solution,
                                 const double speed)
@@ -218,7 +211,6 @@ namespace ringmotor
     }
     SteadyStep coarse_step;
     coarse_step.n_moments = solution.state.force.size() / (contact.n_points() / contact.n_times());
-    const AtOtherMoments start(RingContact(motor, load, coarse_step), solution, contact);
-    next = Start{start.state, {}, start.memory, speed};
+    next = at_other_moments(RingContact(motor, load, coarse_step), solution, contact, speed);
   }
 } // namespace ringmotor

@@ -32,7 +32,7 @@ namespace ringmotor
       return nearest;
     }
 
-    using Weights = std::vector<std::pair<unsigned int, double>>; ///< by point
+    using Weights = MeshTransfer::Weights;
 
     /** The weights by which a field is interpolated to a point, in the face that holds it. */
     Weights interpolation(const CondensedMotor::Node &node, const CondensedMotor &from)
@@ -63,11 +63,15 @@ namespace ringmotor
   } // namespace
 
   MeshTransfer::MeshTransfer(const CondensedMotor &from, const CondensedMotor &to)
-      : from(from), to(to)
+      : around(from.nodes.size())
   {
-    for (const CondensedMotor::Node &node : to.nodes)
+    for (unsigned int a = 0; a < to.nodes.size(); ++a)
     {
-      sources.push_back(nearest(node, from.nodes));
+      const CondensedMotor::Node &node        = to.nodes[a];
+      const std::vector<unsigned int> sources = nearest(node, from.nodes);
+      source.push_back(sources.front());
+      for (const unsigned int b : sources)
+        around[b].emplace_back(a, node.area / sources.size());
       weights.push_back(interpolation(node, from));
     }
     for (const CondensedMotor::Node &node : from.nodes)
@@ -77,7 +81,7 @@ namespace ringmotor
   ContactFields MeshTransfer::fields(const ContactFields &known) const
   {
     constexpr double closed   = 1e-12; // m
-    const unsigned int n_from = from.nodes.size(), n_to = to.nodes.size(),
+    const unsigned int n_from = target.size(), n_to = source.size(),
                        n_blocks = known.force.size() / n_from; // a tooth at a moment
     ContactFields result        = known;
     result.tooth.clear();
@@ -91,24 +95,22 @@ namespace ringmotor
       const PointVector *motion = &known.motion[block * n_from];
       for (unsigned int a = 0; a < n_to; ++a)
       {
-        const unsigned int source = sources[a].front();
-        result.motion.push_back(motion[source]);
+        result.motion.push_back(motion[source[a]]);
         result.motion.back()[0] = 0.;
         for (const auto &[b, weight] : weights[a])
           result.motion.back()[0] += weight * motion[b][0];
-        result.status.push_back(known.status[block * n_from + source]);
+        result.status.push_back(known.status[block * n_from + source[a]]);
       }
       // The force of each point goes to the closed points around it, or else to the nearest one.
       for (unsigned int b = 0; b < n_from; ++b)
       {
-        std::vector<std::pair<unsigned int, double>> shares;
+        Weights shares;
         double sum = 0.;
-        for (unsigned int a = 0; a < n_to; ++a)
-          if (result.motion[block * n_to + a][0] < closed &&
-              std::count(sources[a].begin(), sources[a].end(), b) > 0)
+        for (const auto &[a, area] : around[b])
+          if (result.motion[block * n_to + a][0] < closed)
           {
-            shares.emplace_back(a, to.nodes[a].area / sources[a].size());
-            sum += shares.back().second;
+            shares.emplace_back(a, area);
+            sum += area;
           }
         if (shares.empty())
         {

@@ -46,6 +46,11 @@ namespace ringmotor
     bool holds() const { return worst() <= limit; }
   };
 
+  /** By how much (N) the friction in @p force misses tau = F_t - stiffness slip, shortened to
+   * @p bound (N): zero where the law of friction is fulfilled, whatever the stiffness (N/m). */
+  double friction_defect(const PointVector &force, const PointVector &motion,
+                         const double stiffness, const double bound);
+
   /** @param motion the relative motion in this state */
   ContactCertificate certify(const ContactProblem &problem, const FrictionBoundOf &bound_of,
                              const ContactState &state, const std::vector<PointVector> &motion);

@@ -50,6 +50,10 @@ namespace ringmotor
     };
     OperatingState find(const RotorLoad &load, const Start &start) const;
     Start from_rest(const RotorLoad &load) const;
+    /** From a state at the moments of @p coarse, between which forces grow linearly, to those of
+     * @p fine. */
+    static Start at_other_moments(const RingContact &coarse, const ContactSolution &solution,
+                                  const RingContact &fine, const double speed);
 
     const CondensedMotor &motor;
     const Friction friction;

@@ -17,15 +17,18 @@ namespace ringmotor
   class MeshTransfer
   {
   public:
-    /** Both motors must outlive this object. */
+    using Weights = std::vector<std::pair<unsigned int, double>>; ///< by point
+
     MeshTransfer(const CondensedMotor &from, const CondensedMotor &to);
     ContactFields fields(const ContactFields &known) const;
 
   private:
-    const CondensedMotor &from, &to;
-    std::vector<std::vector<unsigned int>> sources; ///< nearest to each point of the new mesh
-    /** Those by which a field is interpolated to each point of the new mesh, with their weights. */
-    std::vector<std::vector<std::pair<unsigned int, double>>> weights;
+    std::vector<unsigned int> source; ///< nearest to each point of the new mesh
+    /** Those by which a field is interpolated to each point of the new mesh. */
+    std::vector<Weights> weights;
     std::vector<unsigned int> target; ///< nearest to each point of the old mesh
+    /** Points of the new mesh around each point of the old one, with the areas (m^2) by which they
+     * share its force. */
+    std::vector<Weights> around;
   };
 } // namespace ringmotor

@@ -128,8 +128,8 @@ namespace ringmotor
 
     /**
      * Asks the memory first. A steady state is looked for from that of @p start, of the same
-     * request, or else from the point before. The next point
-     * is found as if this one had been computed, to the last bit.
+     * request, or else from the point before. The next point is found as if this one had been
+     * computed, to the last bit.
      * @throws ComputationError if none is found
      */
     CurvePoint find(const PointRequest &request, const CurvePoint *start = nullptr);
