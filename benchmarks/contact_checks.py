@@ -97,13 +97,21 @@ class ContactResults:
                    for p in self.points)
         return most * self.n_repeats, len(self.radius) * self.attributes["n_teeth"]
 
+    def most_torque(self):
+        """What friction bears at most (N m)."""
+        outer_radius = min(self.number("Rotor/Lip outer radius"), self.number("Stator/Tip outer radius"))
+        return self.friction_bound() * self.number("Loading/Preload") * outer_radius
+
+    def wave_speed(self):
+        """Of the wave's surface (rad/s) where it is fastest."""
+        return self.attributes["angular_frequency_rad_per_s"] * self.angular_amplitude
+
     def worst_error(self):
-        """Largest error bar, of speeds over the fastest speed and of torques over the largest torque."""
-        scale = {name: max(abs(row[name]) for row in self.rows) or math.inf for name in ("speed_rpm", "torque_mNm")}
-        if scale["speed_rpm"] < TINY:  # the rotor sticks
-            scale["speed_rpm"] = math.inf
-        return max(max(row["speed_error_rpm"] / scale["speed_rpm"],
-                       row["torque_error_mNm"] / scale["torque_mNm"]) for row in self.rows)
+        """Largest error bar, of speeds over the fastest speed and of torques over the largest torque, or over
+        half of what wave and friction allow for if that is more."""
+        speed = max(0.5 * self.wave_speed() / RPM, max(abs(row["speed_rpm"]) for row in self.rows))
+        torque = max(500. * self.most_torque(), max(abs(row["torque_mNm"]) for row in self.rows))
+        return max(max(row["speed_error_rpm"] / speed, row["torque_error_mNm"] / torque) for row in self.rows)
 
 
 def check_table(results):
@@ -125,11 +133,10 @@ def check_table(results):
 def check_bounds(results, point, row):
     """No more torque than friction bears, no faster than the wave, no negative loss."""
     found = []
-    outer_radius = min(results.number("Rotor/Lip outer radius"), results.number("Stator/Tip outer radius"))
-    most_torque = results.friction_bound() * results.number("Loading/Preload") * outer_radius
+    most_torque = results.most_torque()
     if abs(point["torque_Nm"]) > 1.01 * most_torque:
         found.append(f"torque {point['torque_Nm']:.4g} N m, but friction bears {most_torque:.4g} N m at most")
-    fastest = results.attributes["angular_frequency_rad_per_s"] * results.angular_amplitude
+    fastest = results.wave_speed()
     if (point["torque_Nm"] > TINY * most_torque + 1e-3 * row["torque_error_mNm"] and
             point["speed_rad_per_s"] > 1.02 * fastest + RPM * row["speed_error_rpm"]):
         found.append(f"drives at {point['speed_rad_per_s']:.4g} rad/s, but the wave's surface moves at "

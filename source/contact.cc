@@ -210,8 +210,8 @@ namespace ringmotor
         log.line(describe(point));
       if (search.rotor_sticks())
         log.line(
-            "warning: the wave does not turn the rotor: all of its contact sticks, because the "
-            "preload is too large for the amplitude; the torques above are half of what "
+            "warning: the wave does not turn the rotor: nearly all of its contact sticks, because "
+            "the preload is too large for the amplitude; the torques above are a quarter of what "
             "sliding friction bears and less");
       for (const CurvePoint &point : search.points())
         if (!point.remark.empty())

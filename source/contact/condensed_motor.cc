@@ -185,6 +185,14 @@ namespace ringmotor
     return 2. * numbers::PI / angular_frequency;
   }
 
+  double CondensedMotor::crest_speed() const
+  {
+    double fastest = 0.;
+    for (const Node &node : nodes)
+      fastest = std::max(fastest, angular_frequency * std::abs(node.free_motion[1]) / node.radius);
+    return fastest;
+  }
+
   double CondensedMotor::pitch() const
   {
     return 2. * numbers::PI / n_teeth;

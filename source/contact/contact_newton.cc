@@ -7,21 +7,79 @@ namespace ringmotor
 {
   namespace
   {
-    /** How far (N) the equations are from being fulfilled that Newton's method solves. */
-    double residual(const FrictionBoundOf &bound_of, const ComplementarityConstants &constants,
-                    const ContactState &state, const std::vector<PointVector> &motion)
+    /** A state and its relative motion. */
+    struct Place
     {
-      double sum = 0.;
-      for (unsigned int i = 0; i < motion.size(); ++i)
+      ContactState state;
+      std::vector<PointVector> motion;
+    };
+
+    /** Both depend on each other linearly, so that between two places each is where the other is.
+     */
+    Place between(const Place &from, const Place &to, const double share)
+    {
+      Place place = from;
+      for (unsigned int i = 0; i < place.motion.size(); ++i)
       {
-        const double pressed = std::max(0., state.force[i][0] - constants.normal * motion[i][0]),
-                     bound =
-                         pressed > 0. ? bound_of(i, pressed, tangential_norm(motion[i])).value : 0.;
-        sum += std::pow(state.force[i][0] - pressed, 2) +
-               std::pow(friction_defect(state.force[i], motion[i], constants.tangential, bound), 2);
+        place.state.force[i] += share * (to.state.force[i] - from.state.force[i]);
+        place.motion[i] += share * (to.motion[i] - from.motion[i]);
       }
-      return std::sqrt(sum);
+      for (unsigned int r = 0; r < place.state.rigid.size(); ++r)
+        place.state.rigid[r] += share * (to.state.rigid[r] - from.state.rigid[r]);
+      return place;
     }
+
+    /** The equations that Newton's method solves. */
+    class Equations
+    {
+    public:
+      Equations(const FrictionBoundOf &bound_of, const ComplementarityConstants &constants)
+          : bound_of(bound_of), constants(constants)
+      {
+      }
+
+      /** How far (N) they are from being fulfilled. */
+      double residual(const Place &place) const
+      {
+        double sum = 0.;
+        for (unsigned int i = 0; i < place.motion.size(); ++i)
+        {
+          const PointVector &force = place.state.force[i], &motion = place.motion[i];
+          const double pressed = std::max(0., force[0] - constants.normal * motion[0]),
+                       bound =
+                           pressed > 0. ? bound_of(i, pressed, tangential_norm(motion)).value : 0.;
+          sum += std::pow(force[0] - pressed, 2) +
+                 std::pow(friction_defect(force, motion, constants.tangential, bound), 2);
+        }
+        return std::sqrt(sum);
+      }
+
+      /** Goes towards @p to, or half, a quarter, ... of the way if only that brings a residual that
+       * is not larger than at @p from; the whole way after all if none does, as at a kink. @return
+       * the residual */
+      double search(const Place &from, Place &to) const
+      {
+        constexpr double shortest = 1. / 64.;
+        const double begin = residual(from), of_whole = residual(to);
+        if (of_whole <= begin)
+          return of_whole;
+        for (double share = 0.5; share >= shortest; share *= 0.5)
+        {
+          Place place       = between(from, to, share);
+          const double left = residual(place);
+          if (left <= begin)
+          {
+            to = std::move(place);
+            return left;
+          }
+        }
+        return of_whole;
+      }
+
+    private:
+      const FrictionBoundOf &bound_of;
+      const ComplementarityConstants &constants;
+    };
   } // namespace
 
   ContactIterate newton(const ContactProblem &problem, const FrictionBoundOf &bound_of,
@@ -29,26 +87,27 @@ namespace ringmotor
                         const NewtonLimits &limits, RowSolver &solver,
                         const std::vector<PointVector> &seen)
   {
+    const Equations equations(bound_of, constants);
     ContactIterate iterate;
-    iterate.state        = start;
-    iterate.motion       = problem.relative_motion(start);
+    Place place{start, problem.relative_motion(start)};
     double smallest      = std::numeric_limits<double>::infinity();
     unsigned int of_gain = 0; // iteration of the last gain
     while (iterate.n_iterations < limits.most_iterations)
     {
-      const bool is_first                       = iterate.n_iterations == 0 && !seen.empty();
-      const std::vector<PointVector> &chosen_by = is_first ? seen : iterate.motion;
-      const NewtonSystem system(problem, bound_of, constants, chosen_by, iterate.state,
-                                iterate.motion);
+      const bool is_given = iterate.n_iterations == 0 && !seen.empty();
+      const Place from    = place;
+      const NewtonSystem system(problem, bound_of, constants, is_given ? seen : from.motion,
+                                place.state, place.motion);
       ++iterate.n_iterations;
       iterate.failed = true;
-      if (system.n_touching() > limits.most_touching || !system.solve(solver, iterate.state))
+      if (system.n_touching() > limits.most_touching || !system.solve(solver, place.state))
         break;
-      iterate.failed      = false;
-      iterate.motion      = problem.relative_motion(iterate.state);
-      iterate.certificate = certify(problem, bound_of, iterate.state, iterate.motion);
+      iterate.failed = false;
+      place.motion   = problem.relative_motion(place.state);
+      // What was seen belongs to another state, from which there is no way to this one.
+      const double left   = is_given ? equations.residual(place) : equations.search(from, place);
+      iterate.certificate = certify(problem, bound_of, place.state, place.motion);
       const double worst  = iterate.certificate.worst();
-      const double left   = residual(bound_of, constants, iterate.state, iterate.motion);
       const bool gains    = left < smallest;
       // Without a gain below the limit of certificates rounding is all that is left.
       if (worst <= limits.converged || (iterate.certificate.holds() && !gains) ||
@@ -60,6 +119,8 @@ namespace ringmotor
         of_gain  = iterate.n_iterations;
       }
     }
+    iterate.state  = std::move(place.state);
+    iterate.motion = std::move(place.motion);
     return iterate;
   }
 } // namespace ringmotor

@@ -2,6 +2,7 @@
 #include <ringmotor/contact/contact_rows.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace ringmotor
 {
@@ -42,6 +43,13 @@ namespace ringmotor
         all_unknowns.push_back(3 * a + c);
     for (unsigned int r = 0; r < problem.n_rigid(); ++r)
       all_unknowns.push_back(3 * touching.size() + r);
+  }
+
+  std::vector<unsigned int> ContactRows::rigid_unknowns() const
+  {
+    std::vector<unsigned int> rigid(n_rigid());
+    std::iota(rigid.begin(), rigid.end(), n_of_nodes());
+    return rigid;
   }
 
   unsigned int ContactRows::part_of(const unsigned int unknown) const

@@ -64,7 +64,7 @@ namespace ringmotor
                        const std::vector<PointVector> &seen)
       {
         const unsigned int n = start.n_pressed();
-        NewtonLimits alone{16}; // from a neighbouring state it takes some ten
+        NewtonLimits alone{30}; // from a neighbouring state it takes some ten
         alone.most_touching = 2 * n + 20;
         return n > 0 && takes(newton(problem, bound_of, constants, start, alone, solver, seen),
                               "Newton's method");

@@ -335,5 +335,35 @@ namespace ringmotor
   void RingCompliance::prepare()
   {
     ring_product = basis.n() > 0 ? CirculantProduct(kernel) : CirculantProduct();
+    of_far       = far_of_all();
+  }
+
+  RingCompliance::Far RingCompliance::far_of_all() const
+  {
+    constexpr double little = 1e-2;
+    const unsigned int n = n_sectors(), width = 3 * node_count;
+    Far result;
+    if (n < 2)
+      return result;
+    std::vector<unsigned int> nodes(node_count);
+    std::iota(nodes.begin(), nodes.end(), 0u);
+    const std::vector<unsigned int> distances{1, n - 1, n / 4 + 1, n / 2}; // nothing is farther
+    FullMatrix<double> seen(width, width * distances.size());
+    for (unsigned int i = 0; i < distances.size(); ++i)
+      add_entries(distances[i], nodes, nodes, 1., 0, seen, 0, i * width);
+    result.shapes                      = RankFactors(seen, little).columns;
+    const FullMatrix<double> of_shapes = product(basis, result.shapes, true);
+    // The matrices of this ring are transposed.
+    const auto between = [](const FullMatrix<double> &matrix, const FullMatrix<double> &shapes)
+    { return product(product(matrix, shapes), shapes, true); };
+    for (unsigned int d = 0; d < n; ++d)
+    {
+      result.kernel.emplace_back(result.shapes.n(), result.shapes.n());
+      if (d > 0 && !near[d].empty())
+        result.kernel.back().add(1., between(near[d], result.shapes));
+      if (d > 0 && basis.n() > 0)
+        result.kernel.back().add(1., between(kernel[d], of_shapes));
+    }
+    return result;
   }
 } // namespace ringmotor

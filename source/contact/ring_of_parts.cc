@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/contact/ring_of_parts.h>
+#include <ringmotor/structure/lu_factors.h>
 
 #include <algorithm>
 #include <map>

@@ -141,11 +141,8 @@ namespace ringmotor
   SteadyDriver::Start SteadyDriver::from_rest(const RotorLoad &load) const
   {
     // Without load the rotor turns somewhat slower than the wave's crests.
-    double crest = 0.;
-    for (const CondensedMotor::Node &node : motor.nodes)
-      crest =
-          std::max(crest, motor.angular_frequency * std::abs(node.free_motion[1]) / node.radius);
-    const RotorLoad with_speed{load.preload, {}, load.torque ? 0.97 * crest : load.speed};
+    const RotorLoad with_speed{
+        load.preload, {}, load.torque ? 0.97 * motor.crest_speed() : load.speed};
     const RingContact contact(motor, with_speed, step);
     // The law with a jump starts with the static limit everywhere.
     const Start pressed{contact.pressed_down(),

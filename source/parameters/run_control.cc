@@ -49,9 +49,10 @@ namespace ringmotor
               "a stator may have to be smaller for Contact target. Units: none.");
     add_entry(prm, "Contact target", contact_target,
               number_within(1.e-3, 0.5, "a number from 1e-3 to 0.5"),
-              "The same for speed and torque, relative to those without load and at stall; the "
-              "program stator refines until the wave's share is a fifth of it at most. Units: "
-              "none.");
+              "The same for speed and torque, relative to those without load and at stall, or to "
+              "half the speed of the wave's crests and half the torque that sliding friction "
+              "bears, if that is more; the program stator refines until the wave's share is a "
+              "fifth of it at most. Units: none.");
     add_entry(prm, "Time limit", time_limit, number_or("none", positive_number()),
               "Time after which the program contact stops; operating points found so far are kept, "
               "and --resume goes on from there. Units: s.");

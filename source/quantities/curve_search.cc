@@ -23,6 +23,11 @@ namespace ringmotor
       return std::ceil(factor * n_parts);
     }
 
+    /** A rotor pressed so hard that it hardly moves has neither a speed nor a torque with which
+     * errors could be compared; then they are with this share of the speed of the wave's crests and
+     * of the torque that friction bears. */
+    constexpr double share_of_scales = 0.5;
+
     /** The same motor with a wave that moves its surface faster, but not higher. */
     CondensedMotor with_faster_wave(const CondensedMotor &motor, const double factor)
     {
@@ -224,7 +229,7 @@ namespace ringmotor
       }
       return starts;
     }
-    if (rotor_sticks()) // under all torques alike
+    if (nearly_sticks()) // under all torques alike
       starts.assign(wanted.size(), stalled);
     return starts;
   }
@@ -234,33 +239,51 @@ namespace ringmotor
     requests     = {{Control::speed, 0.}};
     stalled      = point_of(plain_setting(parameters, reached_level), 0);
     stall_torque = stalled.result.torque;
-    // Where all points stick at rest their forces are not determined; the rotor holds what friction
-    // bears. Half of it is asked for, and refused if they slip.
-    constexpr double asked_of_sticking = 0.5;
-    if (rotor_sticks())
-      stall_torque = asked_of_sticking * parameters.friction.dynamic_coefficient *
-                     parameters.loading.preload * motor_of(reached_level).nodes.front().radius;
+    find_held_torque();
+    const double most = holds ? borne_torque() : stall_torque;
     if (parameters.loading.control == Control::torque)
       for (const double torque : parameters.loading.values)
-        if (torque >= stall_torque)
+        if (torque >= most)
           throw UserError("Loading/Values = " + short_text(torque) +
-                          " N m is beyond the stall of the motor, which is at " +
-                          short_text(stall_torque) +
+                          " N m is beyond the stall of the motor, which is at " + short_text(most) +
                           " N m; allowed: less than that, or Loading/Control = speed");
     requests = requested_points(parameters.loading, stall_torque);
-    if (rotor_sticks() && parameters.loading.values.empty())
-      requests.back() = {Control::torque, stall_torque};
+    if (holds && parameters.loading.values.empty())
+      requests.back() = stalled.request;
     known.clear();
     for (unsigned int i = 0; i < requests.size(); ++i)
-      if (requests[i].control == Control::speed && requests[i].value == 0.)
+      if (requests[i] == stalled.request)
         known[plain_setting(parameters, reached_level)][i] = stalled;
     n_parts.assign(requests.size(), n_parts_to_start_with);
   }
 
-  bool CurveSearch::rotor_sticks() const
+  void CurveSearch::find_held_torque()
   {
-    constexpr double all = 1. - 1e-9;
-    return stalled.result.stick_fraction > all;
+    // Where nearly all points stick at rest, friction bears any torque, and the one that is found
+    // is of no meaning. A part of what it bears is asked for.
+    constexpr double asked = 0.25;
+    if (!nearly_sticks())
+      return;
+    known.clear();
+    requests              = {{Control::torque, asked * borne_torque()}};
+    const CurvePoint held = point_of(plain_setting(parameters, reached_level), 0);
+    holds                 = std::abs(held.result.speed) <=
+            parameters.accuracy.contact_target * share_of_scales * motor().crest_speed();
+    if (!holds)
+      return;
+    stalled      = held;
+    stall_torque = held.request.value;
+  }
+
+  double CurveSearch::borne_torque() const
+  {
+    return parameters.friction.dynamic_coefficient * parameters.loading.preload *
+           motor().nodes.front().radius;
+  }
+
+  bool CurveSearch::nearly_sticks() const
+  {
+    return stalled.result.stick_fraction > 0.9;
   }
 
   PointError CurveSearch::mesh_error(const unsigned int request)
@@ -353,14 +376,11 @@ namespace ringmotor
 
   double CurveSearch::relative(const PointError &error) const
   {
-    constexpr double slow = 0.01; // against the crests of the wave: as good as at rest
-    double fastest        = 0.;
-    for (const CondensedMotor::Node &node : motor().nodes)
-      fastest = std::max(fastest, slow * motor().angular_frequency * std::abs(node.free_motion[1]) /
-                                      node.radius);
+    double fastest = share_of_scales * motor().crest_speed();
     for (const auto &[request, point] : known.at(plain_setting(parameters, reached_level)))
       fastest = std::max(fastest, std::abs(point.result.speed));
-    return std::max(error.torque / std::abs(stall_torque), // the motor may stand still
+    return std::max(error.torque /
+                        std::max(std::abs(stall_torque), share_of_scales * borne_torque()),
                     error.speed > 0. ? error.speed / fastest : 0.);
   }
 

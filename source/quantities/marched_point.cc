@@ -98,7 +98,6 @@ namespace ringmotor
       const RingPattern pattern;
       const unsigned int n_parts; ///< of a period of the wave, see parts_of_period()
       const double tolerance;     ///< relative
-      double fastest = 0.;        ///< rad/s, the crests of the wave
       double largest = 0.;        ///< N m, if all friction points one way
       std::array<std::vector<double>, quantities.size()> means;
       PointError rest;
@@ -114,11 +113,7 @@ namespace ringmotor
       const Friction friction = effective_friction(parameters);
       const double mu         = std::max(friction.static_coefficient, friction.dynamic_coefficient);
       for (const CondensedMotor::Node &node : motor.nodes)
-      {
-        fastest = std::max(fastest,
-                           motor.angular_frequency * std::abs(node.free_motion[1]) / node.radius);
         largest = std::max(largest, mu * parameters.loading.preload * node.radius);
-      }
     }
 
     double Settling::step_length() const
@@ -163,7 +158,7 @@ namespace ringmotor
 
     bool Settling::has_settled() const
     {
-      return rest.speed <= tolerance * fastest && rest.torque <= tolerance * largest &&
+      return rest.speed <= tolerance * motor.crest_speed() && rest.torque <= tolerance * largest &&
              rest.loss <= tolerance * means[2].back() &&
              rest.rotor_power <= tolerance * means[3].back();
     }

@@ -84,6 +84,8 @@ namespace ringmotor
 
     double period() const;
     double pitch() const;
+    /** Of a rotor that moves with the crests of the free wave where these are fastest, rad/s. */
+    double crest_speed() const;
 
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)

@@ -36,7 +36,9 @@ namespace ringmotor
   };
 
   /**
-   * The semi-smooth Newton method, see NewtonSystem. @p solver may know factors of like systems.
+   * The semi-smooth Newton method with a line search, see NewtonSystem: of each step it takes as
+   * much as brings the equations closer to being fulfilled. @p solver may know factors of like
+   * systems.
    * @param seen the motion by which the first system is chosen; that of @p start if empty
    * @return the last iterate, whether it has converged or not
    */

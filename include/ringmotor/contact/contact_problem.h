@@ -70,6 +70,32 @@ namespace ringmotor
     virtual unsigned int part_of_rigid(const unsigned int) const { return 0; }
     static constexpr unsigned int no_part = dealii::numbers::invalid_unsigned_int;
 
+    /** Points come in blocks (a tooth at a moment), one after the other. Within a block they move
+     * each other far more than others do. */
+    virtual unsigned int n_blocks() const { return 1; }
+    virtual unsigned int block_of_point(const unsigned int) const { return 0; }
+    /** The block from whose motions the slips of a block are measured; no_part if they are measured
+     * from given positions. */
+    virtual unsigned int block_before(const unsigned int) const { return no_part; }
+    /**
+     * What is left of the compliance between two blocks if little has to be known of it: far
+     * shapes, of which each is a number for each component of a point and the first tell most, and
+     * between them a small matrix, see far_kernel(). Entry (i, j) of that is the share of shape i
+     * in the motion of a block by a unit force of shape j on another block.
+     */
+    virtual unsigned int n_far_shapes() const { return 0; }
+    virtual double far_shape(const unsigned int /*point*/, const unsigned int /*component*/,
+                             const unsigned int /*shape*/) const
+    {
+      return 0.;
+    }
+    /** @return nullptr for a block and itself, and for blocks that do not move each other */
+    virtual const dealii::FullMatrix<double> *far_kernel(const unsigned int /*moved*/,
+                                                         const unsigned int /*loaded*/) const
+    {
+      return nullptr;
+    }
+
     /** For each rigid motion the sum of forces that must vanish. */
     virtual std::vector<double> balances(const ContactState &state) const = 0;
 

@@ -48,6 +48,17 @@ namespace ringmotor
 
     void vmult(dealii::Vector<double> &product, const dealii::Vector<double> &vector) const;
 
+    /** Those of rigid motions. */
+    std::vector<unsigned int> rigid_unknowns() const;
+    const ContactProblem &contact_problem() const { return problem; }
+    /** The point of an unknown force. */
+    unsigned int point_of(const unsigned int unknown) const { return touching[unknown / 3]; }
+    /** How the row of an unknown force depends on the motion of its point. */
+    const dealii::Tensor<1, 3> &by_motion(const unsigned int unknown) const
+    {
+      return rows[unknown / 3].by_motion[unknown % 3];
+    }
+
     /** What forces add to the balance of a rigid motion. */
     double balance_of(const unsigned int motion, const unsigned int unknown) const
     {

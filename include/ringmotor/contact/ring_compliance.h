@@ -73,6 +73,14 @@ namespace ringmotor
     unsigned int n_sectors() const { return near.size(); }
     unsigned int n_nodes() const { return node_count; }
 
+    /** What sectors know of each other if little is enough. */
+    struct Far
+    {
+      dealii::FullMatrix<double> shapes; ///< by node and component, orthonormal columns
+      std::vector<dealii::FullMatrix<double>> kernel; ///< by distance: motions by forces; 0 at 0
+    };
+    const Far &far() const { return of_far; }
+
     /** Adds the motions (m) of all sectors under forces (N); both by ring, sector, node, component;
      * several equal rings at once. */
     void add_motions(const double *forces, double *motions, const unsigned int n_rings = 1) const;
@@ -114,7 +122,9 @@ namespace ringmotor
     }
 
   private:
+    /** Makes what follows from the rest. */
     void prepare();
+    Far far_of_all() const;
 
     unsigned int node_count = 0;
     std::vector<dealii::FullMatrix<double>> near;   ///< by distance, transposed; empty if far
@@ -122,5 +132,6 @@ namespace ringmotor
     std::vector<dealii::FullMatrix<double>> kernel; ///< by distance, transposed
     std::vector<dealii::FullMatrix<double>> table;  ///< of all entries, like near; may be empty
     CirculantProduct ring_product;                  ///< with the kernel
+    Far of_far;
   };
 } // namespace ringmotor

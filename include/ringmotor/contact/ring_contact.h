@@ -75,6 +75,25 @@ namespace ringmotor
       // The turn belongs to all moments.
       return motion < n_moments * n_rigid_of_moment ? motion / n_rigid_of_moment : no_part;
     }
+    unsigned int n_blocks() const override { return n_moments * n_sectors; }
+    unsigned int block_of_point(const unsigned int point) const override { return point / n_nodes; }
+    unsigned int block_before(const unsigned int block) const override
+    {
+      return given ? no_part : earlier(block * n_nodes) / n_nodes;
+    }
+    unsigned int n_far_shapes() const override { return compliance.far().shapes.n(); }
+    double far_shape(const unsigned int point, const unsigned int component,
+                     const unsigned int shape) const override
+    {
+      return compliance.far().shapes(3 * (point % n_nodes) + component, shape);
+    }
+    const dealii::FullMatrix<double> *far_kernel(const unsigned int moved,
+                                                 const unsigned int loaded) const override
+    {
+      if (moved == loaded || moved / n_sectors != loaded / n_sectors) // another moment
+        return nullptr;
+      return &compliance.far().kernel[(n_sectors + moved - loaded) % n_sectors];
+    }
     std::vector<double> balances(const ContactState &state) const override;
     void balance_derivatives(const std::vector<unsigned int> &points,
                              dealii::FullMatrix<double> &matrix) const override;

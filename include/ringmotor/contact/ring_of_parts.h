@@ -57,19 +57,4 @@ namespace ringmotor
     std::vector<unsigned int> border;             ///< unknowns of no part
     std::vector<Step> steps;
   };
-
-  /** LU factors in place. @return false if the matrix is singular */
-  template <typename Number>
-  bool factorise(dealii::LAPACKFullMatrix<Number> &matrix)
-  {
-    try
-    {
-      matrix.compute_lu_factorization();
-      return true;
-    }
-    catch (const dealii::LACExceptions::ExcSingular &)
-    {
-      return false;
-    }
-  }
 } // namespace ringmotor

@@ -15,7 +15,8 @@ namespace ringmotor
    * - a dense matrix by LAPACK, or one for each part of a problem of several parts;
    * - GMRES with the factors of an earlier set of rows as preconditioner. Near the solution
    * Newton's systems differ in a few rows only, each of which takes one step more;
-   * - GMRES without a preconditioner, which needs no matrix, where a dense one would be too large.
+   * - GMRES with a chain of blocks as preconditioner, which needs no dense matrix, for many
+   * unknowns.
    */
   class RowSolver
   {

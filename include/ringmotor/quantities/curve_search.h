@@ -45,8 +45,10 @@ namespace ringmotor
     unsigned int level() const { return reached_level; }
     const CondensedMotor &motor() const { return *motors.at(reached_level); }
     const std::vector<CurvePoint> &points() const { return results; }
-    /** Whether the wave does not turn the rotor, because all points stick. */
-    bool rotor_sticks() const;
+    /** Whether the wave does not turn the rotor: it stands still, as far as the target can tell,
+     * though a quarter of the torque that friction bears loads it. The last point of a curve is
+     * then this one. */
+    bool rotor_sticks() const { return holds; }
     /** Relative to the fastest speed and to the stall torque: the largest error bar. */
     double worst_error() const;
 
@@ -120,14 +122,22 @@ namespace ringmotor
     /** With which steps those of a point are compared. */
     CurveSetting compared_step(const unsigned int request) const;
     CurveSetting changed_wave() const;
-    /** Relative to the fastest speed and to the stall torque. */
+    /** Loads a rotor that nearly sticks at rest, to see whether it stands still. */
+    void find_held_torque();
+    /** Whether nearly all points stick at stall. */
+    bool nearly_sticks() const;
+    /** What friction bears (N m) where all points slip the same way. */
+    double borne_torque() const;
+    /** Of a speed relative to the fastest one, or to half that of the wave's crests if that is
+     * more; of a torque to that at stall, or to half of what friction bears. */
     double relative(const PointError &error) const;
 
     const Parameters &parameters;
     const double wave_error;
     const Sources sources;
-    CurvePoint stalled;       ///< on the first mesh
-    double stall_torque = 0.; ///< N m; of the first motor that was computed
+    CurvePoint stalled;          ///< on the first mesh; the loaded one if the rotor sticks
+    bool holds          = false; ///< see rotor_sticks()
+    double stall_torque = 0.;    ///< N m; of the first motor that was computed
     std::vector<PointRequest> requests;
     unsigned int reached_level = 0;
     std::vector<unsigned int> n_parts; ///< by request

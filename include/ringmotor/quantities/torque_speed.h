@@ -22,6 +22,11 @@ namespace ringmotor
   {
     Control control;
     double value; ///< N m or rad/s
+
+    bool operator==(const PointRequest &other) const
+    {
+      return control == other.control && value == other.value;
+    }
   };
 
   /** Errors of an operating point; what is prescribed has none. */
