@@ -214,11 +214,33 @@ namespace ringmotor
         block.by_shared(i, j) = columns[j][i];
   }
 
+  LAPACKFullMatrix<double>
+  ChainOfBlocks::forces_by_shared(const Block &block, const LAPACKFullMatrix<double> &before,
+                                  const std::vector<unsigned int> &place_of,
+                                  const unsigned int n_columns) const
+  {
+    LAPACKFullMatrix<double> forces(block.unknowns.size(), n_columns);
+    if (block.continues_chain() && before.n() > 0)
+    {
+      LAPACKFullMatrix<double> handed_on(block.slips.size(), before.n());
+      block.by_before.mmult(handed_on, before);
+      for (unsigned int j = 0; j < before.n(); ++j)
+        for (unsigned int i = 0; i < block.slips.size(); ++i)
+          forces(block.slips[i], j) = handed_on(i, j);
+    }
+    for (unsigned int j = 0; j < block.shared.size(); ++j)
+      for (unsigned int i = 0; i < block.unknowns.size(); ++i)
+        forces(i, place_of[block.shared[j]]) += block.by_shared(i, j);
+    if (n_columns > 0)
+      block.own.solve(forces);
+    return forces;
+  }
+
   void ChainOfBlocks::make_small_system()
   {
     small.reinit(n_small);
     LAPACKFullMatrix<double> far_forces(kernel.n(), n_small), far_motion(n_far, n_small);
-    LAPACKFullMatrix<double> before; // forces of the block before, by columns
+    LAPACKFullMatrix<double> forces; // of the last block, by columns of the small system
     std::vector<unsigned int> columns, place_of(n_small, none);
     for (const unsigned int b : order)
     {
@@ -229,27 +251,13 @@ namespace ringmotor
           place_of[column] = none;
         columns.clear();
       }
-      const unsigned int n_before = columns.size();
       for (const unsigned int column : block.shared)
         if (place_of[column] == none)
         {
           place_of[column] = columns.size();
           columns.push_back(column);
         }
-      LAPACKFullMatrix<double> forces(block.unknowns.size(), columns.size());
-      if (n_before > 0)
-      {
-        LAPACKFullMatrix<double> handed_on(block.slips.size(), n_before);
-        block.by_before.mmult(handed_on, before);
-        for (unsigned int j = 0; j < n_before; ++j)
-          for (unsigned int i = 0; i < block.slips.size(); ++i)
-            forces(block.slips[i], j) = handed_on(i, j);
-      }
-      for (unsigned int j = 0; j < block.shared.size(); ++j)
-        for (unsigned int i = 0; i < block.unknowns.size(); ++i)
-          forces(i, place_of[block.shared[j]]) += block.by_shared(i, j);
-      if (!columns.empty())
-        block.own.solve(forces);
+      forces = forces_by_shared(block, forces, place_of, columns.size());
       if (n_shapes > 0)
       {
         LAPACKFullMatrix<double> of_shapes(n_shapes, columns.size());
@@ -259,7 +267,6 @@ namespace ringmotor
             far_forces(n_shapes * b + s, columns[j]) = of_shapes(s, j);
       }
       add_handed_on(b, forces, columns, small);
-      before = forces;
     }
     if (n_far > 0)
       kernel.mmult(far_motion, far_forces);

@@ -61,6 +61,11 @@ namespace ringmotor
     dealii::LAPACKFullMatrix<double> near_matrix(const Block &block, const Block &loaded) const;
     void share_columns(Block &block) const;
     void make_small_system();
+    /** f_b by columns of the small system, each at its place; those of the block before, which it
+     * hands on if the chain goes on, come first. */
+    dealii::LAPACKFullMatrix<double>
+    forces_by_shared(const Block &block, const dealii::LAPACKFullMatrix<double> &before,
+                     const std::vector<unsigned int> &place_of, const unsigned int n_columns) const;
     /** Subtracts what forces of a block, by columns, hand on where chains are cut, and adds what
      * they do to balances. */
     void add_handed_on(const unsigned int place, const dealii::LAPACKFullMatrix<double> &forces,
