@@ -179,6 +179,19 @@ class Mistakes(WithContact):
         self.assertIn("power put in against power out", done.stderr)
         self.assertIn("is not short against the time for which a tooth is in contact", done.stdout)
 
+    def test_a_rotor_that_sticks_is_loaded_by_a_quarter_of_what_friction_bears(self):
+        # 30 kN for each micrometre press the lip flat.
+        preload, outer_radius = 60e3, 0.0342
+        done = self.contact(f"Loading/Preload = {preload}", "Output/VTU = false")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("warning: the wave does not turn the rotor", done.stdout)
+        rows = rows_of(self.case / "contact" / "torque_speed.csv")
+        self.assertEqual([row["control"] for row in rows], ["torque"] * 3)
+        borne = 1e3 * 0.40 * preload * outer_radius  # mN m
+        self.assertAlmostEqual(float(rows[-1]["torque_mNm"]) / borne, 0.25, delta=0.01)
+        for row in rows:
+            self.assertLess(abs(float(row["speed_rpm"])), 1e-6)
+
     def test_unusual_friction_is_warned_of(self):
         done = self.contact("Friction/Static coefficient = 0.7", "Friction/Dynamic coefficient = 0.84",
                             "Loading/Values = 0.05", "Accuracy/Contact target = 0.2")
