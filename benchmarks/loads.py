@@ -8,8 +8,8 @@ usage: benchmarks/loads.py [FILE.prm] [--preloads 0.01 14 ...] [--amplitudes 0.2
 Each combination of preload (N) and amplitude (um) is a run of its own of the program contact; the program
 stator runs once for each amplitude. Each row is added to the CSV file as soon as it is known; --resume runs
 what the file lacks. "error" is the largest error bar, over the largest speed or torque,
-or half of what wave and friction allow for.
-The exit status is 1 if a run did not end in time, crashed, or gave wrong results without saying so.
+or half of what wave and friction allow for. The exit status is 1 if a run did not end in time, crashed, or gave
+wrong results without saying so.
 """
 import argparse
 import pathlib

@@ -71,11 +71,21 @@ namespace ringmotor
     n_far    = n_shapes * felt.size();
     for (Block &block : blocks)
     {
-      block.shapes.reinit(block.unknowns.size(), n_shapes);
-      for (unsigned int i = 0; i < block.unknowns.size(); ++i)
-        for (unsigned int s = 0; s < n_shapes; ++s)
-          block.shapes(i, s) =
-              problem.far_shape(rows.point_of(block.unknowns[i]), block.unknowns[i] % 3, s);
+      const unsigned int n = block.unknowns.size();
+      for (LAPACKFullMatrix<double> *matrix : {&block.shapes, &block.by_motion, &block.by_slip})
+        matrix->reinit(n, n_shapes);
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int c = 0; c < 3; ++c)
+          for (unsigned int s = 0; s < n_shapes; ++s)
+          {
+            const unsigned int unknown = block.unknowns[i];
+            const double shape         = problem.far_shape(rows.point_of(unknown), c, s);
+            if (c == unknown % 3)
+              block.shapes(i, s) = shape;
+            block.by_motion(i, s) += rows.by_motion(unknown)[c] * shape;
+            if (c > 0)
+              block.by_slip(i, s) += rows.by_motion(unknown)[c] * shape;
+          }
     }
   }
 
@@ -109,6 +119,7 @@ namespace ringmotor
           begin = b;
         b = blocks[b].place_before;
       } while (b != none && b != first);
+      cuts.push_back(begin);
       blocks[begin].is_cut    = true;
       blocks[begin].first_cut = n_cuts;
       if (blocks[begin].place_before != none)
@@ -131,40 +142,27 @@ namespace ringmotor
       }
   }
 
-  FullMatrix<double> ChainOfBlocks::far_motions(const Block &block, const unsigned int first) const
-  {
-    FullMatrix<double> motions(block.unknowns.size(), n_shapes);
-    for (unsigned int i = 0; i < block.unknowns.size(); ++i)
-      for (unsigned int c = first; c < 3; ++c)
-        for (unsigned int s = 0; s < n_shapes; ++s)
-          motions(i, s) += rows.by_motion(block.unknowns[i])[c] *
-                           problem.far_shape(rows.point_of(block.unknowns[i]), c, s);
-    return motions;
-  }
-
   LAPACKFullMatrix<double> ChainOfBlocks::near_matrix(const Block &block, const Block &loaded) const
   {
     LAPACKFullMatrix<double> matrix = rows.matrix_of(block.unknowns, loaded.unknowns);
-    const auto add = [&](const unsigned int moved, const unsigned int first, const double factor)
+    const auto add =
+        [&](const LAPACKFullMatrix<double> &motions, const unsigned int moved, const double factor)
     {
       const FullMatrix<double> *of_pair = problem.far_kernel(moved, loaded.number);
-      if (!of_pair)
+      if (!of_pair || n_shapes == 0)
         return;
-      const FullMatrix<double> motions = far_motions(block, first);
-      FullMatrix<double> by_shapes(motions.m(), n_shapes), of_pair_used(n_shapes, n_shapes);
-      of_pair_used.fill(*of_pair);
-      motions.mmult(by_shapes, of_pair_used);
-      for (unsigned int i = 0; i < matrix.m(); ++i)
-        for (unsigned int j = 0; j < matrix.n(); ++j)
-          for (unsigned int s = 0; s < n_shapes; ++s)
-            matrix(i, j) += factor * by_shapes(i, s) * loaded.shapes(j, s);
+      FullMatrix<double> first_shapes(n_shapes, n_shapes);
+      first_shapes.fill(*of_pair);
+      LAPACKFullMatrix<double> between(n_shapes), by_shapes(motions.m(), n_shapes),
+          entries(matrix.m(), matrix.n());
+      between = first_shapes;
+      motions.mmult(by_shapes, between);
+      by_shapes.mTmult(entries, loaded.shapes);
+      matrix.add(factor, entries);
     };
-    if (n_shapes > 0)
-    {
-      add(block.number, 0, -1.);
-      if (block.before != none)
-        add(block.before, 1, 1.); // slips are differences
-    }
+    add(block.by_motion, block.number, -1.);
+    if (block.before != none)
+      add(block.by_slip, block.before, 1.); // slips are differences
     return matrix;
   }
 
@@ -177,9 +175,9 @@ namespace ringmotor
       block.shared.push_back(number);
       columns.push_back(column);
     };
-    const auto add_far = [&](const unsigned int of, const unsigned int first, const double factor)
+    const auto add_far =
+        [&](const unsigned int of, const LAPACKFullMatrix<double> &motions, const double factor)
     {
-      const FullMatrix<double> motions = far_motions(block, first);
       const unsigned int place = std::lower_bound(felt.begin(), felt.end(), of) - felt.begin();
       for (unsigned int s = 0; s < n_shapes; ++s)
       {
@@ -189,9 +187,9 @@ namespace ringmotor
         add(n_shapes * place + s, column);
       }
     };
-    add_far(block.number, 0, -1.);
+    add_far(block.number, block.by_motion, -1.);
     if (block.before != none)
-      add_far(block.before, 1, 1.);
+      add_far(block.before, block.by_slip, 1.);
     if (block.is_cut && block.place_before != none)
       for (unsigned int i = 0; i < block.slips.size(); ++i)
       {
@@ -287,8 +285,8 @@ namespace ringmotor
                                     const std::vector<unsigned int> &columns,
                                     LAPACKFullMatrix<double> &matrix) const
   {
-    for (const Block &after : blocks)
-      if (after.is_cut && after.place_before == place)
+    for (const unsigned int cut : cuts)
+      if (const Block &after = blocks[cut]; after.place_before == place)
         for (unsigned int k = 0; k < after.slips.size(); ++k)
           for (unsigned int j = 0; j < columns.size(); ++j)
             for (unsigned int i = 0; i < forces.m(); ++i)

@@ -55,12 +55,12 @@ namespace ringmotor
       }
 
       /** Goes towards @p to, or half, a quarter, ... of the way if only that brings a residual that
-       * is not larger than at @p from; the whole way after all if none does, as at a kink. @return
-       * the residual */
-      double search(const Place &from, Place &to) const
+       * is not larger than @p begin, the one at @p from; the whole way after all if none does, as
+       * at a kink. @return the residual */
+      double search(const Place &from, const double begin, Place &to) const
       {
         constexpr double shortest = 1. / 64.;
-        const double begin = residual(from), of_whole = residual(to);
+        const double of_whole     = residual(to);
         if (of_whole <= begin)
           return of_whole;
         for (double share = 0.5; share >= shortest; share *= 0.5)
@@ -90,7 +90,10 @@ namespace ringmotor
     const Equations equations(bound_of, constants);
     ContactIterate iterate;
     Place place{start, problem.relative_motion(start)};
-    double smallest      = std::numeric_limits<double>::infinity();
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    // What was seen belongs to another state; whatever the first step leads to is better.
+    double left          = seen.empty() ? equations.residual(place) : infinity;
+    double smallest      = infinity;
     unsigned int of_gain = 0; // iteration of the last gain
     while (iterate.n_iterations < limits.most_iterations)
     {
@@ -102,10 +105,9 @@ namespace ringmotor
       iterate.failed = true;
       if (system.n_touching() > limits.most_touching || !system.solve(solver, place.state))
         break;
-      iterate.failed = false;
-      place.motion   = problem.relative_motion(place.state);
-      // What was seen belongs to another state, from which there is no way to this one.
-      const double left   = is_given ? equations.residual(place) : equations.search(from, place);
+      iterate.failed      = false;
+      place.motion        = problem.relative_motion(place.state);
+      left                = equations.search(from, left, place);
       iterate.certificate = certify(problem, bound_of, place.state, place.motion);
       const double worst  = iterate.certificate.worst();
       const bool gains    = left < smallest;

@@ -70,6 +70,16 @@ namespace ringmotor
       return result;
     }
 
+    /** The motions of all nodes by unit forces on all nodes of a sector so many sectors lower. */
+    FullMatrix<double> all_entries(const RingCompliance &ring, const unsigned int distance)
+    {
+      std::vector<unsigned int> nodes(ring.n_nodes());
+      std::iota(nodes.begin(), nodes.end(), 0u);
+      FullMatrix<double> entries(3 * nodes.size(), 3 * nodes.size());
+      ring.add_entries(distance, nodes, nodes, 1., 0, entries, 0, 0);
+      return entries;
+    }
+
     /** How the shapes of a ring's sectors move by forces of shapes. */
     class ShapesOfRing
     {
@@ -320,15 +330,9 @@ namespace ringmotor
 
   void RingCompliance::tabulate()
   {
-    std::vector<unsigned int> nodes(node_count);
-    std::iota(nodes.begin(), nodes.end(), 0u);
     std::vector<FullMatrix<double>> all;
     for (unsigned int distance = 0; distance < n_sectors(); ++distance)
-    {
-      FullMatrix<double> entries(3 * node_count, 3 * node_count);
-      add_entries(distance, nodes, nodes, 1., 0, entries, 0, 0);
-      all.push_back(transposed(entries));
-    }
+      all.push_back(transposed(all_entries(*this, distance)));
     table = std::move(all);
   }
 
@@ -345,12 +349,10 @@ namespace ringmotor
     Far result;
     if (n < 2)
       return result;
-    std::vector<unsigned int> nodes(node_count);
-    std::iota(nodes.begin(), nodes.end(), 0u);
     const std::vector<unsigned int> distances{1, n - 1, n / 4 + 1, n / 2}; // nothing is farther
     FullMatrix<double> seen(width, width * distances.size());
     for (unsigned int i = 0; i < distances.size(); ++i)
-      add_entries(distances[i], nodes, nodes, 1., 0, seen, 0, i * width);
+      seen.fill(all_entries(*this, distances[i]), 0, i * width);
     result.shapes                      = RankFactors(seen, little).columns;
     const FullMatrix<double> of_shapes = product(basis, result.shapes, true);
     // The matrices of this ring are transposed.

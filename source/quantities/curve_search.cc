@@ -240,7 +240,7 @@ namespace ringmotor
     stalled      = point_of(plain_setting(parameters, reached_level), 0);
     stall_torque = stalled.result.torque;
     find_held_torque();
-    const double most = holds ? borne_torque() : stall_torque;
+    const double most = rotor_sticks() ? borne_torque() : stall_torque;
     if (parameters.loading.control == Control::torque)
       for (const double torque : parameters.loading.values)
         if (torque >= most)
@@ -248,7 +248,7 @@ namespace ringmotor
                           " N m is beyond the stall of the motor, which is at " + short_text(most) +
                           " N m; allowed: less than that, or Loading/Control = speed");
     requests = requested_points(parameters.loading, stall_torque);
-    if (holds && parameters.loading.values.empty())
+    if (rotor_sticks() && parameters.loading.values.empty())
       requests.back() = stalled.request;
     known.clear();
     for (unsigned int i = 0; i < requests.size(); ++i)
@@ -267,9 +267,8 @@ namespace ringmotor
     known.clear();
     requests              = {{Control::torque, asked * borne_torque()}};
     const CurvePoint held = point_of(plain_setting(parameters, reached_level), 0);
-    holds                 = std::abs(held.result.speed) <=
-            parameters.accuracy.contact_target * share_of_scales * motor().crest_speed();
-    if (!holds)
+    if (std::abs(held.result.speed) >
+        parameters.accuracy.contact_target * share_of_scales * motor().crest_speed())
       return;
     stalled      = held;
     stall_torque = held.request.value;
@@ -382,27 +381,5 @@ namespace ringmotor
     return std::max(error.torque /
                         std::max(std::abs(stall_torque), share_of_scales * borne_torque()),
                     error.speed > 0. ? error.speed / fastest : 0.);
-  }
-
-  CurveSearch::StaticFrictionEffect CurveSearch::static_friction_effect()
-  {
-    const unsigned int middle = (requests.size() - 1) / 2;
-    const bool of_torque      = requests[middle].control == Control::torque;
-    Parameters without        = parameters;
-    without.friction.law      = FrictionLaw::coulomb;
-    const CurvePoint dynamic  = sources
-                                   .points(without, motor(), {reached_level, n_parts[middle]},
-                                           {requests[middle]}, {results[middle]})
-                                   .front();
-    const auto signed_change = [&](const CurvePoint &from, const CurvePoint &to) {
-      return of_torque ? to.result.speed - from.result.speed
-                       : to.result.torque - from.result.torque;
-    };
-    const CurveSetting plain = plain_setting(parameters, reached_level);
-    const CurvePoint &before = point_of(plain, middle);
-    return {results[middle], signed_change(results[middle], dynamic),
-            signed_change(before, point_of(plain.halved(), middle)),
-            signed_change(point_of(plain_setting(parameters, compared_with(reached_level)), middle),
-                          before)};
   }
 } // namespace ringmotor

@@ -65,4 +65,26 @@ namespace ringmotor
     }
     return rungs;
   }
+
+  CurveSearch::StaticFrictionEffect CurveSearch::static_friction_effect()
+  {
+    const unsigned int middle = (requests.size() - 1) / 2;
+    const bool of_torque      = requests[middle].control == Control::torque;
+    Parameters without        = parameters;
+    without.friction.law      = FrictionLaw::coulomb;
+    const CurvePoint dynamic  = sources
+                                   .points(without, motor(), {reached_level, n_parts[middle]},
+                                           {requests[middle]}, {results[middle]})
+                                   .front();
+    const auto signed_change = [&](const CurvePoint &from, const CurvePoint &to) {
+      return of_torque ? to.result.speed - from.result.speed
+                       : to.result.torque - from.result.torque;
+    };
+    const CurveSetting plain = plain_setting(parameters, reached_level);
+    const CurvePoint &before = point_of(plain, middle);
+    return {results[middle], signed_change(results[middle], dynamic),
+            signed_change(before, point_of(plain.halved(), middle)),
+            signed_change(point_of(plain_setting(parameters, compared_with(reached_level)), middle),
+                          before)};
+  }
 } // namespace ringmotor

@@ -39,8 +39,10 @@ namespace ringmotor
       unsigned int before;       ///< in the problem, or none
       unsigned int place_before; ///< of the block before among those that touch, or none
       std::vector<unsigned int> unknowns;
-      std::vector<unsigned int> slips;            ///< rows that depend on slips
-      dealii::LAPACKFullMatrix<double> shapes;    ///< far shapes, a row for each unknown
+      std::vector<unsigned int> slips;         ///< rows that depend on slips
+      dealii::LAPACKFullMatrix<double> shapes; ///< far shapes, a row for each unknown
+      /** Rows by far motions; what slips have in that. */
+      dealii::LAPACKFullMatrix<double> by_motion, by_slip;
       dealii::LAPACKFullMatrix<double> own;       ///< factors of D_b
       dealii::LAPACKFullMatrix<double> by_before; ///< E_b, only the rows of slips
       bool is_cut            = false;             ///< the chain begins here
@@ -55,8 +57,6 @@ namespace ringmotor
     void choose_shapes();
     void make_kernel();
     void cut_chains();
-    /** Shapes times how the rows of a block depend on motions, from one component on. */
-    dealii::FullMatrix<double> far_motions(const Block &block, const unsigned int first) const;
     /** The rows of a block by the forces of another, without what comes through far shapes. */
     dealii::LAPACKFullMatrix<double> near_matrix(const Block &block, const Block &loaded) const;
     void share_columns(Block &block) const;
@@ -81,6 +81,7 @@ namespace ringmotor
     const ContactProblem &problem;
     std::vector<Block> blocks;
     std::vector<unsigned int> order; ///< along the chains
+    std::vector<unsigned int> cuts;  ///< blocks with which they begin
     std::vector<unsigned int> felt;  ///< blocks of the problem whose far motions count
     unsigned int n_shapes = 0, n_far = 0, n_cuts = 0, n_small = 0;
     dealii::LAPACKFullMatrix<double> kernel; ///< far motions by far forces

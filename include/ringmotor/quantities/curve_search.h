@@ -48,7 +48,7 @@ namespace ringmotor
     /** Whether the wave does not turn the rotor: it stands still, as far as the target can tell,
      * though a quarter of the torque that friction bears loads it. The last point of a curve is
      * then this one. */
-    bool rotor_sticks() const { return holds; }
+    bool rotor_sticks() const { return stalled.request.control == Control::torque; }
     /** Relative to the fastest speed and to the stall torque: the largest error bar. */
     double worst_error() const;
 
@@ -135,9 +135,8 @@ namespace ringmotor
     const Parameters &parameters;
     const double wave_error;
     const Sources sources;
-    CurvePoint stalled;          ///< on the first mesh; the loaded one if the rotor sticks
-    bool holds          = false; ///< see rotor_sticks()
-    double stall_torque = 0.;    ///< N m; of the first motor that was computed
+    CurvePoint stalled;       ///< on the first mesh; the loaded one if the rotor sticks
+    double stall_torque = 0.; ///< N m; of the first motor that was computed
     std::vector<PointRequest> requests;
     unsigned int reached_level = 0;
     std::vector<unsigned int> n_parts; ///< by request
