@@ -270,7 +270,7 @@ namespace ringmotor
         write_used_prm(folder + "used.prm", "contact", parameters);
         write_torque_speed(folder + "torque_speed.csv", search.points());
         write_history(folder + "history.csv", search.motor(), search.points(),
-                      parameters.output.history_points);
+                      !is_marched(parameters), parameters.output.history_points);
         write_contact_h5(folder + "contact.h5", parameters, search.motor(), search.points());
       }
       if (parameters.output.vtu)

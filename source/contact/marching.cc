@@ -5,14 +5,16 @@ namespace ringmotor
 {
   MarchingDriver::MarchingDriver(const CondensedMotor &motor, const Friction &friction,
                                  const Warp &warp, const double preload)
-      : motor(motor), friction(friction), warp(warp)
+      : motor(motor), friction(friction), warp(warp), history(motor, warp)
   {
     const unsigned int n_points = motor.n_teeth * motor.nodes.size();
     const TimeStep at_rest{now, motor.period(), std::vector<PointVector>(n_points)};
     const RotorLoad load{preload, {}};
     const RingContact contact(motor, load, at_rest, warp);
-    last.state = solve_without_friction(contact, motor.constants, contact.pressed_down()).state;
-    positions  = contact.positions(last.state);
+    StepEnd start;
+    start.state = solve_without_friction(contact, motor.constants, contact.pressed_down()).state;
+    positions   = contact.positions(start.state);
+    history.add(std::move(start));
     memory.resize(n_points);
   }
 
@@ -23,9 +25,9 @@ namespace ringmotor
     std::vector<FrictionMemory> limits = memory;
     const PointFriction law            = [&](const unsigned int point, const double slip)
     { return friction_coefficient(friction, limits[point], slip, length); };
-    Left begin = predicted(length);
+    StepEnd begin = history.predict(length);
     if (load.torque)
-      begin.state.rigid.push_back(last_speed * length);
+      begin.state.rigid.push_back(begin.speed * length);
     RowSolver solver;
     ContactSolution solution =
         solve_contact(*contact, law, motor.constants, begin.state, begin.motion, solver);
@@ -37,34 +39,12 @@ namespace ringmotor
       solution.n_iterations += n_iterations;
     }
     now += length;
-    positions  = contact->positions(solution.state);
-    memory     = next_memory(solution, memory);
-    last_speed = contact->speed(solution.state);
-    before     = std::move(last);
-    last       = {solution.state, solution.motion, length};
-    last.state.rigid.resize(contact->n_rigid() - (load.torque ? 1 : 0));
+    positions = contact->positions(solution.state);
+    memory    = next_memory(solution, memory);
+    StepEnd end{now, length, contact->speed(solution.state), solution.state, solution.motion};
+    end.state.rigid.resize(contact->n_rigid() - (load.torque ? 1 : 0));
+    history.add(std::move(end));
     return {contact, std::move(solution), std::move(limits)};
-  }
-
-  MarchingDriver::Left MarchingDriver::predicted(const double length) const
-  {
-    if (before.motion.empty()) // the start is at rest, and not like what follows
-      return {last.state, {}, length};
-    Left left          = last;
-    left.length        = length;
-    const double share = length / last.length;
-    for (unsigned int i = 0; i < left.motion.size(); ++i)
-    {
-      PointVector &force = left.state.force[i];
-      force += share * (force - before.state.force[i]);
-      if (force[0] <= 0.)
-        force = 0.;
-      left.motion[i] *= share; // slips
-      left.motion[i][0] = last.motion[i][0] + share * (last.motion[i][0] - before.motion[i][0]);
-    }
-    for (unsigned int r = 0; r < left.state.rigid.size(); ++r)
-      left.state.rigid[r] += share * (last.state.rigid[r] - before.state.rigid[r]);
-    return left;
   }
 
   bool MarchingDriver::lose_static_limits(const ContactSolution &solution,

@@ -65,11 +65,9 @@ namespace ringmotor
 
     /** What a tooth does: in the steady state, a period of it from the teeth of few moments. */
     std::vector<Sight> history_of(const unsigned int watched, const CondensedMotor &motor,
-                                  const ContactFields &fields)
+                                  const ContactFields &fields, const bool is_steady)
     {
       std::vector<Sight> sights;
-      const bool is_steady =
-          fields.times.size() * fields.time_step * fields.n_teeth < 1.5 * motor.period();
       for (unsigned int m = 0; m < fields.times.size(); ++m)
         if (!is_steady)
           sights.push_back({fields.times[m], m, watched});
@@ -111,7 +109,8 @@ namespace ringmotor
   }
 
   void write_history(const std::string &path, const CondensedMotor &motor,
-                     const std::vector<CurvePoint> &points, const std::vector<HistoryPoint> &places)
+                     const std::vector<CurvePoint> &points, const bool is_steady,
+                     const std::vector<HistoryPoint> &places)
   {
     CsvTable table({"point", "time_us", "tooth", "node", "r_mm", "theta_deg", "force_n_N",
                     "force_t_N", "force_r_N", "gap_um", "slip_t_um", "slip_r_um", "tooth_n_um",
@@ -120,7 +119,7 @@ namespace ringmotor
     const std::size_t n_nodes = motor.nodes.size();
     for (unsigned int p = 0; p < points.size(); ++p)
       for (const auto &[tooth, node] : watched_points(motor, places))
-        for (const Sight &sight : history_of(tooth, motor, points[p].fields))
+        for (const Sight &sight : history_of(tooth, motor, points[p].fields, is_steady))
         {
           const ContactFields &fields = points[p].fields;
           const std::size_t i = (sight.moment * fields.n_teeth + sight.tooth) * n_nodes + node;

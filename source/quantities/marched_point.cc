@@ -6,19 +6,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <sstream>
 
 namespace ringmotor
 {
   using namespace dealii;
-
-  unsigned int parts_of_period(const RingPattern &pattern)
-  {
-    const unsigned int n_teeth = pattern.n_teeth,
-                       turn    = n_teeth / std::gcd(n_teeth, pattern.warp_waves); // of the warp
-    return n_teeth / std::gcd(n_teeth, pattern.n_waves * turn);
-  }
 
   double remaining_change(const std::vector<double> &means)
   {
@@ -34,7 +26,7 @@ namespace ringmotor
 
   MarchedRun::MarchedRun(const Parameters &parameters, const CondensedMotor &motor,
                          const PointRequest &request)
-      : load(load_of(parameters.loading, request)),
+      : load(load_of(parameters.loading, request)), n_parts(parameters.time.n_snapshots),
         driver(motor, effective_friction(parameters), warp_of(parameters), load.preload)
   {
   }
@@ -45,17 +37,18 @@ namespace ringmotor
     if (!last.contact && now.torque)
       now.torque = 0.;
     MarchedSpan span;
-    std::vector<OperatingPoint> steps;
-    for (unsigned int step = 0; step < n_steps; ++step)
+    std::vector<OperatingPoint> parts;
+    for (unsigned int part = 1; part <= n_steps * n_parts; ++part)
     {
-      OperatingState state = driver.step(now, length);
+      OperatingState state = driver.step(now, length / n_parts);
       taken.add_certificate(state.solution);
-      span.fields.append(fields_of(state, driver.time()));
+      if (part % n_parts == 0)
+        span.fields.append(fields_of(state, driver.time()));
       if (last.contact)
-        steps.push_back(evaluate_step(last, state));
+        parts.push_back(evaluate_step(last, state));
       last = std::move(state);
     }
-    span.mean = mean(steps);
+    span.mean = mean(parts);
     return span;
   }
 
@@ -96,7 +89,7 @@ namespace ringmotor
       const CondensedMotor &motor;
       const bool of_torque;
       const RingPattern pattern;
-      const unsigned int n_parts; ///< of a period of the wave, see parts_of_period()
+      const unsigned int n_parts; ///< of a period of the wave, see Repetition
       const double tolerance;     ///< relative
       double largest = 0.;        ///< N m, if all friction points one way
       std::array<std::vector<double>, quantities.size()> means;
@@ -108,7 +101,8 @@ namespace ringmotor
         : time(parameters.time), motor(motor),
           of_torque(request.control == Control::torque), pattern{motor.n_waves, motor.n_teeth,
                                                                  warp_of(parameters).n_waves},
-          n_parts(parts_of_period(pattern)), tolerance(0.1 * parameters.accuracy.contact_target)
+          n_parts(repetition_of(pattern).n_parts),
+          tolerance(0.1 * parameters.accuracy.contact_target)
     {
       const Friction friction = effective_friction(parameters);
       const double mu         = std::max(friction.static_coefficient, friction.dynamic_coefficient);
@@ -119,7 +113,7 @@ namespace ringmotor
     double Settling::step_length() const
     {
       const double period = motor.period() / n_parts;
-      return period / (std::ceil(period / time.time_step - 1e-9) * time.n_snapshots);
+      return period / std::ceil(period / time.time_step - 1e-9);
     }
 
     PointError Settling::values_of(const MarchedSpan &span) const
@@ -201,16 +195,19 @@ namespace ringmotor
     CurvePoint find_by_window(const Time &time, MarchedRun &run, Settling &settling,
                               const double angular_frequency, const bool tells_window)
     {
-      const unsigned int n = time.n_snapshots;
-      const double step    = time.time_step / n;
-      ContactFields fields = run.advance(n, step).fields;
-      fields.append(run.advance(n * (*time.average_from_step - 2), step).fields);
-      const MarchedSpan window =
-          run.advance(n * (*time.average_to_step - *time.average_from_step + 1), step);
-      fields.append(window.fields);
-      fields.append(run.advance(n * (*time.n_steps - *time.average_to_step), step).fields);
+      ContactFields all;
+      const auto advance = [&](const unsigned int n_steps)
+      {
+        MarchedSpan span = run.advance(n_steps, time.time_step);
+        all.append(span.fields);
+        return span;
+      };
+      advance(1); // still without the torque
+      advance(*time.average_from_step - 2);
+      const MarchedSpan window = advance(*time.average_to_step - *time.average_from_step + 1);
+      advance(*time.n_steps - *time.average_to_step);
       CurvePoint point = point_of(window, settling, angular_frequency);
-      point.fields     = std::move(fields);
+      point.fields     = std::move(all);
       if (!tells_window)
         return point;
       const PointError settled = settling.values_of(settling.settle(run)),
@@ -232,7 +229,7 @@ namespace ringmotor
       point = find_by_window(parameters.time, run, settling, motor.angular_frequency, tells_window);
     else
     {
-      run.advance(parameters.time.n_snapshots, settling.step_length());
+      run.advance(1, settling.step_length());
       point        = point_of(settling.settle(run), settling, motor.angular_frequency);
       point.window = settling.remaining();
     }

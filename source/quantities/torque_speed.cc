@@ -167,6 +167,8 @@ namespace ringmotor
       mine.push_back(finder.find(requests[i], starts.empty() ? nullptr : &starts[i]));
       after_point(mine.back());
     }
+    if (n_ranks == 1) // nothing to be packed, compressed and unpacked
+      return mine;
     const std::vector<std::vector<CurvePoint>> all = Utilities::MPI::all_gather(communicator, mine);
     std::vector<CurvePoint> points;
     for (unsigned int i = 0; i < requests.size(); ++i)

@@ -17,6 +17,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <random>
 
 using namespace ringmotor;
 using namespace ringmotor::tests;
@@ -49,17 +50,22 @@ namespace
 
 TEST(MarchedPeriod, IsTheShortestThatATurnMakes)
 {
-  EXPECT_EQ(parts_of_period({7, 90, 0}), 90u); // by hand: an even ring, n and N coprime
-  EXPECT_EQ(parts_of_period({9, 90, 0}), 10u);
-  EXPECT_EQ(parts_of_period({7, 90, 2}), 2u); // the warp is the same after half a turn
-  EXPECT_EQ(parts_of_period({7, 45, 2}), 1u); // half a turn is no whole number of teeth
+  EXPECT_EQ(repetition_of({7, 90, 0}).n_parts, 90u); // by hand: an even ring, n and N coprime
+  EXPECT_EQ(repetition_of({9, 90, 0}).n_parts, 10u);
+  EXPECT_EQ(repetition_of({7, 90, 2}).n_parts, 2u); // the warp is the same after half a turn
+  EXPECT_EQ(repetition_of({7, 45, 2}).n_parts, 1u); // half a turn is no whole number of teeth
   for (unsigned int n_teeth = 3; n_teeth <= 48; ++n_teeth)
     for (unsigned int n_waves = 1; 2 * n_waves < n_teeth; ++n_waves)
       for (unsigned int warp_waves = 0; warp_waves <= 9; ++warp_waves)
       {
         const RingPattern pattern{n_waves, n_teeth, warp_waves};
-        EXPECT_EQ(parts_of_period(pattern), parts_by_trial(pattern))
+        const auto [n_parts, turn] = repetition_of(pattern);
+        EXPECT_EQ(n_parts, parts_by_trial(pattern))
             << n_waves << " " << n_teeth << " " << warp_waves;
+        // The turn leaves the warp as it is, and the wave is there one part later.
+        EXPECT_EQ(turn * warp_waves % n_teeth, 0u);
+        EXPECT_EQ(n_parts * (turn * n_waves % n_teeth) % n_teeth, 0u);
+        EXPECT_EQ(turn * n_waves % n_teeth, n_teeth / n_parts % n_teeth);
       }
 }
 
@@ -124,11 +130,81 @@ TEST_F(WarpedMotor, StandsUpByAFieldOfHeights)
   // The same height everywhere is no warp.
   Parameters raised                  = parameters;
   raised.initial_deformation.n_waves = 0;
-  EXPECT_EQ(parts_of_period({7, 90, 0}), parts_of_period({7, 90, warp_of(raised).n_waves}));
+  EXPECT_EQ(repetition_of({7, 90, 0}).n_parts,
+            repetition_of({7, 90, warp_of(raised).n_waves}).n_parts);
   const double lifted = find_marched(raised, coarse, {Control::speed, 70. * rpm}).result.torque;
   raised.initial_deformation.amplitude = 0.;
   EXPECT_NEAR(lifted, find_marched(raised, coarse, {Control::speed, 70. * rpm}).result.torque,
               1e-6 * lifted);
+}
+
+TEST_F(WarpedMotor, MovesTurnedAsTurnedForcesMoveIt)
+{
+  const RingContact contact(coarse, {14., {}}, TimeStep{0., 1e-6, {}}, Warp());
+  StepEnd end;
+  end.state = {std::vector<PointVector>(contact.n_points()),
+               std::vector<double>(contact.n_rigid_motions())};
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> any(-1., 1.);
+  for (unsigned int point = 0; point < contact.n_points(); point += 3)
+    for (unsigned int c = 0; c < 3; ++c)
+      end.state.force[point][c] = any(random);
+  for (double &motion : end.state.rigid)
+    motion = 1e-6 * any(random);
+  ASSERT_GE(end.state.rigid.size(), 3u) << "a tilt must turn, too";
+  end.motion     = contact.motion_by(end.state);
+  double largest = 0.;
+  for (const PointVector &motion : end.motion)
+    largest = std::max(largest, motion.norm());
+  for (const unsigned int by : {0u, 1u, 13u, 89u})
+  {
+    const StepEnd other                   = turned(end, by, 90);
+    const std::vector<PointVector> motion = contact.motion_by(other.state);
+    for (unsigned int point = 0; point < contact.n_points(); ++point)
+      EXPECT_LT((motion[point] - other.motion[point]).norm(), 1e-12 * largest) << by;
+  }
+}
+
+TEST_F(WarpedMotor, IsForeseenOnceItHasSettled)
+{
+  // On an even ring all is the same after T/90, on a warped one after T/2, whatever came before.
+  for (const Warp &warp : {Warp(), Warp{4e-6, 2}})
+    for (const double steps : {90., 40., 33.})
+    {
+      MarchingDriver driver(coarse, parameters.friction, warp, 14.);
+      unsigned int n_iterations = 0; // in the last of six periods
+      for (unsigned int step = 0; step < 6. * steps; ++step)
+      {
+        const OperatingState state = driver.step({14., {}, 70. * rpm}, coarse.period() / steps);
+        n_iterations += step >= 5. * steps ? state.solution.n_iterations : 0;
+      }
+      ASSERT_GT(n_iterations, 0u);
+      const double mean = n_iterations / steps;
+      record("iterations_" + std::to_string(warp.n_waves) + "_" + std::to_string(int(steps)), mean);
+      EXPECT_LE(mean, 2.);
+    }
+}
+
+TEST_F(WarpedMotor, ShowsWholeStepsOnly)
+{
+  Parameters divided             = parameters;
+  divided.time.n_steps           = 6;
+  divided.time.average_from_step = 3;
+  divided.time.average_to_step   = 5;
+  divided.time.time_step         = 5e-7;
+  const PointRequest request{Control::speed, 70. * rpm};
+  const CurvePoint whole   = find_marched(divided, coarse, request, false);
+  divided.time.n_snapshots = 4;
+  const CurvePoint parts   = find_marched(divided, coarse, request, false);
+  ASSERT_EQ(whole.fields.times.size(), 6u);
+  ASSERT_EQ(parts.fields.times.size(), 6u);
+  for (unsigned int step = 0; step < 6; ++step)
+    for (const CurvePoint *point : {&whole, &parts})
+      EXPECT_NEAR(point->fields.times[step], (step + 1) * 5e-7, 1e-18);
+  EXPECT_EQ(parts.fields.force.size(), whole.fields.force.size());
+  EXPECT_DOUBLE_EQ(parts.fields.time_step, 5e-7 / 4) << "in which slips are measured";
+  EXPECT_NE(parts.result.torque, whole.result.torque);
+  EXPECT_NEAR(parts.result.torque, whole.result.torque, 0.2 * std::abs(whole.result.torque));
 }
 
 TEST_F(WarpedMotor, HasTheTorqueOfAnIndependentModel)

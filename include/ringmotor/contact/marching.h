@@ -2,6 +2,7 @@
 #pragma once
 
 #include <ringmotor/contact/steady.h>
+#include <ringmotor/contact/step_history.h>
 
 namespace ringmotor
 {
@@ -28,23 +29,12 @@ namespace ringmotor
     bool lose_static_limits(const ContactSolution &solution,
                             std::vector<FrictionMemory> &limits) const;
 
-    /** What a step left. */
-    struct Left
-    {
-      ContactState state;              ///< without the turn
-      std::vector<PointVector> motion; ///< gaps, and slips in the step; empty if there was none
-      double length = 0.;              ///< s
-    };
-    /** What the next step of some length will leave if all goes on as in the last two. */
-    Left predicted(const double length) const;
-
     const CondensedMotor &motor;
     const Friction friction;
     const Warp warp;
     double now = 0.;
-    Left last, before;                  ///< the last step, and the one before
+    StepHistory history;
     std::vector<PointVector> positions; ///< at the end of the last step
     std::vector<FrictionMemory> memory;
-    double last_speed = 0.; ///< rad/s
   };
 } // namespace ringmotor

@@ -15,6 +15,6 @@ namespace ringmotor
    * places; without any, of the nodes of tooth 0 that lie on its outermost line. In the steady
    * state teeth tell of times: one period in the order in which it happens to a tooth. */
   void write_history(const std::string &path, const CondensedMotor &motor,
-                     const std::vector<CurvePoint> &points,
+                     const std::vector<CurvePoint> &points, const bool is_steady,
                      const std::vector<HistoryPoint> &places);
 } // namespace ringmotor

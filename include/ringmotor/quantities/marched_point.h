@@ -7,13 +7,6 @@
 namespace ringmotor
 {
   /**
-   * Into how many equal parts a period of the wave falls, after each of which a motor's steady
-   * pattern is the same, turned by some teeth. A turn by m teeth maps N teeth with a warp of p
-   * waves onto themselves if N divides m p; the wave of n waves is there n m / N of a period later.
-   */
-  unsigned int parts_of_period(const RingPattern &pattern);
-
-  /**
    * How far the last of several means over equal spans of time may be from where they lead to: the
    * larger one of the last two changes or, where changes shrink slowly, what is still to come if
    * they go on shrinking as they do. Infinite for fewer than three means.
@@ -24,7 +17,7 @@ namespace ringmotor
   struct MarchedSpan
   {
     OperatingPoint mean;  ///< over its steps, but for the first one of all
-    ContactFields fields; ///< at the ends of its steps
+    ContactFields fields; ///< at the ends of its steps, not of their parts
   };
 
   /** A motor on its way through time under one load, which comes after the first span. */
@@ -35,7 +28,8 @@ namespace ringmotor
     MarchedRun(const Parameters &parameters, const CondensedMotor &motor,
                const PointRequest &request);
 
-    /** Goes on by some steps of a length (s). @throws ComputationError */
+    /** Goes on by some steps of a length (s), each of which falls into `Time/Snapshots` parts.
+     * @throws ComputationError */
     MarchedSpan advance(const unsigned int n_steps, const double length);
 
     /** Has the certificate of all steps so far, and what it took to find them. */
@@ -43,6 +37,7 @@ namespace ringmotor
 
   private:
     const RotorLoad load;
+    const unsigned int n_parts;
     MarchingDriver driver;
     OperatingState last;
     CurvePoint taken;

@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/contact/repetition.h>
 #include <ringmotor/quantities/contact_fields.h>
 
 #include <vector>
 
 namespace ringmotor
 {
-  /** What turns around the ring beside the teeth themselves. */
-  struct RingPattern
-  {
-    unsigned int n_waves    = 0; ///< of the travelling wave
-    unsigned int n_teeth    = 0; ///< of the whole ring
-    unsigned int warp_waves = 0; ///< of a warp that stands still; 0: the ring is even
-  };
-
   /**
    * The frequency, as a multiple of the wave's, at which the part with @p k waves around the ring
    * changes at a place of the rotor: n m + p l = k (mod N) with the smallest |m| + |l|, n waves, p
