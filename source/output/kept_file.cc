@@ -21,9 +21,12 @@ namespace ringmotor
 
   void write_kept_file(const std::string &path, const std::string &key, const std::string &bytes)
   {
-    std::string file = head_of(key);
+    // The fingerprint takes the place of one that is as long: bytes may be many.
+    const std::string blank = fingerprint("");
+    std::string file        = first_line + blank + "\n" + head_of(key);
     file += bytes;
-    file.insert(0, first_line + fingerprint(file) + "\n");
+    const std::size_t begin = first_line.size(), after = begin + blank.size() + 1;
+    file.replace(begin, blank.size(), fingerprint(std::string_view(file).substr(after)));
     write_file(path, file);
   }
 

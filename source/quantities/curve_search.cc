@@ -117,11 +117,18 @@ namespace ringmotor
         const double excess          = result.power_imbalance() / OperatingPoint::largest_imbalance;
         if (excess > 1. && n_parts[i] < most)
         {
-          n_parts[i]  = std::min(most, parts_for_balance(n_parts[i], excess));
+          shorten_step(i, std::min(most, parts_for_balance(n_parts[i], excess)));
           is_balanced = false;
         }
       }
     }
+  }
+
+  void CurveSearch::shorten_step(const unsigned int request, const unsigned int parts)
+  {
+    if (is_marched(parameters)) // fields at many times, from which nothing starts
+      known[{reached_level, n_parts[request]}][request].fields = {};
+    n_parts[request] = parts;
   }
 
   void CurveSearch::refine()
@@ -135,7 +142,7 @@ namespace ringmotor
       if (relative(errors.time) > relative(errors.mesh) &&
           n_parts[i] < most_parts(parameters, motor()))
       {
-        n_parts[i] *= 2;
+        shorten_step(i, 2 * n_parts[i]);
         shortened = true;
       }
       else
@@ -192,13 +199,13 @@ namespace ringmotor
     for (const unsigned int request : missing)
       asked.push_back(requests[request]);
     const CondensedMotor &motor = motor_of(setting.level);
-    const std::vector<CurvePoint> points =
+    std::vector<CurvePoint> points =
         setting.wave_factor == 1.
             ? sources.points(parameters, motor, setting, asked, starts)
             : sources.points(parameters, with_faster_wave(motor, setting.wave_factor), setting,
                              asked, starts);
     for (unsigned int i = 0; i < missing.size(); ++i)
-      known[setting][missing[i]] = points[i];
+      known[setting][missing[i]] = std::move(points[i]);
   }
 
   std::vector<CurvePoint> CurveSearch::starts_for(const CurveSetting &setting,

@@ -42,8 +42,7 @@ namespace ringmotor
     {
       OperatingState state = driver.step(now, length / n_parts);
       taken.add_certificate(state.solution);
-      if (part % n_parts == 0)
-        span.fields.append(fields_of(state, driver.time()));
+      span.fields.append(fields_of(state, driver.time()));
       if (last.contact)
         parts.push_back(evaluate_step(last, state));
       last = std::move(state);
@@ -180,13 +179,12 @@ namespace ringmotor
     }
 
     /** The point that a span shows. */
-    CurvePoint point_of(const MarchedSpan &span, const Settling &settling,
-                        const double angular_frequency)
+    CurvePoint point_of(MarchedSpan span, const Settling &settling, const double angular_frequency)
     {
       CurvePoint point;
       point.result         = span.mean;
-      point.fields         = span.fields;
       point.rotor_energies = settling.energies_of(span);
+      point.fields         = std::move(span.fields);
       point.rotor_power    = power_per_loss_factor(point.rotor_energies, angular_frequency);
       return point;
     }
@@ -204,14 +202,14 @@ namespace ringmotor
       };
       advance(1); // still without the torque
       advance(*time.average_from_step - 2);
-      const MarchedSpan window = advance(*time.average_to_step - *time.average_from_step + 1);
+      MarchedSpan window = advance(*time.average_to_step - *time.average_from_step + 1);
       advance(*time.n_steps - *time.average_to_step);
-      CurvePoint point = point_of(window, settling, angular_frequency);
-      point.fields     = std::move(all);
+      const PointError found = settling.values_of(window);
+      CurvePoint point       = point_of(std::move(window), settling, angular_frequency);
+      point.fields           = std::move(all);
       if (!tells_window)
         return point;
-      const PointError settled = settling.values_of(settling.settle(run)),
-                       found   = settling.values_of(window);
+      const PointError settled = settling.values_of(settling.settle(run));
       for (double PointError::*quantity : quantities)
         point.window.*quantity =
             std::abs(found.*quantity - settled.*quantity) + settling.remaining().*quantity;

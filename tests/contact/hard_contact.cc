@@ -8,6 +8,7 @@
 #include "support/contact_laws.h"
 #include "support/half_planes.h"
 
+#include <ringmotor/contact/contact_newton.h>
 #include <ringmotor/parameters/errors.h>
 
 #include <gtest/gtest.h>
@@ -116,6 +117,32 @@ TEST(ContactHard, WithoutFriction)
       EXPECT_EQ(std::hypot(force[1], force[2]), 0.);
     EXPECT_EQ(count(found, PointStatus::stick), 0u);
   }
+}
+
+TEST(ContactHard, ByNewtonsMethodAlone)
+{
+  // Much friction and strong coupling: 0.73 of these problems are solved, 0.59 by whole steps.
+  constexpr double mu               = 3.;
+  constexpr unsigned int n_problems = 300;
+  const FrictionBoundOf bound_of    = [&](const unsigned int, const double pressed, const double) {
+    return FrictionBound{mu * pressed, mu, 0.};
+  };
+  random_numbers.seed(1);
+  double share = 0.;
+  for (unsigned int k = 0; k < n_problems; ++k)
+  {
+    const DenseContact problem = random_problem(20, 0.3, false);
+    RowSolver solver;
+    const ContactIterate found =
+        newton(problem, bound_of, constants_of(problem), problem.nothing(), {}, solver);
+    share += found.certified() / double(n_problems);
+    if (found.certified())
+    {
+      EXPECT_LT(violation(problem, mu, found.state, constants_of(problem).normal), 1e-7);
+    }
+  }
+  RecordProperty("share", std::to_string(share));
+  EXPECT_GT(share, 0.66);
 }
 
 TEST(ContactHard, WithoutFrictionAndFreeToMove)

@@ -185,28 +185,6 @@ TEST_F(WarpedMotor, IsForeseenOnceItHasSettled)
     }
 }
 
-TEST_F(WarpedMotor, ShowsWholeStepsOnly)
-{
-  Parameters divided             = parameters;
-  divided.time.n_steps           = 6;
-  divided.time.average_from_step = 3;
-  divided.time.average_to_step   = 5;
-  divided.time.time_step         = 5e-7;
-  const PointRequest request{Control::speed, 70. * rpm};
-  const CurvePoint whole   = find_marched(divided, coarse, request, false);
-  divided.time.n_snapshots = 4;
-  const CurvePoint parts   = find_marched(divided, coarse, request, false);
-  ASSERT_EQ(whole.fields.times.size(), 6u);
-  ASSERT_EQ(parts.fields.times.size(), 6u);
-  for (unsigned int step = 0; step < 6; ++step)
-    for (const CurvePoint *point : {&whole, &parts})
-      EXPECT_NEAR(point->fields.times[step], (step + 1) * 5e-7, 1e-18);
-  EXPECT_EQ(parts.fields.force.size(), whole.fields.force.size());
-  EXPECT_DOUBLE_EQ(parts.fields.time_step, 5e-7 / 4) << "in which slips are measured";
-  EXPECT_NE(parts.result.torque, whole.result.torque);
-  EXPECT_NEAR(parts.result.torque, whole.result.torque, 0.2 * std::abs(whole.result.torque));
-}
-
 TEST_F(WarpedMotor, HasTheTorqueOfAnIndependentModel)
 {
   // The model's numbers are of a mesh on which its speeds without a warp are those of interface

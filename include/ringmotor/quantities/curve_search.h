@@ -114,6 +114,8 @@ namespace ringmotor
     [[noreturn]] void refuse(const double error) const;
     /** Shortens steps until powers balance. */
     void balance_powers();
+    /** Gives a point more parts of a step. */
+    void shorten_step(const unsigned int request, const unsigned int parts);
     void refine();
     Rung rung_of(const CurveSetting &setting);
     /** Processor seconds of the points of a setting. */

@@ -17,7 +17,7 @@ namespace ringmotor
   struct MarchedSpan
   {
     OperatingPoint mean;  ///< over its steps, but for the first one of all
-    ContactFields fields; ///< at the ends of its steps, not of their parts
+    ContactFields fields; ///< at the ends of all parts of its steps
   };
 
   /** A motor on its way through time under one load, which comes after the first span. */
