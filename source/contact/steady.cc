@@ -106,29 +106,29 @@ namespace ringmotor
   {
   }
 
-  OperatingState SteadyDriver::find(const RotorLoad &load, const Start &start) const
+  OperatingState SteadyDriver::find(const RotorLoad &load, Start from) const
   try
   {
-    const auto contact                 = std::make_shared<const RingContact>(motor, load, step);
-    std::vector<FrictionMemory> memory = start.memory;
-    MemoryUpdate update(friction, memory);
+    const auto contact = std::make_shared<const RingContact>(motor, load, step);
     RowSolver solver;
-    const PointFriction law = [&](const unsigned int point, const double slip)
-    { return friction_coefficient(friction, memory[point], slip, contact->time_step()); };
     unsigned int n_iterations = 0;
-    ContactState from         = start.state;
-    from.rigid.resize(contact->n_rigid());
+    from.state.rigid.resize(contact->n_rigid());
     if (load.torque)
-      from.rigid.back() = start.speed * contact->time_step();
+      from.state.rigid.back() = from.speed * contact->time_step();
+    if (friction.law == FrictionLaw::slip_weakening)
+      from = by_coefficients(*contact, std::move(from), solver, n_iterations);
+    MemoryUpdate update(friction, from.memory);
+    const PointFriction law = [&](const unsigned int point, const double slip)
+    { return friction_coefficient(friction, from.memory[point], slip, contact->time_step()); };
     for (unsigned int round = 0; round < most_rounds; ++round)
     {
       ContactSolution solution =
-          solve_contact(*contact, law, motor.constants, from,
-                        round == 0 ? start.motion : std::vector<PointVector>(), solver);
+          solve_contact(*contact, law, motor.constants, from.state, from.motion, solver);
       n_iterations = solution.n_iterations += n_iterations;
-      from         = solution.state;
-      if (update.settled(travelled(*contact, solution), solution.status, memory))
-        return {contact, std::move(solution), std::move(memory)};
+      from.state   = solution.state;
+      from.motion.clear();
+      if (update.settled(travelled(*contact, solution), solution.status, from.memory))
+        return {contact, std::move(solution), std::move(from.memory)};
     }
     throw ComputationError("the memory of the friction law did not settle in " +
                            std::to_string(most_rounds) + " rounds");
@@ -136,6 +136,41 @@ namespace ringmotor
   catch (const ComputationError &error)
   {
     throw ComputationError(error.what() + remedy(friction.law));
+  }
+
+  SteadyDriver::Start SteadyDriver::by_coefficients(const RingContact &contact, Start from,
+                                                    RowSolver &solver,
+                                                    unsigned int &n_iterations) const
+  {
+    constexpr unsigned int most_states = 40;
+    constexpr double nearly            = 1e-4; // of the coefficients
+    const PointFriction law            = [&](const unsigned int point, const double slip)
+    { return friction_coefficient(friction, from.memory[point], slip, contact.time_step()); };
+    std::vector<double> coefficients;
+    for (unsigned int i = 0; i < contact.n_points(); ++i)
+      coefficients.push_back(
+          law(i, from.motion.empty() ? 0. : tangential_norm(from.motion[i])).value);
+    double change = 1.;
+    for (unsigned int k = 0; k < most_states && change > nearly; ++k)
+    {
+      const ContactSolution solution = solve_contact(
+          contact,
+          [&](const unsigned int i, const double) {
+            return FrictionCoefficient{coefficients[i], 0.};
+          },
+          motor.constants, from.state, from.motion, solver);
+      n_iterations += solution.n_iterations;
+      from   = {solution.state, solution.motion, travelled(contact, solution), from.speed};
+      change = 0.;
+      for (unsigned int i = 0; i < contact.n_points(); ++i)
+      {
+        const double next = law(i, tangential_norm(from.motion[i])).value;
+        if (from.state.force[i][0] > 0.)
+          change = std::max(change, std::abs(next - coefficients[i]) / next);
+        coefficients[i] = next;
+      }
+    }
+    return from;
   }
 
   SteadyDriver::Start SteadyDriver::from_rest(const RotorLoad &load) const

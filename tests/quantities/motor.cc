@@ -270,6 +270,46 @@ TEST_F(ReferenceMotor, MarchesToItsSteadyState)
   EXPECT_NEAR(speed, steady, 1e-5 * speed);
 }
 
+TEST_F(ReferenceMotor, RemembersHowFarItsPointsHaveSlipped)
+{
+  // From a crest that touches to a ring pressed nearly flat: on each point the friction that the
+  // law allows for the distance that it has slipped since it stuck last or came into contact.
+  Friction friction            = parameters.friction;
+  friction.law                 = FrictionLaw::slip_weakening;
+  friction.static_coefficient  = 0.48;
+  friction.dynamic_coefficient = 0.40;
+  friction.weakening_length    = 1e-7;
+  for (const double preload : {14., 200.})
+  {
+    SteadyDriver driver(motor, friction, {});
+    const OperatingState state   = driver.at({preload, {}, 40. * rpm});
+    const ContactSolution &found = state.solution;
+    unsigned int n_between       = 0; // points on the slope of the law
+    for (unsigned int point = 0; point < state.contact->n_points(); ++point)
+    {
+      const PointVector &force = found.state.force[point];
+      if (force[0] <= 0.)
+        continue;
+      double slipped = tangential_norm(found.motion[point]);
+      for (unsigned int before                               = state.contact->earlier(point);
+           found.status[before] == PointStatus::slip; before = state.contact->earlier(before))
+        slipped += tangential_norm(found.motion[before]);
+      const double mu = 0.40 + 0.08 * std::max(0., 1. - slipped / 1e-7);
+      if (found.status[point] == PointStatus::slip)
+      {
+        EXPECT_NEAR(tangential_norm(force), mu * force[0], 1e-6 * force[0]) << point;
+        n_between += mu > 0.402 && mu < 0.478;
+      }
+      else
+      {
+        EXPECT_LE(tangential_norm(force), (mu + 1e-6) * force[0]) << point;
+      }
+    }
+    record("points_between_" + std::to_string(int(preload)), n_between);
+    EXPECT_GT(n_between, 0u) << "nothing would be seen of the law";
+  }
+}
+
 TEST_F(ReferenceMotor, IsSlowerWhenWarped)
 {
   Parameters warped                    = parameters;

@@ -48,7 +48,12 @@ namespace ringmotor
       std::vector<FrictionMemory> memory;
       double speed; ///< rad/s
     };
-    OperatingState find(const RotorLoad &load, const Start &start) const;
+    OperatingState find(const RotorLoad &load, Start start) const;
+    /** A start that is near the state under a law that falls with the distance slipped: the last of
+     * a chain of states, in each of which points have the coefficients that belong to memory and
+     * slip in the one before. Adds the systems that are solved. */
+    Start by_coefficients(const RingContact &contact, Start start, RowSolver &solver,
+                          unsigned int &n_iterations) const;
     Start from_rest(const RotorLoad &load) const;
     /** From a state at the moments of @p coarse, between which forces grow linearly, to those of
      * @p fine. */
