@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/contact/contact_solver.h>
+#include <ringmotor/contact/given_coefficients.h>
 #include <ringmotor/contact/proximal_points.h>
 #include <ringmotor/parameters/errors.h>
 
@@ -82,9 +83,7 @@ namespace ringmotor
       {
         constexpr unsigned int most_rounds = 100;
         constexpr double settled = 1e-12, nearly = 1e-3; // of the coefficients
-        std::vector<double> coefficients;
-        for (unsigned int i = 0; i < problem.n_points(); ++i)
-          coefficients.push_back(friction(i, 0.).value);
+        GivenCoefficients coefficients(friction, problem.n_points());
         const FrictionBoundOf given = [&](const unsigned int i, const double pressed, const double)
         {
           return FrictionBound{coefficients[i] * pressed, coefficients[i], 0.};
@@ -94,14 +93,7 @@ namespace ringmotor
         {
           if (!solve(given, round == 0 ? start : found.state, {}))
             return false;
-          change = 0.;
-          for (unsigned int i = 0; i < coefficients.size(); ++i)
-          {
-            const double next = friction(i, tangential_norm(found.motion[i])).value;
-            if (found.state.force[i][0] > 0.)
-              change = std::max(change, std::abs(next - coefficients[i]) / next);
-            coefficients[i] = next;
-          }
+          change = coefficients.update(found.state, found.motion);
           if (change <= nearly && solve_alone(bound_of, found.state, {}))
             return true;
           if (change <= settled)

@@ -8,7 +8,7 @@ namespace ringmotor
       : motor(motor), friction(friction), warp(warp), history(motor, warp)
   {
     const unsigned int n_points = motor.n_teeth * motor.nodes.size();
-    const TimeStep at_rest{now, motor.period(), std::vector<PointVector>(n_points)};
+    const TimeStep at_rest{0., motor.period(), std::vector<PointVector>(n_points)};
     const RotorLoad load{preload, {}};
     const RingContact contact(motor, load, at_rest, warp);
     StepEnd start;
@@ -20,7 +20,8 @@ namespace ringmotor
 
   OperatingState MarchingDriver::step(const RotorLoad &load, const double length)
   {
-    const TimeStep time_step{now + length, length, positions};
+    const double end_time = time() + length;
+    const TimeStep time_step{end_time, length, positions};
     const auto contact = std::make_shared<const RingContact>(motor, load, time_step, warp);
     std::vector<FrictionMemory> limits = memory;
     const PointFriction law            = [&](const unsigned int point, const double slip)
@@ -38,10 +39,9 @@ namespace ringmotor
           solve_contact(*contact, law, motor.constants, solution.state, solution.motion, solver);
       solution.n_iterations += n_iterations;
     }
-    now += length;
     positions = contact->positions(solution.state);
     memory    = next_memory(solution, memory);
-    StepEnd end{now, length, contact->speed(solution.state), solution.state, solution.motion};
+    StepEnd end{end_time, length, contact->speed(solution.state), solution.state, solution.motion};
     end.state.rigid.resize(contact->n_rigid() - (load.torque ? 1 : 0));
     history.add(std::move(end));
     return {contact, std::move(solution), std::move(limits)};

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/contact/given_coefficients.h>
 #include <ringmotor/contact/steady.h>
 #include <ringmotor/parameters/errors.h>
 
@@ -146,10 +147,7 @@ namespace ringmotor
     constexpr double nearly            = 1e-4; // of the coefficients
     const PointFriction law            = [&](const unsigned int point, const double slip)
     { return friction_coefficient(friction, from.memory[point], slip, contact.time_step()); };
-    std::vector<double> coefficients;
-    for (unsigned int i = 0; i < contact.n_points(); ++i)
-      coefficients.push_back(
-          law(i, from.motion.empty() ? 0. : tangential_norm(from.motion[i])).value);
+    GivenCoefficients coefficients(law, contact.n_points(), from.motion);
     double change = 1.;
     for (unsigned int k = 0; k < most_states && change > nearly; ++k)
     {
@@ -161,14 +159,7 @@ namespace ringmotor
           motor.constants, from.state, from.motion, solver);
       n_iterations += solution.n_iterations;
       from   = {solution.state, solution.motion, travelled(contact, solution), from.speed};
-      change = 0.;
-      for (unsigned int i = 0; i < contact.n_points(); ++i)
-      {
-        const double next = law(i, tangential_norm(from.motion[i])).value;
-        if (from.state.force[i][0] > 0.)
-          change = std::max(change, std::abs(next - coefficients[i]) / next);
-        coefficients[i] = next;
-      }
+      change = coefficients.update(from.state, from.motion);
     }
     return from;
   }

@@ -66,7 +66,7 @@ namespace ringmotor
 
   StepEnd StepHistory::extrapolated(const double length) const
   {
-    StepEnd next = ends.back();
+    StepEnd next = last();
     // What follows a state at rest is not like it.
     const StepEnd *before = ends.size() > 1 ? &ends[ends.size() - 2] : nullptr;
     if (!before || before->motion.empty())
@@ -93,7 +93,7 @@ namespace ringmotor
   std::optional<StepEnd> StepHistory::repeated(const double length) const
   {
     constexpr double tolerance = 0.05; // of a step, by which the wave is too early or too late
-    const double now = ends.back().time + length, part = period / repetition.n_parts;
+    const double now = last().time + length, part = period / repetition.n_parts;
     const StepEnd *best  = nullptr;
     unsigned int n_parts = 0; // since then
     double least         = tolerance * length;

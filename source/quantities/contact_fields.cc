@@ -3,6 +3,19 @@
 
 namespace ringmotor
 {
+  void ContactFields::reserve(const std::size_t n_moments)
+  {
+    const std::size_t n_now = times.size();
+    const auto reserve = [&](auto &values) { values.reserve(values.size() / n_now * n_moments); };
+    reserve(times);
+    reserve(force);
+    reserve(motion);
+    reserve(tooth);
+    reserve(rotor);
+    reserve(rigid);
+    reserve(status);
+  }
+
   void ContactFields::append(const ContactFields &later)
   {
     if (later.times.empty())

@@ -43,6 +43,8 @@ namespace ringmotor
       OperatingState state = driver.step(now, length / n_parts);
       taken.add_certificate(state.solution);
       span.fields.append(fields_of(state, driver.time()));
+      if (part == 1)
+        span.fields.reserve(n_steps * n_parts);
       if (last.contact)
         parts.push_back(evaluate_step(last, state));
       last = std::move(state);
@@ -209,6 +211,7 @@ namespace ringmotor
         return span;
       };
       advance(1); // still without the torque
+      all.reserve(all.times.size() * *time.n_steps);
       advance(*time.average_from_step - 2);
       MarchedSpan window = advance(*time.average_to_step - *time.average_from_step + 1);
       advance(*time.n_steps - *time.average_to_step);

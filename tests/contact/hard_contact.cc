@@ -7,6 +7,7 @@
 
 #include "support/contact_laws.h"
 #include "support/half_planes.h"
+#include "support/random_contact.h"
 
 #include <ringmotor/contact/contact_newton.h>
 #include <ringmotor/parameters/errors.h>
@@ -15,7 +16,6 @@
 
 #include <cmath>
 #include <limits>
-#include <random>
 
 using namespace ringmotor;
 using namespace ringmotor::tests;
@@ -48,16 +48,6 @@ namespace
     return problem;
   }
 
-  ContactSolution expect_solved(const DenseContact &problem, const double mu,
-                                const ComplementarityConstants &constants,
-                                const ContactState &start)
-  {
-    const ContactSolution found = solve_contact(problem, coulomb(mu), constants, start);
-    EXPECT_TRUE(found.certificate.holds());
-    EXPECT_LT(violation(problem, mu, found.state, constants.normal), 1e-7);
-    return found;
-  }
-
   void expect_refused(const DenseContact &problem, const double mu,
                       const ComplementarityConstants &constants)
   {
@@ -65,45 +55,6 @@ namespace
                  ComputationError);
   }
 
-  std::mt19937 random_numbers;
-
-  double random(const double from, const double to)
-  {
-    return from + (to - from) * std::generate_canonical<double, 53>(random_numbers);
-  }
-
-  /**
-   * Any positive definite compliance, any gaps and slips; normal and tangential motions are as
-   * strongly coupled as forces of one direction are. Its constants are about right.
-   */
-  DenseContact random_problem(const unsigned int n_points, const double coupling,
-                              const bool rigid_motions)
-  {
-    DenseContact problem(n_points, rigid_motions ? 2 : 0);
-    const unsigned int size = 3 * n_points;
-    dealii::FullMatrix<double> factor(size, size);
-    for (unsigned int i = 0; i < size; ++i)
-      for (unsigned int j = 0; j < size; ++j)
-        factor(i, j) =
-            (i == j) + random(-0.5, 0.5) * ((i % 3 == 0) == (j % 3 == 0) ? 1. : coupling);
-    factor.mTmult(problem.compliance, factor);
-    for (PointVector &motion : problem.free_motion)
-      for (unsigned int c = 0; c < 3; ++c)
-        motion[c] = random(-2., 2.);
-    for (unsigned int i = 0; rigid_motions && i < n_points; ++i)
-      for (const unsigned int r : {0u, 1u})
-      {
-        problem.rigid_motion(3 * i + r, r) = 1.;
-        problem.balance(r, 3 * i + r)      = 1.;
-      }
-    return problem;
-  }
-
-  ComplementarityConstants constants_of(const DenseContact &problem)
-  {
-    const double stiffness = 1. / problem.compliance.frobenius_norm();
-    return {stiffness, stiffness};
-  }
 } // namespace
 
 TEST(ContactHard, WithoutFriction)
@@ -117,32 +68,6 @@ TEST(ContactHard, WithoutFriction)
       EXPECT_EQ(std::hypot(force[1], force[2]), 0.);
     EXPECT_EQ(count(found, PointStatus::stick), 0u);
   }
-}
-
-TEST(ContactHard, ByNewtonsMethodAlone)
-{
-  // Much friction and strong coupling: 0.73 of these problems are solved, 0.59 by whole steps.
-  constexpr double mu               = 3.;
-  constexpr unsigned int n_problems = 300;
-  const FrictionBoundOf bound_of    = [&](const unsigned int, const double pressed, const double) {
-    return FrictionBound{mu * pressed, mu, 0.};
-  };
-  random_numbers.seed(1);
-  double share = 0.;
-  for (unsigned int k = 0; k < n_problems; ++k)
-  {
-    const DenseContact problem = random_problem(20, 0.3, false);
-    RowSolver solver;
-    const ContactIterate found =
-        newton(problem, bound_of, constants_of(problem), problem.nothing(), {}, solver);
-    share += found.certified() / double(n_problems);
-    if (found.certified())
-    {
-      EXPECT_LT(violation(problem, mu, found.state, constants_of(problem).normal), 1e-7);
-    }
-  }
-  RecordProperty("share", std::to_string(share));
-  EXPECT_GT(share, 0.66);
 }
 
 TEST(ContactHard, WithoutFrictionAndFreeToMove)
@@ -328,49 +253,6 @@ TEST(ContactHard, RollingWithHardlyAnyFriction)
         const DenseContact problem = line.rolling(0.5 * load, 0.5 * part * mu * load);
         expect_solved(problem, mu, line.constants(), problem.nothing());
       }
-}
-
-TEST(ContactHard, OfAnyCompliance)
-{
-  random_numbers.seed(1);
-  unsigned int n_solved = 0, n_helped = 0;
-  for (const unsigned int n_points : {1u, 3u, 10u, 30u})
-    for (const double coupling : {0., 0.5, 1.})
-      for (const bool rigid_motions : {false, true})
-        for (const double mu : {0.05, 0.2, 0.5, 1.})
-          for (unsigned int i = 0; i < 120 / n_points; ++i)
-          {
-            DenseContact problem = random_problem(n_points, coupling, rigid_motions);
-            if (rigid_motions)
-              problem.load = {-0.3 * n_points, 0.3 * mu * n_points * random(-0.9, 0.9)};
-            const ContactSolution found =
-                expect_solved(problem, mu, constants_of(problem), problem.nothing());
-            if (rigid_motions) // at first nothing touches that could hold them
-              continue;
-            ++n_solved;
-            n_helped += !found.how.empty();
-          }
-  EXPECT_LT(n_helped, 0.02 * n_solved); // Newton's method alone is enough nearly always
-}
-
-TEST(ContactHard, IsRefusedRatherThanWrong)
-{
-  // Beyond what friction there is; most have a solution, but it need not be found.
-  random_numbers.seed(1);
-  unsigned int n_solved = 0;
-  for (unsigned int i = 0; i < 100; ++i)
-  {
-    const DenseContact problem = random_problem(10, 1., false);
-    try
-    {
-      expect_solved(problem, 5., constants_of(problem), problem.nothing());
-      ++n_solved;
-    }
-    catch (const ComputationError &)
-    {
-    }
-  }
-  EXPECT_GT(n_solved, 80u);
 }
 
 TEST(ContactHard, HasItsErrorsSeen)

@@ -3,6 +3,8 @@
 
 #include "support/dense_contact.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -32,5 +34,16 @@ namespace ringmotor::tests
     for (const double balance : problem.balances(state))
       largest = std::abs(balance) <= largest ? largest : std::abs(balance);
     return force > 0. ? largest / force : largest;
+  }
+
+  /** Solves with a coefficient of friction, and checks the solution. */
+  inline ContactSolution expect_solved(const DenseContact &problem, const double mu,
+                                       const ComplementarityConstants &constants,
+                                       const ContactState &start)
+  {
+    const ContactSolution found = solve_contact(problem, coulomb(mu), constants, start);
+    EXPECT_TRUE(found.certificate.holds());
+    EXPECT_LT(violation(problem, mu, found.state, constants.normal), 1e-7);
+    return found;
   }
 } // namespace ringmotor::tests

@@ -4,7 +4,6 @@
 #include <ringmotor/contact/contact_newton.h>
 #include <ringmotor/contact/friction.h>
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,9 +26,6 @@ namespace ringmotor
     unsigned int n_iterations = 0; ///< linear problems solved
     std::string how;               ///< what was tried, in words, if Newton's method alone failed
   };
-
-  /** The coefficient of friction of a point for a slip (m, not negative). */
-  using PointFriction = std::function<FrictionCoefficient(unsigned int point, double slip)>;
 
   /**
    * Solves a contact problem with friction by the semi-smooth Newton method. Where its iterates do

@@ -3,6 +3,8 @@
 
 #include <ringmotor/parameters/operation.h>
 
+#include <functional>
+
 namespace ringmotor
 {
   /** What a contact point remembers of the last step. */
@@ -32,4 +34,7 @@ namespace ringmotor
    */
   FrictionCoefficient friction_coefficient(const Friction &friction, const FrictionMemory &memory,
                                            const double slip, const double time_step);
+
+  /** The coefficient of friction of a point for a slip (m, not negative). */
+  using PointFriction = std::function<FrictionCoefficient(unsigned int point, double slip)>;
 } // namespace ringmotor

@@ -21,7 +21,7 @@ namespace ringmotor
     /** Goes on by one step (s) under a load. @throws ComputationError */
     OperatingState step(const RotorLoad &load, const double length);
 
-    double time() const { return now; }
+    double time() const { return history.last().time; }
 
   private:
     /** A point that exceeds its static limit falls to the dynamic one and stays there. Returns
@@ -32,7 +32,6 @@ namespace ringmotor
     const CondensedMotor &motor;
     const Friction friction;
     const Warp warp;
-    double now = 0.;
     StepHistory history;
     std::vector<PointVector> positions; ///< at the end of the last step
     std::vector<FrictionMemory> memory;

@@ -37,6 +37,7 @@ namespace ringmotor
 
     /** Takes in what the last step left, or a state at rest to start from. */
     void add(StepEnd end);
+    const StepEnd &last() const { return ends.back(); }
 
     /** What a step of some length (s) will leave: by repetition or by extrapolation, whichever was
      * closer in the last step. */

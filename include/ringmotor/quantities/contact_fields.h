@@ -20,6 +20,8 @@ namespace ringmotor
     std::vector<unsigned char> status;     ///< see PointStatus
     double turn = 0.; ///< rad, of the rotor in the last step, if the torque was given
 
+    /** Makes room for so many moments in all, each like those that are there. */
+    void reserve(const std::size_t n_moments);
     /** Adds moments that follow. */
     void append(const ContactFields &later);
 

@@ -37,7 +37,7 @@ namespace ringmotor
 
   private:
     const RotorLoad load;
-    const unsigned int n_parts;
+    const unsigned int n_parts; ///< of a step
     MarchingDriver driver;
     OperatingState last;
     CurvePoint taken;
