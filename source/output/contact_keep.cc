@@ -138,7 +138,8 @@ namespace ringmotor
     std::ostringstream key;
     key << std::setprecision(std::numeric_limits<double>::max_digits10)
         << points_key(parameters, wave, setting.level) << "step " << setting.n_joined << "/"
-        << setting.n_parts << "\nwave times " << setting.wave_factor << "\n";
+        << setting.n_parts << "\nwave times " << setting.wave_factor << "\n"
+        << (setting.tells_window ? "with its window\n" : "");
     Points memory(points_folder, key.str(), counts);
     return find_points(parameters, motor, setting, requests, communicator, after_point, &memory,
                        starts);

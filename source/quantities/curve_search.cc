@@ -23,11 +23,6 @@ namespace ringmotor
       return std::ceil(factor * n_parts);
     }
 
-    /** A rotor pressed so hard that it hardly moves has neither a speed nor a torque with which
-     * errors could be compared; then they are with this share of the speed of the wave's crests and
-     * of the torque that friction bears. */
-    constexpr double share_of_scales = 0.5;
-
     /** The same motor with a wave that moves its surface faster, but not higher. */
     CondensedMotor with_faster_wave(const CondensedMotor &motor, const double factor)
     {
@@ -166,12 +161,6 @@ namespace ringmotor
                            (is_marched(parameters) ? ", or a smaller Time/Time step" : ""));
   }
 
-  CurveSetting CurveSearch::compared_step(const unsigned int request) const
-  {
-    const CurveSetting plain = plain_setting(parameters, reached_level);
-    return plain == CurveSetting{reached_level, n_parts[request]} ? plain.halved() : plain;
-  }
-
   const CondensedMotor &CurveSearch::motor_of(const unsigned int level)
   {
     auto &motor = motors[level];
@@ -185,13 +174,22 @@ namespace ringmotor
     return *motor;
   }
 
-  void CurveSearch::find_points_of(const CurveSetting &setting,
-                                   const std::vector<unsigned int> &wanted)
+  bool CurveSearch::needs_window(const CurveSetting &setting) const
   {
+    return is_marched(parameters) && parameters.time.n_steps &&
+           setting == plain_setting(parameters, reached_level);
+  }
+
+  void CurveSearch::find_points_of(CurveSetting setting, const std::vector<unsigned int> &wanted)
+  {
+    setting.tells_window = needs_window(setting);
     std::vector<unsigned int> missing;
     for (const unsigned int request : wanted)
-      if (known[setting].count(request) == 0)
+    {
+      const auto point = known[setting].find(request);
+      if (point == known[setting].end() || (setting.tells_window && !point->second.tells_window))
         missing.push_back(request);
+    }
     if (missing.empty())
       return;
     const std::vector<CurvePoint> starts = starts_for(setting, missing);
@@ -292,47 +290,6 @@ namespace ringmotor
     return stalled.result.stick_fraction > 0.9;
   }
 
-  PointError CurveSearch::mesh_error(const unsigned int request)
-  {
-    constexpr double margin = 2.;
-    PointError error =
-        change(point_of(plain_setting(parameters, compared_with(reached_level)), request),
-               point_of(plain_setting(parameters, reached_level), request));
-    error *= margin;
-    return error;
-  }
-
-  PointErrors CurveSearch::errors_of(const unsigned int request)
-  {
-    const CurveSetting own{reached_level, n_parts[request]}, other = compared_step(request);
-    const CurvePoint &point = point_of(own, request);
-    PointErrors errors;
-    errors.mesh = mesh_error(request);
-    // Of first order, C / n with n steps per pitch: C follows from two of them.
-    errors.time = change(point, point_of(other, request));
-    errors.time *= other.n_steps() / std::abs(other.n_steps() - own.n_steps());
-    errors.wave = change(point_of(plain_setting(parameters, reached_level), request),
-                         point_of(changed_wave(), request));
-    // What a window given by the user misses does not depend on the steps.
-    errors.window                = parameters.time.n_steps
-                                       ? point_of(plain_setting(parameters, reached_level), request).window
-                                       : point.window;
-    const OperatingPoint &result = point.result;
-    const bool of_torque         = requests[request].control == Control::torque;
-    errors.algebra               = {of_torque ? std::abs(result.speed) : 0.,
-                      of_torque ? 0. : std::abs(result.torque), result.friction_loss(),
-                      point.rotor_power};
-    errors.algebra *= point.largest_violation;
-    return errors;
-  }
-
-  CurveSetting CurveSearch::changed_wave() const
-  {
-    CurveSetting setting = plain_setting(parameters, reached_level);
-    setting.wave_factor  = 1. + wave_error;
-    return setting;
-  }
-
   std::vector<unsigned int> CurveSearch::all_requests() const
   {
     std::vector<unsigned int> all(requests.size());
@@ -370,23 +327,5 @@ namespace ringmotor
       results.push_back(point_of({reached_level, n_parts[i]}, i));
       results.back().errors = errors_of(i);
     }
-  }
-
-  double CurveSearch::worst_error() const
-  {
-    double worst = 0.;
-    for (const CurvePoint &point : points())
-      worst = std::max(worst, relative(point.errors.total()));
-    return worst;
-  }
-
-  double CurveSearch::relative(const PointError &error) const
-  {
-    double fastest = share_of_scales * motor().crest_speed();
-    for (const auto &[request, point] : known.at(plain_setting(parameters, reached_level)))
-      fastest = std::max(fastest, std::abs(point.result.speed));
-    return std::max(error.torque /
-                        std::max(std::abs(stall_torque), share_of_scales * borne_torque()),
-                    error.speed > 0. ? error.speed / fastest : 0.);
   }
 } // namespace ringmotor

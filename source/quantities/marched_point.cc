@@ -55,9 +55,6 @@ namespace ringmotor
 
   namespace
   {
-    constexpr std::array<double PointError::*, 4> quantities{
-        {&PointError::speed, &PointError::torque, &PointError::loss, &PointError::rotor_power}};
-
     /** How a motor is marched until it has settled. */
     class Settling
     {
@@ -94,7 +91,7 @@ namespace ringmotor
       const unsigned int n_parts; ///< of a period of the wave, see Repetition
       const double tolerance;     ///< relative
       double largest = 0.;        ///< N m, if all friction points one way
-      std::array<std::vector<double>, quantities.size()> means;
+      std::array<std::vector<double>, PointError::members.size()> means;
       PointError rest;
     };
 
@@ -145,10 +142,10 @@ namespace ringmotor
 
     void Settling::add(const PointError &values)
     {
-      for (unsigned int i = 0; i < quantities.size(); ++i)
+      for (unsigned int i = 0; i < PointError::members.size(); ++i)
       {
-        means[i].push_back(values.*quantities[i]);
-        rest.*quantities[i] = remaining_change(means[i]);
+        means[i].push_back(values.*PointError::members[i]);
+        rest.*PointError::members[i] = remaining_change(means[i]);
       }
     }
 
@@ -220,8 +217,9 @@ namespace ringmotor
       point.fields           = std::move(all);
       if (!tells_window)
         return point;
+      point.tells_window       = true;
       const PointError settled = settling.values_of(settling.settle(run));
-      for (double PointError::*quantity : quantities)
+      for (double PointError::*quantity : PointError::members)
         point.window.*quantity =
             std::abs(found.*quantity - settled.*quantity) + settling.remaining().*quantity;
       return point;
@@ -241,6 +239,7 @@ namespace ringmotor
       run.advance(1, settling.step_length());
       point        = point_of(settling.settle(run), settling, motor.angular_frequency);
       point.window = settling.remaining();
+      point.tells_window = true;
     }
     point.largest_violation = run.effort().largest_violation;
     point.n_iterations      = run.effort().n_iterations;

@@ -116,7 +116,7 @@ namespace ringmotor
                         start->result.speed);
     const auto begin = std::chrono::steady_clock::now();
     CurvePoint point = is_marched(parameters)
-                           ? find_marched(parameters, motor, request, setting.is_undivided())
+                           ? find_marched(parameters, motor, request, setting.tells_window)
                            : find_steady(request);
     point.request    = request;
     point.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 
 using namespace ringmotor;
@@ -195,9 +196,11 @@ TEST(ErrorBars, OfShapesFollowTheLastChange)
 
 namespace
 {
-  /** Made-up sources of points: speeds w0 - T with an error a 4^-level by the mesh, b/n by the step
-   * of n parts, and in proportion to the wave; powers balance with four parts. */
-  CurveSearch::Sources made_up_sources(const double a, const double b)
+  constexpr double window_error = 0.01; // rad/s, of made-up points that tell it
+
+  /** Made-up sources of points: speeds w0 - T with an error a ratio^level by the mesh, b/n by the
+   * step of n parts, and in proportion to the wave; powers balance with four parts. */
+  CurveSearch::Sources made_up_sources(const double a, const double b, const double ratio = 0.25)
   {
     CurveSearch::Sources sources;
     sources.motor = [](unsigned int)
@@ -211,7 +214,7 @@ namespace
       motor.degree = 1;
       return motor;
     };
-    sources.points = [a, b](const Parameters &, const CondensedMotor &, const CurveSetting &setting,
+    sources.points = [a, b, ratio](const Parameters &, const CondensedMotor &, const CurveSetting &setting,
                             const std::vector<PointRequest> &requests,
                             const std::vector<CurvePoint> &)
     {
@@ -224,13 +227,15 @@ namespace
         point.result.torque  = of_torque ? request.value : 8.;
         const double exact   = (8. - point.result.torque) * setting.wave_factor;
         point.result.speed =
-            of_torque ? exact + a * std::pow(0.25, setting.level) * (1. + point.result.torque) +
+            of_torque ? exact + a * std::pow(ratio, setting.level) * (1. + point.result.torque) +
                             b * setting.n_joined / setting.n_parts
                       : request.value;
         point.result.input_power     = 1.;
         point.result.output_work     = 0.5;
         point.result.tangential_loss = setting.n_parts < 4 ? 0.49 : 0.5;
         point.fields.time_step       = 1e-7;
+        point.tells_window           = setting.tells_window;
+        point.window.speed           = setting.tells_window ? window_error : 0.;
         points.push_back(point);
       }
       return points;
@@ -276,4 +281,62 @@ TEST(ErrorBars, OfAnOperatingPointDoNotDependOnTheOthers)
   EXPECT_EQ(alone.result.speed, among.result.speed);
   for (unsigned int i = 0; i < alone.errors.causes().size(); ++i)
     EXPECT_EQ(alone.errors.causes()[i].second.speed, among.errors.causes()[i].second.speed) << i;
+}
+
+TEST(ErrorBars, AreShorterWhereValuesSwingAboutTheirLimit)
+{
+  // Errors of 0.2, -0.12, 0.072, -0.0432: the third value is the first one between two others.
+  constexpr double a = 0.2, ratio = -0.6;
+  Parameters parameters;
+  parameters.loading.values      = {0.};
+  parameters.loading.control     = Control::torque;
+  parameters.initial_deformation = {};
+  const auto mesh_bar            = [&](const double target, const unsigned int level)
+  {
+    parameters.accuracy.contact_target = target;
+    CurveSearch search(parameters, 1e-4, made_up_sources(a, 0., ratio));
+    search.find();
+    EXPECT_EQ(search.level(), level);
+    return search.points().front().errors.mesh.speed;
+  };
+  EXPECT_NEAR(mesh_bar(0.1, 1), 2. * (0.2 + 0.12), 1e-12);
+  EXPECT_NEAR(mesh_bar(0.04, 2), 0.12 + 0.072, 1e-12);
+  EXPECT_NEAR(mesh_bar(0.02, 3), 0.072 + 0.0432, 1e-12);
+}
+
+TEST(ErrorBars, HaveTheAveragingWindowOfTheMeshThatIsShown)
+{
+  Parameters parameters;
+  parameters.loading.values         = {1., 2.};
+  parameters.loading.control        = Control::torque;
+  parameters.time.scheme            = TimeScheme::marching;
+  parameters.time.n_steps           = 15;
+  parameters.time.average_from_step = 6;
+  parameters.time.average_to_step   = 15;
+  parameters.accuracy.mode          = AccuracyMode::fixed;
+  CurveSearch::Sources sources      = made_up_sources(0.2, 0.1);
+  std::multiset<unsigned int> levels; // of points that had to tell it
+  sources.points = [&levels, points = sources.points](
+                       const Parameters &all, const CondensedMotor &motor,
+                       const CurveSetting &setting, const std::vector<PointRequest> &requests,
+                       const std::vector<CurvePoint> &starts)
+  {
+    if (setting.tells_window)
+      for (unsigned int i = 0; i < requests.size(); ++i)
+        levels.insert(setting.level);
+    return points(all, motor, setting, requests, starts);
+  };
+  CurveSearch search(parameters, 1e-3, sources);
+  search.find();
+  const auto every_bar_has_it = [&]
+  {
+    for (const CurvePoint &point : search.points())
+      EXPECT_EQ(point.errors.window.speed, window_error);
+  };
+  every_bar_has_it();
+  EXPECT_EQ(levels.count(0), 3u); // with the one at stall, by which the curve is judged
+  EXPECT_EQ(levels.count(1), 0u);
+  // A mesh that others were compared with before
+  search.climb([&](const CurveSearch::Rung &) { every_bar_has_it(); });
+  EXPECT_EQ(levels.count(1), 2u);
 }

@@ -80,6 +80,10 @@ namespace ringmotor
 
   private:
     static constexpr unsigned int finest_level = 3;
+    /** A rotor pressed so hard that it hardly moves has neither a speed nor a torque with which
+     * errors could be compared; then they are with this share of the speed of the wave's crests and
+     * of the torque that friction bears. */
+    static constexpr double share_of_scales = 0.5;
     /** The level whose change to @p level tells the error of the meshes. */
     static unsigned int compared_with(const unsigned int level)
     {
@@ -87,8 +91,10 @@ namespace ringmotor
     }
 
     const CondensedMotor &motor_of(const unsigned int level);
+    /** Whether the error bars take the averaging window from points of this setting. */
+    bool needs_window(const CurveSetting &setting) const;
     /** Computes points of some requests where they are not known yet. */
-    void find_points_of(const CurveSetting &setting, const std::vector<unsigned int> &wanted);
+    void find_points_of(CurveSetting setting, const std::vector<unsigned int> &wanted);
     /** One of them. */
     const CurvePoint &point_of(const CurveSetting &setting, const unsigned int request)
     {

@@ -20,6 +20,9 @@ namespace ringmotor
     unsigned int n_joined = 1;
     /** Factor of the speed of the stator's surface, by which its error is felt. */
     double wave_factor = 1.;
+    /** Whether a marched point has to tell what the steps miss that `Time` averages over. Not
+     * compared: a point that tells it will do for one that need not. */
+    bool tells_window = false;
 
     bool operator<(const CurveSetting &other) const
     {
@@ -34,9 +37,6 @@ namespace ringmotor
 
     /** Steps in the time in which a tooth comes to be where another one was. */
     double n_steps() const { return n_parts / static_cast<double>(n_joined); }
-
-    /** Whether steps and wave are those that the parameters give. */
-    bool is_undivided() const { return n_parts == 1 && wave_factor == 1.; }
 
     /** The same with steps of half the length. */
     CurveSetting halved() const;

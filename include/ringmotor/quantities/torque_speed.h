@@ -10,6 +10,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -35,18 +36,18 @@ namespace ringmotor
     double speed = 0., torque = 0., loss = 0.; ///< rad/s, N m, W
     double rotor_power = 0.;                   ///< W, see power_per_loss_factor()
 
+    static const std::array<double PointError::*, 4> members;
+
     PointError &operator*=(const double factor)
     {
-      for (double *error : {&speed, &torque, &loss, &rotor_power})
-        *error *= factor;
+      for (double PointError::*const member : members)
+        this->*member *= factor;
       return *this;
     }
     PointError &operator+=(const PointError &other)
     {
-      speed += other.speed;
-      torque += other.torque;
-      loss += other.loss;
-      rotor_power += other.rotor_power;
+      for (double PointError::*const member : members)
+        this->*member += other.*member;
       return *this;
     }
 
@@ -56,6 +57,9 @@ namespace ringmotor
       archive &speed &torque &loss &rotor_power;
     }
   };
+
+  inline constexpr std::array<double PointError::*, 4> PointError::members{
+      {&PointError::speed, &PointError::torque, &PointError::loss, &PointError::rotor_power}};
 
   /** The error bars of an operating point by their causes. */
   struct PointErrors
@@ -89,8 +93,9 @@ namespace ringmotor
     std::vector<double> rotor_energies; ///< J, see rotor_energies()
     double rotor_power = 0.;            ///< W, see power_per_loss_factor()
     /** By the steps that a marched motor is averaged over: how far the result is from where it
-     * settles. */
+     * settles, if the point tells that. */
     PointError window;
+    bool tells_window = false;
     PointErrors errors;
     double largest_violation  = 0.; ///< of the laws of contact and friction, see ContactCertificate
     unsigned int n_iterations = 0;
@@ -104,8 +109,8 @@ namespace ringmotor
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &request.control &request.value &result &window &errors &rotor_energies &rotor_power;
-      archive &largest_violation &n_iterations &seconds &remark &fields;
+      archive &request.control &request.value &result &window &tells_window &errors;
+      archive &rotor_energies &rotor_power &largest_violation &n_iterations &seconds &remark &fields;
     }
   };
 

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/quantities/curve_search.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ringmotor
+{
+  PointError CurveSearch::mesh_error(const unsigned int request)
+  {
+    constexpr double margin          = 2.;
+    const CurvePoint &point          = point_of(plain_setting(parameters, reached_level), request);
+    const unsigned int coarser_level = compared_with(reached_level);
+    const CurvePoint &coarser        = point_of(plain_setting(parameters, coarser_level), request);
+    const PointError last            = change(coarser, point);
+    PointError error                 = last;
+    error *= margin;
+    if (coarser_level == 0 || coarser_level > reached_level)
+      return error;
+    const auto before = known.find(plain_setting(parameters, coarser_level - 1));
+    if (before == known.end() || before->second.count(request) == 0)
+      return error;
+    // A value between those of the two coarser meshes swings about its limit, which then is between
+    // the last two.
+    const CurvePoint &coarsest    = before->second.at(request);
+    const PointError one_before   = change(coarsest, coarser), over_both = change(coarsest, point);
+    for (double PointError::*const quantity : PointError::members)
+      if (last.*quantity < one_before.*quantity && over_both.*quantity < one_before.*quantity)
+        error.*quantity = last.*quantity;
+    return error;
+  }
+
+  PointErrors CurveSearch::errors_of(const unsigned int request)
+  {
+    const CurveSetting own{reached_level, n_parts[request]}, other = compared_step(request);
+    const CurvePoint &point = point_of(own, request);
+    PointErrors errors;
+    errors.mesh = mesh_error(request);
+    // Of first order, C / n with n steps per pitch: C follows from two of them.
+    errors.time = change(point, point_of(other, request));
+    errors.time *= other.n_steps() / std::abs(other.n_steps() - own.n_steps());
+    errors.wave = change(point_of(plain_setting(parameters, reached_level), request),
+                         point_of(changed_wave(), request));
+    // What a window given by the user misses does not depend on the steps.
+    errors.window                = parameters.time.n_steps
+                                       ? point_of(plain_setting(parameters, reached_level), request).window
+                                       : point.window;
+    const OperatingPoint &result = point.result;
+    const bool of_torque         = requests[request].control == Control::torque;
+    errors.algebra               = {of_torque ? std::abs(result.speed) : 0.,
+                      of_torque ? 0. : std::abs(result.torque), result.friction_loss(),
+                      point.rotor_power};
+    errors.algebra *= point.largest_violation;
+    return errors;
+  }
+
+  CurveSetting CurveSearch::changed_wave() const
+  {
+    CurveSetting setting = plain_setting(parameters, reached_level);
+    setting.wave_factor  = 1. + wave_error;
+    return setting;
+  }
+
+  CurveSetting CurveSearch::compared_step(const unsigned int request) const
+  {
+    const CurveSetting plain = plain_setting(parameters, reached_level);
+    return plain == CurveSetting{reached_level, n_parts[request]} ? plain.halved() : plain;
+  }
+
+  double CurveSearch::worst_error() const
+  {
+    double worst = 0.;
+    for (const CurvePoint &point : points())
+      worst = std::max(worst, relative(point.errors.total()));
+    return worst;
+  }
+
+  double CurveSearch::relative(const PointError &error) const
+  {
+    double fastest = share_of_scales * motor().crest_speed();
+    for (const auto &[request, point] : known.at(plain_setting(parameters, reached_level)))
+      fastest = std::max(fastest, std::abs(point.result.speed));
+    return std::max(error.torque /
+                        std::max(std::abs(stall_torque), share_of_scales * borne_torque()),
+                    error.speed > 0. ? error.speed / fastest : 0.);
+  }
+} // namespace ringmotor
