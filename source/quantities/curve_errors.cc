@@ -22,8 +22,8 @@ namespace ringmotor
       return error;
     // A value between those of the two coarser meshes swings about its limit, which then is between
     // the last two.
-    const CurvePoint &coarsest    = before->second.at(request);
-    const PointError one_before   = change(coarsest, coarser), over_both = change(coarsest, point);
+    const CurvePoint &coarsest  = before->second.at(request);
+    const PointError one_before = change(coarsest, coarser), over_both = change(coarsest, point);
     for (double PointError::*const quantity : PointError::members)
       if (last.*quantity < one_before.*quantity && over_both.*quantity < one_before.*quantity)
         error.*quantity = last.*quantity;

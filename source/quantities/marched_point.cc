@@ -237,8 +237,8 @@ namespace ringmotor
     else
     {
       run.advance(1, settling.step_length());
-      point        = point_of(settling.settle(run), settling, motor.angular_frequency);
-      point.window = settling.remaining();
+      point              = point_of(settling.settle(run), settling, motor.angular_frequency);
+      point.window       = settling.remaining();
       point.tells_window = true;
     }
     point.largest_violation = run.effort().largest_violation;

@@ -214,9 +214,9 @@ namespace
       motor.degree = 1;
       return motor;
     };
-    sources.points = [a, b, ratio](const Parameters &, const CondensedMotor &, const CurveSetting &setting,
-                            const std::vector<PointRequest> &requests,
-                            const std::vector<CurvePoint> &)
+    sources.points =
+        [a, b, ratio](const Parameters &, const CondensedMotor &, const CurveSetting &setting,
+                      const std::vector<PointRequest> &requests, const std::vector<CurvePoint> &)
     {
       std::vector<CurvePoint> points;
       for (const PointRequest &request : requests)

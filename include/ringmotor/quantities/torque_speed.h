@@ -110,7 +110,8 @@ namespace ringmotor
     void serialize(Archive &archive, const unsigned int)
     {
       archive &request.control &request.value &result &window &tells_window &errors;
-      archive &rotor_energies &rotor_power &largest_violation &n_iterations &seconds &remark &fields;
+      archive &rotor_energies &rotor_power &largest_violation &n_iterations &seconds &remark
+          &fields;
     }
   };
 
