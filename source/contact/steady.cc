@@ -85,7 +85,8 @@ namespace ringmotor
                "the shorter the step is, and points may then stick or slip at the same load: try a "
                "smaller Time/Snapshots or a larger Friction/Decay velocity";
       if (law == FrictionLaw::slip_weakening)
-        return "; friction that falls with the slip can make teeth stick and slip in turn, which is "
+        return "; friction that falls with the slip can make teeth stick and slip in turn, which "
+               "is "
                "no steady state: try Time/Scheme = marching";
       return {};
     }
