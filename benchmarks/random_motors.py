@@ -166,6 +166,8 @@ def entries_by_wave(folder, entries, later):
     value = {q["name"]: q["value"] for q in reversed(summary_of_stator["quantities"])
              if q["name"] != "frequency" or q["family"] == "out-of-plane"}
     found = {}
+    if "frequency" not in value:
+        return found  # the wave is not among the modes: contact has to refuse
     if later["marches"]:
         steps = later["steps"]
         found.update({"Time/Time step": text(1. / (value["frequency"] * steps)),

@@ -148,6 +148,11 @@ namespace ringmotor
     return Type::from_buffer(buffer, n_values);
   }
 
+  bool Hdf5Reader::has(const std::string &name) const
+  {
+    return H5Lexists(file, name.c_str(), H5P_DEFAULT) > 0;
+  }
+
   template <typename Number>
   Number Hdf5Reader::attribute(const std::string &object, const std::string &name) const
   {

@@ -116,6 +116,13 @@ namespace ringmotor
         if (!other.empty())
           throw UserError(path + " belongs to another motor: " + other +
                           "; run the program stator with these parameters first");
+        const std::string n_waves = std::to_string(parameters.motor.n_waves);
+        if (!has("wave"))
+          throw UserError(path + " has modes, but none of them is the wave of the motor (" +
+                          n_waves + " waves, out of plane); Modes/Nodal diameters must have " +
+                          n_waves +
+                          ", and Modes/Number of modes be large enough; then run the program "
+                          "stator again");
       }
     };
 

@@ -57,7 +57,7 @@ namespace ringmotor
 
   unsigned int most_parts(const Parameters &parameters, const CondensedMotor &motor)
   {
-    constexpr double most_steps = 2880.; // in a period
+    constexpr double most_steps = 11520.; // in a period
     const double n_steps        = is_marched(parameters)
                                       ? motor.period() / parameters.time.time_step
                                       : static_cast<double>(teeth_that_differ(parameters.motor));

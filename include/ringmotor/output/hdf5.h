@@ -85,6 +85,9 @@ namespace ringmotor
     /** Opens a file that must be of this format and version, see Hdf5Writer. */
     Hdf5Reader(const std::string &path, const std::string &format, unsigned int format_version);
 
+    /** Whether the root has a group or dataset of this name. */
+    bool has(const std::string &name) const;
+
     /** The sizes of a dataset. */
     std::vector<std::size_t> dims(const std::string &name) const;
 
