@@ -99,7 +99,7 @@ namespace ringmotor
         : parameters(parameters), folder(parameters.output.directory + "/contact/"),
           speaks(Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0), log(speaks),
           wave(read_stator_wave(parameters.output.directory + "/stator/modes.h5", parameters)),
-          search(parameters, wave.relative_error,
+          search(parameters, wave.relative_error, 2. * numbers::PI / wave.angular_frequency,
                  {[this](const unsigned int level) { return condense(level); },
                   [this](const Parameters &of_points, const CondensedMotor &motor,
                          const CurveSetting &setting, const std::vector<PointRequest> &requests,

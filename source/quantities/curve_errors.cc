@@ -9,15 +9,15 @@ namespace ringmotor
   PointError CurveSearch::mesh_error(const unsigned int request)
   {
     constexpr double margin          = 2.;
-    const CurvePoint &point          = point_of(plain_setting(parameters, reached_level), request);
+    const CurvePoint &point          = point_of(steps.plain(reached_level), request);
     const unsigned int coarser_level = compared_with(reached_level);
-    const CurvePoint &coarser        = point_of(plain_setting(parameters, coarser_level), request);
+    const CurvePoint &coarser        = point_of(steps.plain(coarser_level), request);
     const PointError last            = change(coarser, point);
     PointError error                 = last;
     error *= margin;
     if (coarser_level == 0 || coarser_level > reached_level)
       return error;
-    const auto before = known.find(plain_setting(parameters, coarser_level - 1));
+    const auto before = known.find(steps.plain(coarser_level - 1));
     if (before == known.end() || before->second.count(request) == 0)
       return error;
     // A value between those of the two coarser meshes swings about its limit, which then is between
@@ -39,12 +39,11 @@ namespace ringmotor
     // Of first order, C / n with n steps per pitch: C follows from two of them.
     errors.time = change(point, point_of(other, request));
     errors.time *= other.n_steps() / std::abs(other.n_steps() - own.n_steps());
-    errors.wave = change(point_of(plain_setting(parameters, reached_level), request),
-                         point_of(changed_wave(), request));
+    errors.wave =
+        change(point_of(steps.plain(reached_level), request), point_of(changed_wave(), request));
     // What a window given by the user misses does not depend on the steps.
-    errors.window                = parameters.time.n_steps
-                                       ? point_of(plain_setting(parameters, reached_level), request).window
-                                       : point.window;
+    errors.window = parameters.time.n_steps ? point_of(steps.plain(reached_level), request).window
+                                            : point.window;
     const OperatingPoint &result = point.result;
     const bool of_torque         = requests[request].control == Control::torque;
     errors.algebra               = {of_torque ? std::abs(result.speed) : 0.,
@@ -56,14 +55,14 @@ namespace ringmotor
 
   CurveSetting CurveSearch::changed_wave() const
   {
-    CurveSetting setting = plain_setting(parameters, reached_level);
+    CurveSetting setting = steps.plain(reached_level);
     setting.wave_factor  = 1. + wave_error;
     return setting;
   }
 
   CurveSetting CurveSearch::compared_step(const unsigned int request) const
   {
-    const CurveSetting plain = plain_setting(parameters, reached_level);
+    const CurveSetting plain = steps.plain(reached_level);
     return plain == CurveSetting{reached_level, n_parts[request]} ? plain.halved() : plain;
   }
 
@@ -78,7 +77,7 @@ namespace ringmotor
   double CurveSearch::relative(const PointError &error) const
   {
     double fastest = share_of_scales * motor().crest_speed();
-    for (const auto &[request, point] : known.at(plain_setting(parameters, reached_level)))
+    for (const auto &[request, point] : known.at(steps.plain(reached_level)))
       fastest = std::max(fastest, std::abs(point.result.speed));
     return std::max(error.torque /
                         std::max(std::abs(stall_torque), share_of_scales * borne_torque()),

@@ -43,8 +43,8 @@ namespace ringmotor
   } // namespace
 
   CurveSearch::CurveSearch(const Parameters &parameters, const double wave_error,
-                           const Sources &sources)
-      : parameters(parameters), wave_error(wave_error), sources(sources)
+                           const double period, const Sources &sources)
+      : parameters(parameters), wave_error(wave_error), steps(parameters, period), sources(sources)
   {
   }
 
@@ -58,7 +58,7 @@ namespace ringmotor
           " (relative) only, but Accuracy/Contact target = " + short_text(accuracy.contact_target) +
           "; run the program stator with these parameters (and Accuracy/Mode = adaptive) first");
     reached_level = is_fixed ? accuracy.interface_refinement : 1;
-    find_requests(parts_to_start_with(parameters));
+    find_requests(steps.first_parts());
     while (true)
     {
       if (!is_fixed)
@@ -101,7 +101,7 @@ namespace ringmotor
 
   void CurveSearch::balance_powers()
   {
-    const unsigned int most = most_parts(parameters, motor());
+    const unsigned int most = steps.most_parts();
     for (bool is_balanced = false; !is_balanced;)
     {
       find_with_own_steps();
@@ -134,8 +134,7 @@ namespace ringmotor
       const PointErrors &errors = results[i].errors;
       if (relative(errors.total()) <= parameters.accuracy.contact_target)
         continue;
-      if (relative(errors.time) > relative(errors.mesh) &&
-          n_parts[i] < most_parts(parameters, motor()))
+      if (relative(errors.time) > relative(errors.mesh) && n_parts[i] < steps.most_parts())
       {
         shorten_step(i, 2 * n_parts[i]);
         shortened = true;
@@ -177,7 +176,7 @@ namespace ringmotor
   bool CurveSearch::needs_window(const CurveSetting &setting) const
   {
     return is_marched(parameters) && parameters.time.n_steps &&
-           setting == plain_setting(parameters, reached_level);
+           setting == steps.plain(reached_level);
   }
 
   void CurveSearch::find_points_of(CurveSetting setting, const std::vector<unsigned int> &wanted)
@@ -212,7 +211,7 @@ namespace ringmotor
     std::vector<CurvePoint> starts;
     if (is_marched(parameters))
       return starts;
-    const CurveSetting plain = plain_setting(parameters, setting.level);
+    const CurveSetting plain = steps.plain(setting.level);
     if (!(setting == plain)) // short steps and other waves
     {
       for (const unsigned int request : wanted)
@@ -221,7 +220,7 @@ namespace ringmotor
     }
     for (const auto &[level, motor] : motors)
     {
-      const auto points = known.find(plain_setting(parameters, level));
+      const auto points = known.find(steps.plain(level));
       if (level == setting.level || points == known.end() ||
           std::any_of(wanted.begin(), wanted.end(),
                       [&](const unsigned int i) { return points->second.count(i) == 0; }))
@@ -242,7 +241,7 @@ namespace ringmotor
   void CurveSearch::find_requests(const unsigned int n_parts_to_start_with)
   {
     requests     = {{Control::speed, 0.}};
-    stalled      = point_of(plain_setting(parameters, reached_level), 0);
+    stalled      = point_of(steps.plain(reached_level), 0);
     stall_torque = stalled.result.torque;
     find_held_torque();
     const double most = rotor_sticks() ? borne_torque() : stall_torque;
@@ -258,7 +257,7 @@ namespace ringmotor
     known.clear();
     for (unsigned int i = 0; i < requests.size(); ++i)
       if (requests[i] == stalled.request)
-        known[plain_setting(parameters, reached_level)][i] = stalled;
+        known[steps.plain(reached_level)][i] = stalled;
     n_parts.assign(requests.size(), n_parts_to_start_with);
   }
 
@@ -271,7 +270,7 @@ namespace ringmotor
       return;
     known.clear();
     requests              = {{Control::torque, asked * borne_torque()}};
-    const CurvePoint held = point_of(plain_setting(parameters, reached_level), 0);
+    const CurvePoint held = point_of(steps.plain(reached_level), 0);
     if (std::abs(held.result.speed) >
         parameters.accuracy.contact_target * share_of_scales * motor().crest_speed())
       return;
@@ -299,8 +298,8 @@ namespace ringmotor
 
   void CurveSearch::find_on_both_meshes()
   {
-    find_points_of(plain_setting(parameters, reached_level), all_requests());
-    find_points_of(plain_setting(parameters, compared_with(reached_level)), all_requests());
+    find_points_of(steps.plain(reached_level), all_requests());
+    find_points_of(steps.plain(compared_with(reached_level)), all_requests());
   }
 
   void CurveSearch::find_with_own_steps()

@@ -2,27 +2,11 @@
 #include <ringmotor/quantities/curve_setting.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace ringmotor
 {
-  namespace
-  {
-    /** Teeth after which all repeats itself: steps in a period of the wave, undivided. */
-    unsigned int teeth_that_differ(const Motor &motor)
-    {
-      return motor.n_teeth / std::gcd(motor.n_waves, motor.n_teeth);
-    }
-
-    /** Parts of a step so that a period has so many steps or more. */
-    unsigned int parts_for(const Motor &motor, const unsigned int n_steps)
-    {
-      return (n_steps - 1 + teeth_that_differ(motor)) / teeth_that_differ(motor);
-    }
-
-    constexpr unsigned int few_steps = 40, many_steps = 80; // in a period
-  }                                                         // namespace
-
   CurveSetting CurveSetting::halved() const
   {
     CurveSetting halved = *this;
@@ -33,34 +17,59 @@ namespace ringmotor
     return halved;
   }
 
-  CurveSetting plain_setting(const Parameters &parameters, const unsigned int level)
+  namespace
   {
+    /** Teeth after which all repeats itself. */
+    unsigned int teeth_that_differ(const Motor &motor)
+    {
+      return motor.n_teeth / std::gcd(motor.n_waves, motor.n_teeth);
+    }
+
+    constexpr unsigned int few_steps = 40, many_steps = 80; // in a period
+    constexpr unsigned int few_marched_steps = 30;          // each of them costs
+  }                                                         // namespace
+
+  StepChoice::StepChoice(const Parameters &parameters, const double period)
+      : is_marched(ringmotor::is_marched(parameters)),
+        is_fixed(parameters.accuracy.mode == AccuracyMode::fixed),
+        n_snapshots(parameters.time.n_snapshots),
+        n_undivided(is_marched ? period / parameters.time.time_step
+                               : teeth_that_differ(parameters.motor))
+  {
+  }
+
+  unsigned int StepChoice::parts_for(const unsigned int n_steps) const
+  {
+    return std::ceil(n_steps / n_undivided);
+  }
+
+  CurveSetting StepChoice::plain(const unsigned int level) const
+  {
+    // Of steps as they are given and typed, a little fewer will do.
+    constexpr double nearly = 0.99;
+    const double few        = is_marched ? nearly * few_marched_steps : few_steps;
     CurveSetting plain{level};
-    if (is_marched(parameters))
-      return plain;
-    plain.n_parts = parts_for(parameters.motor, few_steps);
-    while (2 * plain.n_joined * few_steps <= teeth_that_differ(parameters.motor))
+    if (!is_marched)
+      plain.n_parts = parts_for(few_steps);
+    while (2 * plain.n_joined * few <= n_undivided)
       plain.n_joined *= 2;
     return plain;
   }
 
-  unsigned int parts_to_start_with(const Parameters &parameters)
+  unsigned int StepChoice::first_parts() const
   {
-    if (is_marched(parameters))
+    if (is_marched)
       return 1;
-    if (parameters.accuracy.mode == AccuracyMode::fixed)
-      return parameters.time.n_snapshots;
-    const CurveSetting plain = plain_setting(parameters, 0);
-    return std::max({plain.n_joined > 1 ? 1 : plain.n_parts + 1,
-                     parts_for(parameters.motor, many_steps), parameters.time.n_snapshots});
+    if (is_fixed)
+      return n_snapshots;
+    const CurveSetting plain_steps = plain(0);
+    return std::max({plain_steps.n_joined > 1 ? 1 : plain_steps.n_parts + 1, parts_for(many_steps),
+                     n_snapshots});
   }
 
-  unsigned int most_parts(const Parameters &parameters, const CondensedMotor &motor)
+  unsigned int StepChoice::most_parts() const
   {
     constexpr double most_steps = 11520.; // in a period
-    const double n_steps        = is_marched(parameters)
-                                      ? motor.period() / parameters.time.time_step
-                                      : static_cast<double>(teeth_that_differ(parameters.motor));
-    return std::max(1., std::ceil(most_steps / n_steps));
+    return std::max(1., std::ceil(most_steps / n_undivided));
   }
 } // namespace ringmotor

@@ -31,9 +31,9 @@ namespace ringmotor
     rung.largest_error          = worst_error();
     rung.seconds                = motor_seconds[setting.level] + point_seconds(setting);
     rung.seconds_with_error_bar = motor_seconds[setting.level] + motor_seconds[coarse];
-    for (const CurveSetting &used : std::set<CurveSetting>{
-             setting, plain_setting(parameters, setting.level), plain_setting(parameters, coarse),
-             changed_wave(), compared_step(0)})
+    for (const CurveSetting &used :
+         std::set<CurveSetting>{setting, steps.plain(setting.level), steps.plain(coarse),
+                                changed_wave(), compared_step(0)})
       rung.seconds_with_error_bar += point_seconds(used);
     return rung;
   }
@@ -42,7 +42,7 @@ namespace ringmotor
   CurveSearch::climb(const std::function<void(const Rung &)> &after_rung)
   {
     std::vector<Rung> rungs;
-    const unsigned int first  = parts_to_start_with(parameters);
+    const unsigned int first  = steps.first_parts();
     const unsigned int finest = parameters.accuracy.mode == AccuracyMode::fixed
                                     ? std::max(1u, parameters.accuracy.interface_refinement)
                                     : finest_level;
@@ -72,19 +72,17 @@ namespace ringmotor
     const bool of_torque      = requests[middle].control == Control::torque;
     Parameters without        = parameters;
     without.friction.law      = FrictionLaw::coulomb;
-    const CurvePoint dynamic  = sources
-                                   .points(without, motor(), {reached_level, n_parts[middle]},
-                                           {requests[middle]}, {results[middle]})
-                                   .front();
+    // Differences do not need the steps with which powers balance.
+    const CurveSetting plain = steps.plain(reached_level);
+    const CurvePoint &before = point_of(plain, middle);
+    const CurvePoint dynamic =
+        sources.points(without, motor(), plain, {requests[middle]}, {before}).front();
     const auto signed_change = [&](const CurvePoint &from, const CurvePoint &to) {
       return of_torque ? to.result.speed - from.result.speed
                        : to.result.torque - from.result.torque;
     };
-    const CurveSetting plain = plain_setting(parameters, reached_level);
-    const CurvePoint &before = point_of(plain, middle);
-    return {results[middle], signed_change(results[middle], dynamic),
+    return {results[middle], signed_change(before, dynamic),
             signed_change(before, point_of(plain.halved(), middle)),
-            signed_change(point_of(plain_setting(parameters, compared_with(reached_level)), middle),
-                          before)};
+            signed_change(point_of(steps.plain(compared_with(reached_level)), middle), before)};
   }
 } // namespace ringmotor

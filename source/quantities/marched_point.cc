@@ -25,32 +25,51 @@ namespace ringmotor
   }
 
   MarchedRun::MarchedRun(const Parameters &parameters, const CondensedMotor &motor,
-                         const PointRequest &request)
+                         const PointRequest &request, const unsigned int n_joined)
       : load(load_of(parameters.loading, request)), n_parts(parameters.time.n_snapshots),
+        n_joined(n_joined),
         driver(motor, effective_friction(parameters), warp_of(parameters), load.preload)
   {
   }
 
   MarchedSpan MarchedRun::advance(const unsigned int n_steps, const double length)
   {
-    RotorLoad now = load;
-    if (!last.contact && now.torque)
-      now.torque = 0.;
     MarchedSpan span;
     std::vector<OperatingPoint> parts;
-    for (unsigned int part = 1; part <= n_steps * n_parts; ++part)
+    std::vector<double> lengths; // of the parts
+    for (unsigned int begin = 0; begin < n_steps; begin += n_joined)
     {
-      OperatingState state = driver.step(now, length / n_parts);
-      taken.add_certificate(state.solution);
-      span.fields.append(fields_of(state, driver.time()));
-      if (part == 1)
-        span.fields.reserve(n_steps * n_parts);
-      if (last.contact)
-        parts.push_back(evaluate_step(last, state));
-      last = std::move(state);
+      const unsigned int together = std::min(n_joined, n_steps - begin);
+      for (unsigned int part = 0; part < n_parts; ++part)
+      {
+        const double length_of_part = together * length / n_parts;
+        if (std::optional<OperatingPoint> result = add_step(length_of_part, span.fields))
+        {
+          parts.push_back(*result);
+          lengths.push_back(length_of_part);
+        }
+        if (span.fields.times.size() == 1)
+          span.fields.reserve((n_steps + n_joined - 1) / n_joined * n_parts);
+      }
     }
-    span.mean = mean(parts);
+    span.mean = mean(parts, lengths);
     return span;
+  }
+
+  std::optional<OperatingPoint> MarchedRun::add_step(const double length, ContactFields &fields)
+  {
+    const bool is_first = !last.contact;
+    RotorLoad now       = load;
+    if (is_first && now.torque)
+      now.torque = 0.;
+    OperatingState state = driver.step(now, length);
+    taken.add_certificate(state.solution);
+    fields.append(fields_of(state, driver.time()));
+    std::optional<OperatingPoint> result;
+    if (!is_first)
+      result = evaluate_step(last, state);
+    last = std::move(state);
+    return result;
   }
 
   namespace
@@ -111,8 +130,9 @@ namespace ringmotor
 
     double Settling::step_length() const
     {
-      const double period = motor.period() / n_parts;
-      return period / std::ceil(period / time.time_step - 1e-9);
+      constexpr double rounding = 1e-3; // of a step that is typed with a few digits
+    const double period       = motor.period() / n_parts;
+    return period / std::ceil(period / time.time_step * (1. - rounding));
     }
 
     PointError Settling::values_of(const MarchedSpan &span) const
@@ -227,9 +247,10 @@ namespace ringmotor
   } // namespace
 
   CurvePoint find_marched(const Parameters &parameters, const CondensedMotor &motor,
-                          const PointRequest &request, const bool tells_window)
+                          const PointRequest &request, const unsigned int n_joined,
+                          const bool tells_window)
   {
-    MarchedRun run(parameters, motor, request);
+    MarchedRun run(parameters, motor, request, n_joined);
     Settling settling(parameters, motor, request);
     CurvePoint point;
     if (parameters.time.n_steps)

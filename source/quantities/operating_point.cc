@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <set>
 
 namespace ringmotor
@@ -94,8 +95,10 @@ namespace ringmotor
     return point;
   }
 
-  OperatingPoint mean(const std::vector<OperatingPoint> &points)
+  OperatingPoint mean(const std::vector<OperatingPoint> &points, const std::vector<double> &lengths)
   {
+    AssertDimension(points.size(), lengths.size());
+    const double whole = std::accumulate(lengths.begin(), lengths.end(), 0.);
     OperatingPoint mean;
     for (double OperatingPoint::*quantity :
          {&OperatingPoint::speed, &OperatingPoint::torque, &OperatingPoint::tangential_loss,
@@ -103,8 +106,8 @@ namespace ringmotor
           &OperatingPoint::stored_power, &OperatingPoint::gross_power,
           &OperatingPoint::closing_work, &OperatingPoint::teeth_in_contact,
           &OperatingPoint::stick_fraction})
-      for (const OperatingPoint &point : points)
-        mean.*quantity += point.*quantity / points.size();
+      for (std::size_t i = 0; i < points.size(); ++i)
+        mean.*quantity += points[i].*quantity * lengths[i] / whole;
     return mean;
   }
 } // namespace ringmotor

@@ -115,9 +115,9 @@ namespace ringmotor
       steady.go_on_from(load_of(parameters.loading, request), solution_of(*start),
                         start->result.speed);
     const auto begin = std::chrono::steady_clock::now();
-    CurvePoint point = is_marched(parameters)
-                           ? find_marched(parameters, motor, request, setting.tells_window)
-                           : find_steady(request);
+    CurvePoint point = is_marched(parameters) ? find_marched(parameters, motor, request,
+                                                             setting.n_joined, setting.tells_window)
+                                              : find_steady(request);
     point.request    = request;
     point.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     if (memory)

@@ -197,6 +197,7 @@ TEST(ErrorBars, OfShapesFollowTheLastChange)
 namespace
 {
   constexpr double window_error = 0.01; // rad/s, of made-up points that tell it
+  constexpr double period       = 1e-5 * dealii::numbers::PI; // s, of the made-up wave
 
   /** Made-up sources of points: speeds w0 - T with an error a ratio^level by the mesh, b/n by the
    * step of n parts, and in proportion to the wave; powers balance with four parts. */
@@ -208,7 +209,7 @@ namespace
       CondensedMotor motor;
       motor.n_teeth           = 90;
       motor.n_waves           = 7;
-      motor.angular_frequency = 2e5;
+      motor.angular_frequency = 2. * dealii::numbers::PI / period;
       motor.nodes  = {{1., 0., 1., {}}, {2., 0., 1., {}}, {1., 0.1, 1., {}}, {2., 0.1, 1., {}}};
       motor.faces  = {{0, 1, 2, 3}};
       motor.degree = 1;
@@ -251,7 +252,7 @@ namespace
     parameters.loading.control         = Control::torque;
     parameters.initial_deformation     = {};
     parameters.accuracy.contact_target = 0.5;
-    CurveSearch search(parameters, 1e-3, made_up_sources(a, b));
+    CurveSearch search(parameters, 1e-3, period, made_up_sources(a, b));
     search.find();
     for (const CurvePoint &point : search.points())
       if (point.request.value == torque)
@@ -294,7 +295,7 @@ TEST(ErrorBars, AreShorterWhereValuesSwingAboutTheirLimit)
   const auto mesh_bar            = [&](const double target, const unsigned int level)
   {
     parameters.accuracy.contact_target = target;
-    CurveSearch search(parameters, 1e-4, made_up_sources(a, 0., ratio));
+    CurveSearch search(parameters, 1e-4, period, made_up_sources(a, 0., ratio));
     search.find();
     EXPECT_EQ(search.level(), level);
     return search.points().front().errors.mesh.speed;
@@ -326,7 +327,7 @@ TEST(ErrorBars, HaveTheAveragingWindowOfTheMeshThatIsShown)
         levels.insert(setting.level);
     return points(all, motor, setting, requests, starts);
   };
-  CurveSearch search(parameters, 1e-3, sources);
+  CurveSearch search(parameters, 1e-3, period, sources);
   search.find();
   const auto every_bar_has_it = [&]
   {

@@ -245,6 +245,35 @@ TEST_F(WarpedMotor, StepsAreShortenedToFillThePeriod)
   EXPECT_NEAR(point.fields.time_step / halves.fields.time_step, 2., 1e-9);
 }
 
+TEST_F(WarpedMotor, JoinsStepsAsIfTheyHadBeenLonger)
+{
+  const PointRequest request{Control::speed, 60. * rpm};
+  const double step        = 5e-7;
+  const MarchedSpan joined = MarchedRun(parameters, coarse, request, 2).advance(34, step),
+                    longer = MarchedRun(parameters, coarse, request).advance(17, 2. * step);
+  EXPECT_NEAR(joined.fields.times.back(), 34. * step, 1e-15);
+  EXPECT_NEAR(joined.mean.torque, longer.mean.torque, 1e-12 * longer.mean.torque);
+
+  Parameters window             = parameters;
+  window.time.n_steps           = 15;
+  window.time.average_from_step = 7;
+  window.time.average_to_step   = 13;
+  const CurvePoint averaged     = find_marched(window, coarse, request, 2, false);
+  // Steps 1, 2-3, 4-5, 6, then 7-8, 9-10, 11-12, 13, then 14-15
+  const std::vector<double> n_ends{1., 3., 5., 6., 8., 10., 12., 13., 15.};
+  ASSERT_EQ(averaged.fields.times.size(), n_ends.size());
+  for (unsigned int i = 0; i < n_ends.size(); ++i)
+    EXPECT_NEAR(averaged.fields.times[i] / window.time.time_step, n_ends[i], 1e-9) << i;
+}
+
+TEST(MeanOfSteps, IsOverTheirTime)
+{
+  OperatingPoint first, second;
+  first.torque  = 1.;
+  second.torque = 5.;
+  EXPECT_DOUBLE_EQ(mean({first, second}, {3e-7, 1e-7}).torque, 2.); // by hand
+}
+
 TEST_F(WarpedMotor, SaysWhatThePapersWindowMisses)
 {
   Parameters window             = parameters;

@@ -222,7 +222,7 @@ TEST_F(ReferenceMotor, BalancesThePowerOfEachStepOnItsWay)
         stored  = std::max(stored, std::abs(steps.back().stored_power) / steps.back().input_power);
         last    = state;
       }
-      const OperatingPoint all = mean(steps);
+      const OperatingPoint all = mean(steps, std::vector<double>(steps.size(), 1.));
       const std::string name =
           std::string(which == &stiff ? "stiff" : "plain") + (load.torque ? "_torque" : "_speed");
       record("defect_" + name, largest);

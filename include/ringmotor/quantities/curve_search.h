@@ -33,8 +33,10 @@ namespace ringmotor
           points;
     };
 
-    /** @param wave_error relative, of the speed of the stator's surface */
-    CurveSearch(const Parameters &parameters, const double wave_error, const Sources &sources);
+    /** @param wave_error relative, of the speed of the stator's surface
+     * @param period s, of the wave */
+    CurveSearch(const Parameters &parameters, const double wave_error, const double period,
+                const Sources &sources);
 
     /** Refines until the target is met or, `Accuracy/Mode = fixed`, computes what is asked for.
      * @throws UserError for a load beyond stall
@@ -142,6 +144,7 @@ namespace ringmotor
 
     const Parameters &parameters;
     const double wave_error;
+    const StepChoice steps;
     const Sources sources;
     CurvePoint stalled;       ///< on the first mesh; the loaded one if the rotor sticks
     double stall_torque = 0.; ///< N m; of the first motor that was computed

@@ -15,8 +15,8 @@ namespace ringmotor
     /** Into how many parts a step is divided: the moments of the steady state, or the parts of
      * Time/Time step. */
     unsigned int n_parts = 1;
-    /** How many steps of the steady state are joined to one, see SteadyStep; only such long steps
-     * tell without more unknowns how large the error of a step is. */
+    /** How many steps are joined to one, see SteadyStep for those of the steady state: such long
+     * steps tell without more unknowns, or with half the work, how large the error of a step is. */
     unsigned int n_joined = 1;
     /** Factor of the speed of the stator's surface, by which its error is felt. */
     double wave_factor = 1.;
@@ -35,21 +35,39 @@ namespace ringmotor
       return !(*this < other) && !(other < *this);
     }
 
-    /** Steps in the time in which a tooth comes to be where another one was. */
+    /** Steps in the time in which a tooth comes to be where another one was, or in `Time/Time
+     * step`.
+     */
     double n_steps() const { return n_parts / static_cast<double>(n_joined); }
 
     /** The same with steps of half the length. */
     CurveSetting halved() const;
   };
 
-  /** With which meshes and waves are compared: the same steps on all meshes, not more unknowns than
-   * necessary. */
-  CurveSetting plain_setting(const Parameters &parameters, const unsigned int level);
+  /** Which steps one motor is computed with. */
+  class StepChoice
+  {
+  public:
+    /** @param period s, of the wave */
+    StepChoice(const Parameters &parameters, const double period);
 
-  /** CurveSetting::n_parts to begin with: `Time/Snapshots`, or so many that steps are shorter than
-   * those of plain_setting() and not too long. */
-  unsigned int parts_to_start_with(const Parameters &parameters);
+    /** With which meshes, waves and averaging windows are compared: the same steps on all meshes,
+     * and not more of them than necessary. */
+    CurveSetting plain(const unsigned int level) const;
 
-  /** Up to which CurveSetting::n_parts are tried; @p motor gives the period of the wave. */
-  unsigned int most_parts(const Parameters &parameters, const CondensedMotor &motor);
+    /** CurveSetting::n_parts to begin with: `Time/Snapshots` of the steady state, or so many that
+     * steps are shorter than those of plain() and not too long. */
+    unsigned int first_parts() const;
+
+    /** Up to which CurveSetting::n_parts are tried. */
+    unsigned int most_parts() const;
+
+  private:
+    /** Parts of a step so that a period has so many steps or more. */
+    unsigned int parts_for(const unsigned int n_steps) const;
+
+    const bool is_marched, is_fixed;
+    const unsigned int n_snapshots;
+    const double n_undivided; ///< steps in a period, neither divided nor joined
+  };
 } // namespace ringmotor

@@ -4,6 +4,8 @@
 #include <ringmotor/contact/marching.h>
 #include <ringmotor/quantities/torque_speed.h>
 
+#include <optional>
+
 namespace ringmotor
 {
   /**
@@ -26,18 +28,23 @@ namespace ringmotor
   public:
     /** @p motor must outlive this object and all that it returns. */
     MarchedRun(const Parameters &parameters, const CondensedMotor &motor,
-               const PointRequest &request);
+               const PointRequest &request, const unsigned int n_joined = 1);
 
-    /** Goes on by some steps of a length (s), each of which falls into `Time/Snapshots` parts.
-     * @throws ComputationError */
+    /** Goes on by some steps of a length (s), as many of which as possible are joined to one; these
+     * fall into `Time/Snapshots` parts each. @throws ComputationError */
     MarchedSpan advance(const unsigned int n_steps, const double length);
 
     /** Has the certificate of all steps so far, and what it took to find them. */
     const CurvePoint &effort() const { return taken; }
 
   private:
+    /** Goes on by a part of a step. @returns nothing for the first one of all, before which there
+     * is no energy, and which has no torque */
+    std::optional<OperatingPoint> add_step(const double length, ContactFields &fields);
+
     const RotorLoad load;
-    const unsigned int n_parts; ///< of a step
+    const unsigned int n_parts;  ///< of a step
+    const unsigned int n_joined; ///< steps
     MarchingDriver driver;
     OperatingState last;
     CurvePoint taken;
@@ -49,10 +56,12 @@ namespace ringmotor
    * period is a whole number of them; the fields are those of the last period. If `Time` gives
    * steps to average over, the point has these and the fields of all steps that are asked for, and
    * what the settled means differ from it by is an error of it, see CurvePoint::window; it is left
-   * at zero if @p tells_window is false, which saves the steps until the means have settled.
+   * at zero if @p tells_window is false, which saves the steps until the means have settled. @p
+   * n_joined of these steps are joined to one, as far as the window allows.
    *
    * @throws ComputationError if a step fails or the means do not settle
    */
   CurvePoint find_marched(const Parameters &parameters, const CondensedMotor &motor,
-                          const PointRequest &request, const bool tells_window = true);
+                          const PointRequest &request, const unsigned int n_joined = 1,
+                          const bool tells_window = true);
 } // namespace ringmotor

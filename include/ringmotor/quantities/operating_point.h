@@ -44,6 +44,7 @@ namespace ringmotor
   /** Evaluates one step from the state @p before. */
   OperatingPoint evaluate_step(const OperatingState &before, const OperatingState &state);
 
-  /** The mean of several steps of equal length. */
-  OperatingPoint mean(const std::vector<OperatingPoint> &points);
+  /** The mean over the time of several steps of some @p lengths (s). */
+  OperatingPoint mean(const std::vector<OperatingPoint> &points,
+                      const std::vector<double> &lengths);
 } // namespace ringmotor
