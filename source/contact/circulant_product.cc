@@ -94,7 +94,7 @@ namespace ringmotor
       entry /= n_sectors;
   }
 
-  void CirculantProduct::add(const std::vector<double> &forces, std::vector<double> &motions,
+  void CirculantProduct::add(const double *forces, double *motions,
                              const unsigned int n_rings) const
   {
     if (width == 0)
@@ -105,7 +105,7 @@ namespace ringmotor
         moved(by_harmonic.size());
     const std::size_t ring = static_cast<std::size_t>(n_sectors) * width;
     for (unsigned int r = 0; r < n_rings; ++r)
-      transforms->to_harmonics(&forces[r * ring], &by_harmonic[r * of_ring]);
+      transforms->to_harmonics(forces + r * ring, &by_harmonic[r * of_ring]);
     for (int k = 0; k < n_harmonics; ++k)
     {
       const std::complex<double> *matrix = &harmonics[static_cast<std::size_t>(k) * width * width];
@@ -120,7 +120,7 @@ namespace ringmotor
     for (unsigned int r = 0; r < n_rings; ++r)
     {
       transforms->to_sectors(&moved[r * of_ring], of_sectors.data());
-      std::transform(of_sectors.begin(), of_sectors.end(), &motions[r * ring], &motions[r * ring],
+      std::transform(of_sectors.begin(), of_sectors.end(), motions + r * ring, motions + r * ring,
                      std::plus<>());
     }
   }

@@ -250,6 +250,11 @@ namespace ringmotor
     if (std::all_of(forces, forces + n_rings * of_ring,
                     [](const double force) { return force == 0.; }))
       return;
+    if (applies_table())
+    {
+      ring_product.add(forces, motions, n_rings);
+      return;
+    }
     for (unsigned int ring = 0; ring < n_rings; ++ring)
       for (int d = 0; d < n; ++d)
         if (!near[d].empty())
@@ -266,7 +271,7 @@ namespace ringmotor
     std::vector<double> by_far(static_cast<std::size_t>(columns) * n_far), far(by_far.size(), 0.);
     dgemm_("N", "N", &n_far, &columns, &width, &one, &basis(0, 0), &n_far, forces, &width, &zero,
            by_far.data(), &n_far);
-    ring_product.add(by_far, far, n_rings);
+    ring_product.add(by_far.data(), far.data(), n_rings);
     dgemm_("T", "N", &width, &columns, &n_far, &one, &basis(0, 0), &n_far, far.data(), &n_far, &one,
            motions, &width);
   }
@@ -277,18 +282,21 @@ namespace ringmotor
                                    const unsigned int first, FullMatrix<double> &matrix,
                                    const unsigned int row, const unsigned int column) const
   {
-    const FullMatrix<double> &known = table.empty() ? near[distance] : table[distance];
+    const bool is_table             = !table.empty();
+    const FullMatrix<double> &known = is_table ? table[distance] : near[distance];
     if (!known.empty())
       for (unsigned int a = 0; a < rows.size(); ++a)
         for (unsigned int c = first; c < 3; ++c)
         {
           double *of_row           = &matrix(row + 3 * a + c, column); // contiguous
           const unsigned int moved = 3 * rows[a] + c;
+          const double *by_force   = is_table ? &known(moved, 0) : &known(0, moved);
+          const std::size_t stride = is_table ? 1 : known.n();
           for (unsigned int b = 0; b < columns.size(); ++b)
             for (unsigned int d = 0; d < 3; ++d)
-              of_row[3 * b + d] += factor * known(3 * columns[b] + d, moved);
+              of_row[3 * b + d] += factor * by_force[(3 * columns[b] + d) * stride];
         }
-    if (!table.empty() || basis.n() == 0)
+    if (is_table || basis.n() == 0)
       return;
     const auto rows_of_basis = [&](const std::vector<unsigned int> &nodes)
     {
@@ -332,13 +340,18 @@ namespace ringmotor
   {
     std::vector<FullMatrix<double>> all;
     for (unsigned int distance = 0; distance < n_sectors(); ++distance)
-      all.push_back(transposed(all_entries(*this, distance)));
+      all.push_back(all_entries(*this, distance));
     table = std::move(all);
+    prepare();
   }
 
   void RingCompliance::prepare()
   {
-    ring_product = basis.n() > 0 ? CirculantProduct(kernel) : CirculantProduct();
+    std::vector<FullMatrix<double>> transposed_table;
+    if (applies_table())
+      for (const FullMatrix<double> &matrix : table)
+        transposed_table.push_back(transposed(matrix));
+    ring_product = CirculantProduct(applies_table() ? transposed_table : kernel);
     of_far       = far_of_all();
   }
 

@@ -25,16 +25,19 @@ namespace ringmotor
 
     constexpr double reduction = 1e-8; ///< of the residual by GMRES
 
-    /** @return whether the residual was reduced in @p most_steps steps, without restarts, which
+    /** @param solution a start, too
+     * @return whether the residual was reduced in @p most_steps steps, without restarts, which
      * would make it stagnate */
     template <typename Matrix, typename Preconditioner>
     bool gmres(const Matrix &matrix, const Preconditioner &preconditioner,
                const unsigned int most_steps, const Vector<double> &right_hand_side,
                Vector<double> &solution)
     {
-      solution = 0.;
       if (right_hand_side.l2_norm() == 0.)
+      {
+        solution = 0.;
         return true;
+      }
       SolverControl control(most_steps, reduction * right_hand_side.l2_norm(), false, false);
       SolverGMRES<Vector<double>> solver(
           control, SolverGMRES<Vector<double>>::AdditionalData(most_steps + 2, /*right =*/true));
@@ -67,15 +70,6 @@ namespace ringmotor
       const LAPACKFullMatrix<Number> &factors;
       const std::vector<unsigned int> &unknowns;
     };
-
-    std::unique_ptr<LAPACKFullMatrix<float>> rounded(const LAPACKFullMatrix<double> &matrix)
-    {
-      auto result = std::make_unique<LAPACKFullMatrix<float>>(matrix.m(), matrix.n());
-      for (unsigned int j = 0; j < matrix.n(); ++j) // stored by columns
-        for (unsigned int i = 0; i < matrix.m(); ++i)
-          (*result)(i, j) = matrix(i, j);
-      return result;
-    }
 
     bool solve_by_blocks(const ContactRows &rows, Vector<double> &solution)
     {
@@ -118,41 +112,30 @@ namespace ringmotor
       return false;
     if (is_ring)
       return ring.solve(solution);
-    if (n >= fewest_for_kept_factors && solve_with_factors(rows, touching, solution))
+    if (n >= fewest_for_kept_factors && solve_with_factors(rows, solution))
       return true;
     return solve_dense(rows, solution);
   }
 
-  bool RowSolver::solve_with_factors(const ContactRows &rows,
-                                     const std::vector<unsigned int> &touching,
-                                     Vector<double> &solution)
+  bool RowSolver::solve_with_factors(const ContactRows &rows, Vector<double> &solution)
   {
     const Vector<double> right_hand_side = solution;
     const auto solved                    = [&](const unsigned int most_steps)
     {
-      return gmres(rows, FactorsOfUnknowns<float>{*factors, unknowns_of_factors}, most_steps,
-                   right_hand_side, solution);
+      solution = factors->start(right_hand_side);
+      return gmres(rows, *factors, most_steps, right_hand_side, solution);
     };
     // Far from the solution systems differ too much; after a failure one is solved without trying.
-    const bool may_do = factors && !is_far && touching == touching_of_factors &&
-                        rows.unknowns() == unknowns_of_factors;
+    const bool may_do = factors && !is_far && factors->fit(rows);
     // So many steps take about as long as new factors.
-    if (may_do && solved(std::max<std::size_t>(10, unknowns_of_factors.size() / 60)))
+    if (may_do && solved(std::max<std::size_t>(10, rows.unknowns().size() / 60)))
       return true;
-    is_far = may_do;
+    is_far                                     = may_do;
+    factors                                    = std::make_unique<SlipFactors>(rows);
+    constexpr unsigned int enough_for_rounding = 12;
+    if (factors->is_regular() && solved(enough_for_rounding))
+      return true;
     factors.reset();
-    std::unique_ptr<LAPACKFullMatrix<float>> matrix =
-        rounded(rows.matrix_of(rows.unknowns(), rows.unknowns()));
-    if (factorise(*matrix))
-    {
-      factors                                    = std::move(matrix);
-      touching_of_factors                        = touching;
-      unknowns_of_factors                        = rows.unknowns();
-      constexpr unsigned int enough_for_rounding = 12;
-      if (solved(enough_for_rounding))
-        return true;
-      factors.reset();
-    }
     solution = right_hand_side;
     return false;
   }

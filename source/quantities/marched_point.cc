@@ -131,8 +131,8 @@ namespace ringmotor
     double Settling::step_length() const
     {
       constexpr double rounding = 1e-3; // of a step that is typed with a few digits
-    const double period       = motor.period() / n_parts;
-    return period / std::ceil(period / time.time_step * (1. - rounding));
+      const double period       = motor.period() / n_parts;
+      return period / std::ceil(period / time.time_step * (1. - rounding));
     }
 
     PointError Settling::values_of(const MarchedSpan &span) const

@@ -7,6 +7,7 @@
 
 #include <ringmotor/contact/chain_of_blocks.h>
 #include <ringmotor/contact/row_solver.h>
+#include <ringmotor/contact/slip_factors.h>
 
 #include <gtest/gtest.h>
 
@@ -94,6 +95,33 @@ namespace
     {
       for (unsigned int a = 0; a < n_nodes; ++a)
         rows[a].by_motion[0][0] += 0.5;
+      choose();
+    }
+
+    /** Rows of slip along e as Newton's method has them: motion along e is in none of them, or in
+     * some of them a little. */
+    void slip(const double little)
+    {
+      constexpr double mu = 0.4, ratio = 0.7;
+      for (unsigned int a = 0; a < rows.size(); ++a)
+      {
+        if (a % 5 > 2) // some stick, some are without friction
+          continue;
+        const double angle = M_PI * random_number(), e[] = {std::cos(angle), std::sin(angle)};
+        ContactRow row;
+        row.by_motion[0][0] = 1.;
+        for (unsigned int c = 0; c < 2; ++c)
+        {
+          for (unsigned int d = 0; d < 2; ++d)
+          {
+            row.by_motion[1 + c][1 + d] =
+                ratio * ((c == d) - (a % 3 == 0 ? 1. - little : 1.) * e[c] * e[d]);
+            row.by_force[1 + c][1 + d] = (c == d) - row.by_motion[1 + c][1 + d];
+          }
+          row.by_force[1 + c][0] = -mu * e[c];
+        }
+        rows[a] = row;
+      }
       choose();
     }
 
@@ -335,6 +363,52 @@ TEST(RowSolver, SolvesSystemsThatAreNearlyTheSameAndOthers)
     system.expect_solved_by(solver, 1e-2);
   }
   System(problem, {1, 2, 3, 4, 5}).expect_solved_by(solver); // other nodes, and few
+}
+
+TEST(RowSolver, SolvesSystemsOfSlippingNodes)
+{
+  const unsigned int n = 200;
+  const RandomProblem problem(n, 1, 2);
+  for (const double little : {0., 1e-4, 1e-2, 1.})
+  {
+    RowSolver solver;
+    System system(problem, all_but_some(n));
+    for (unsigned int repetition = 0; repetition < 3; ++repetition) // with kept factors, too
+    {
+      system.slip(little);
+      system.expect_solved_by(solver, 1e-2); // see above
+      system.choose();                       // the same rows
+      system.expect_solved_by(solver, 1e-2); // see above
+    }
+  }
+}
+
+TEST(SlipFactors, AreTheInverseButForRounding)
+{
+  const RandomProblem problem(120, 1, 2);
+  System system(problem, all_but_some(120));
+  system.slip(0.);
+  const ContactRows rows(problem, system.touching, system.rows);
+  const SlipFactors factors(rows);
+  ASSERT_TRUE(factors.is_regular());
+  EXPECT_TRUE(factors.fit(rows));
+  dealii::Vector<double> solution = factors.start(system.right_hand_side), residual(rows.size()),
+                         rest(rows.size());
+  rows.vmult(residual, solution);
+  residual.sadd(-1., system.right_hand_side);
+  factors.vmult(rest, residual);
+  solution += rest;
+  solution -= system.chosen;
+  EXPECT_LT(solution.linfty_norm(), 1e-4); // single precision, and less than a hundredth
+}
+
+TEST(SlipFactors, SayWhenTheyAreSingular)
+{
+  const RandomProblem problem(20, 1, 0);
+  System system(problem, all_but_some(20));
+  system.rows[3].by_motion = system.rows[3].by_force = dealii::Tensor<2, 3>();
+  system.rows[3].has_friction                        = true;
+  EXPECT_FALSE(SlipFactors(ContactRows(problem, system.touching, system.rows)).is_regular());
 }
 
 TEST(RowSolver, NeedsNoMatrixWhereItWouldBeTooLarge)

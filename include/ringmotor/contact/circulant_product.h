@@ -27,8 +27,7 @@ namespace ringmotor
 
     /** Adds the product to @p motions. Forces and motions by ring, sector, component; several rings
      * with the same matrix at once. */
-    void add(const std::vector<double> &forces, std::vector<double> &motions,
-             const unsigned int n_rings) const;
+    void add(const double *forces, double *motions, const unsigned int n_rings) const;
 
   private:
     class Transforms;

@@ -51,6 +51,8 @@ namespace ringmotor
     /** Those of rigid motions. */
     std::vector<unsigned int> rigid_unknowns() const;
     const ContactProblem &contact_problem() const { return problem; }
+    const std::vector<unsigned int> &touching_points() const { return touching; }
+    const ContactRow &row_of(const unsigned int node) const { return rows[node]; }
     /** The point of an unknown force. */
     unsigned int point_of(const unsigned int unknown) const { return touching[unknown / 3]; }
     /** How the row of an unknown force depends on the motion of its point. */

@@ -49,7 +49,8 @@ namespace ringmotor
    * Only a sector itself and its neighbours know where on a sector a force acts; for all others its
    * few far-reaching effects are enough. So this takes far less memory than a table of all entries,
    * and far less work to apply: K by FFT over the sectors, near_d by matrix products. Single
-   * entries are faster found in such a table, where it is small.
+   * entries are faster found in such a table, where it is small, and where it is smaller than K it
+   * is applied as a whole by FFT.
    */
   class RingCompliance
   {
@@ -122,6 +123,9 @@ namespace ringmotor
     }
 
   private:
+    /** Whether the table is applied as a whole: where a sector has no more unknowns than effects on
+     * others. */
+    bool applies_table() const { return !table.empty() && 3 * node_count <= basis.n(); }
     /** Makes what follows from the rest. */
     void prepare();
     Far far_of_all() const;
@@ -130,8 +134,8 @@ namespace ringmotor
     std::vector<dealii::FullMatrix<double>> near;   ///< by distance, transposed; empty if far
     dealii::FullMatrix<double> basis;               ///< a row for each component of a node
     std::vector<dealii::FullMatrix<double>> kernel; ///< by distance, transposed
-    std::vector<dealii::FullMatrix<double>> table;  ///< of all entries, like near; may be empty
-    CirculantProduct ring_product;                  ///< with the kernel
+    std::vector<dealii::FullMatrix<double>> table;  ///< by distance, of all entries; may be empty
+    CirculantProduct ring_product;                  ///< with the kernel, or with the table
     Far of_far;
   };
 } // namespace ringmotor

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/contact/contact_rows.h>
+#include <ringmotor/contact/slip_factors.h>
 
 #include <memory>
 #include <vector>
@@ -32,13 +32,9 @@ namespace ringmotor
   private:
     /** With the factors of an earlier system or of this one.
      * @return false if these factors are not good enough; then the solution is left as it was */
-    bool solve_with_factors(const ContactRows &rows, const std::vector<unsigned int> &touching,
-                            dealii::Vector<double> &solution);
+    bool solve_with_factors(const ContactRows &rows, dealii::Vector<double> &solution);
 
-    /** Of the last dense matrix. Rounded to single precision they take half the time, and GMRES
-     * makes up for it. */
-    std::unique_ptr<dealii::LAPACKFullMatrix<float>> factors;
-    std::vector<unsigned int> touching_of_factors, unknowns_of_factors;
-    bool is_far = false; ///< the factors were of no use for the last system
+    std::unique_ptr<SlipFactors> factors; ///< of the last system that needed new ones
+    bool is_far = false;                  ///< the factors were of no use for the last system
   };
 } // namespace ringmotor
