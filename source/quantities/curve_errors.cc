@@ -32,18 +32,17 @@ namespace ringmotor
 
   PointErrors CurveSearch::errors_of(const unsigned int request)
   {
-    const CurveSetting own{reached_level, n_parts[request]}, other = compared_step(request);
-    const CurvePoint &point = point_of(own, request);
+    const CurveSetting own{reached_level, n_parts[request]}, other = compared_step(request),
+                                                             plain = steps.plain(reached_level);
+    const CurvePoint &point                                        = point_of(own, request);
     PointErrors errors;
     errors.mesh = mesh_error(request);
     // Of first order, C / n with n steps per pitch: C follows from two of them.
     errors.time = change(point, point_of(other, request));
     errors.time *= other.n_steps() / std::abs(other.n_steps() - own.n_steps());
-    errors.wave =
-        change(point_of(steps.plain(reached_level), request), point_of(changed_wave(), request));
+    errors.wave = change(point_of(plain, request), point_of(changed_wave(), request));
     // What a window given by the user misses does not depend on the steps.
-    errors.window = parameters.time.n_steps ? point_of(steps.plain(reached_level), request).window
-                                            : point.window;
+    errors.window = parameters.time.n_steps ? point_of(plain, request).window : point.window;
     const OperatingPoint &result = point.result;
     const bool of_torque         = requests[request].control == Control::torque;
     errors.algebra               = {of_torque ? std::abs(result.speed) : 0.,
