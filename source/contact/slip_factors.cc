@@ -75,6 +75,8 @@ namespace ringmotor
     FullMatrix<double> derivatives;
     rows.contact_problem().derivatives(touching, touching, derivatives);
     std::vector<double> line(n_columns);
+    // Not transposed, as would be faster to write: rows are in N, but unknowns in any unit, and
+    // pivots are compared within a column.
     const auto add_line = [&](const unsigned int i)
     {
       for (unsigned int b = 0; b < n_nodes; ++b)
@@ -83,10 +85,10 @@ namespace ringmotor
           double entry = 0.;
           for (unsigned int d = 0; d < 3; ++d)
             entry += line[3 * b + d] * nodes[b].force[d][l];
-          factors(first[b] + l, i) = entry; // transposed, for the sake of the cache
+          factors(i, first[b] + l) = entry;
         }
       for (unsigned int r = 0; r < n_rigid; ++r)
-        factors(first.back() + r, i) = line[3 * n_nodes + r];
+        factors(i, first.back() + r) = line[3 * n_nodes + r];
     };
     for (unsigned int a = 0; a < n_nodes; ++a)
       for (unsigned int k = 0; k < nodes[a].n_kept; ++k)
@@ -142,7 +144,7 @@ namespace ringmotor
     }
     for (unsigned int r = 0; r < n_rigid; ++r)
       kept[first.back() + r] = vector[n + r];
-    factors.solve(kept, /*transposed =*/true);
+    factors.solve(kept);
     for (unsigned int a = 0; a < nodes.size(); ++a)
       for (unsigned int d = 0; d < 3; ++d)
         for (unsigned int k = 0; k < nodes[a].n_kept; ++k)

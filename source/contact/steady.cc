@@ -83,11 +83,11 @@ namespace ringmotor
       if (law == FrictionLaw::velocity)
         return "; friction that falls with the velocity falls the faster with the slip of a step "
                "the shorter the step is, and points may then stick or slip at the same load: try a "
-               "smaller Time/Snapshots or a larger Friction/Decay velocity";
+               "smaller Time/Snapshots, Time/Scheme = marching, or a larger Friction/Decay "
+               "velocity";
       if (law == FrictionLaw::slip_weakening)
         return "; friction that falls with the slip can make teeth stick and slip in turn, which "
-               "is "
-               "no steady state: try Time/Scheme = marching";
+               "is no steady state: try Time/Scheme = marching";
       return {};
     }
   } // namespace

@@ -32,7 +32,7 @@ namespace
   {
   public:
     RandomProblem(const unsigned int n_points, const unsigned int n_parts,
-                  const unsigned int n_rigid)
+                  const unsigned int n_rigid, const double rigid_unit = 1.)
         : DenseContact(n_points, n_rigid), n_parts(n_parts)
     {
       for (unsigned int i = 0; i < 3 * n_points; ++i)
@@ -46,7 +46,7 @@ namespace
         for (unsigned int r = 0; r < n_rigid; ++r)
           if (part_of_rigid(r) == no_part || part_of_rigid(r) == part_of_point(i / 3))
           {
-            rigid_motion(i, r) = 1. + 0.2 * random_number();
+            rigid_motion(i, r) = rigid_unit * (1. + 0.2 * random_number());
             balance(r, i)      = 1. + 0.2 * random_number();
           }
       }
@@ -383,23 +383,27 @@ TEST(RowSolver, SolvesSystemsOfSlippingNodes)
   }
 }
 
-TEST(SlipFactors, AreTheInverseButForRounding)
+TEST(SlipFactors, AreTheInverseButForRoundingInAnyUnits)
 {
-  const RandomProblem problem(120, 1, 2);
-  System system(problem, all_but_some(120));
-  system.slip(0.);
-  const ContactRows rows(problem, system.touching, system.rows);
-  const SlipFactors factors(rows);
-  ASSERT_TRUE(factors.is_regular());
-  EXPECT_TRUE(factors.fit(rows));
-  dealii::Vector<double> solution = factors.start(system.right_hand_side), residual(rows.size()),
-                         rest(rows.size());
-  rows.vmult(residual, solution);
-  residual.sadd(-1., system.right_hand_side);
-  factors.vmult(rest, residual);
-  solution += rest;
-  solution -= system.chosen;
-  EXPECT_LT(solution.linfty_norm(), 1e-4); // single precision, and less than a hundredth
+  for (const double rigid_unit : {1., 1e9})
+  {
+    const RandomProblem problem(120, 1, 2, rigid_unit);
+    System system(problem, all_but_some(120), 1. / rigid_unit);
+    system.slip(0.);
+    const ContactRows rows(problem, system.touching, system.rows);
+    const SlipFactors factors(rows);
+    ASSERT_TRUE(factors.is_regular());
+    EXPECT_TRUE(factors.fit(rows));
+    dealii::Vector<double> solution = factors.start(system.right_hand_side), residual(rows.size()),
+                           rest(rows.size());
+    rows.vmult(residual, solution);
+    residual.sadd(-1., system.right_hand_side);
+    factors.vmult(rest, residual);
+    solution += rest;
+    solution -= system.chosen;
+    for (unsigned int i = 0; i < rows.size(); ++i) // single precision, and less than a hundredth
+      EXPECT_LT(std::abs(solution[i]), 1e-4 * (i < rows.n_of_nodes() ? 1. : 1. / rigid_unit));
+  }
 }
 
 TEST(SlipFactors, SayWhenTheyAreSingular)
