@@ -342,17 +342,23 @@ namespace ringmotor
     for (unsigned int distance = 0; distance < n_sectors(); ++distance)
       all.push_back(all_entries(*this, distance));
     table = std::move(all);
-    prepare();
+    if (applies_table())
+      make_product();
   }
 
   void RingCompliance::prepare()
+  {
+    make_product();
+    of_far = far_of_all();
+  }
+
+  void RingCompliance::make_product()
   {
     std::vector<FullMatrix<double>> transposed_table;
     if (applies_table())
       for (const FullMatrix<double> &matrix : table)
         transposed_table.push_back(transposed(matrix));
     ring_product = CirculantProduct(applies_table() ? transposed_table : kernel);
-    of_far       = far_of_all();
   }
 
   RingCompliance::Far RingCompliance::far_of_all() const

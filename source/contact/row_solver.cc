@@ -52,25 +52,6 @@ namespace ringmotor
       return true;
     }
 
-    /** Factors of a matrix of some unknowns, applied to vectors of all; others become zero. */
-    template <typename Number>
-    struct FactorsOfUnknowns
-    {
-      void vmult(Vector<double> &result, const Vector<double> &vector) const
-      {
-        Vector<Number> values(unknowns.size());
-        for (unsigned int i = 0; i < unknowns.size(); ++i)
-          values[i] = vector[unknowns[i]];
-        factors.solve(values);
-        result = 0.;
-        for (unsigned int i = 0; i < unknowns.size(); ++i)
-          result[unknowns[i]] = values[i];
-      }
-
-      const LAPACKFullMatrix<Number> &factors;
-      const std::vector<unsigned int> &unknowns;
-    };
-
     bool solve_by_blocks(const ContactRows &rows, Vector<double> &solution)
     {
       constexpr unsigned int most_steps = 60; // near a solution it takes 10 to 40
@@ -84,11 +65,16 @@ namespace ringmotor
 
     bool solve_dense(const ContactRows &rows, Vector<double> &solution)
     {
-      LAPACKFullMatrix<double> matrix = rows.matrix_of(rows.unknowns(), rows.unknowns());
+      const std::vector<unsigned int> &unknowns = rows.unknowns();
+      LAPACKFullMatrix<double> matrix           = rows.matrix_of(unknowns, unknowns);
       if (!factorise(matrix))
         return false;
-      const Vector<double> right_hand_side = solution;
-      FactorsOfUnknowns<double>{matrix, rows.unknowns()}.vmult(solution, right_hand_side);
+      Vector<double> values(unknowns.size());
+      for (unsigned int i = 0; i < unknowns.size(); ++i)
+        values[i] = solution[unknowns[i]];
+      matrix.solve(values);
+      for (unsigned int i = 0; i < unknowns.size(); ++i)
+        solution[unknowns[i]] = values[i];
       return true;
     }
   } // namespace

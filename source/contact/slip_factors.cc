@@ -12,7 +12,7 @@ namespace ringmotor
 
   SlipFactors::Node SlipFactors::node_of(const ContactRow &row)
   {
-    // A share of the motion that is small enough to be left to the Krylov method.
+    // Shares of the motion so small that they are left to the Krylov method.
     constexpr double hardly     = 0.02;
     const Tensor<2, 3> identity = unit_symmetric_tensor<3>();
     Node node{row.has_friction ? 3u : 1u, identity, identity, {0., 0.}};

@@ -128,6 +128,8 @@ namespace ringmotor
     bool applies_table() const { return !table.empty() && 3 * node_count <= basis.n(); }
     /** Makes what follows from the rest. */
     void prepare();
+    /** Makes what applies K, or the table, by FFT. */
+    void make_product();
     Far far_of_all() const;
 
     unsigned int node_count = 0;

@@ -35,9 +35,8 @@ namespace ringmotor
       return !(*this < other) && !(other < *this);
     }
 
-    /** Steps in the time in which a tooth comes to be where another one was, or in `Time/Time
-     * step`.
-     */
+    /** Steps in the time of an undivided one: in which a tooth comes to be where another one was,
+     * or `Time/Time step`. */
     double n_steps() const { return n_parts / static_cast<double>(n_joined); }
 
     /** The same with steps of half the length. */
