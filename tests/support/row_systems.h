@@ -123,27 +123,38 @@ namespace ringmotor::tests
 
     void choose()
     {
-      const unsigned int n = 3 * touching.size(), n_rigid = problem.n_rigid();
-      chosen.reinit(n + n_rigid);
-      right_hand_side.reinit(chosen.size());
-      ContactState state{std::vector<PointVector>(problem.n_points()),
-                         std::vector<double>(n_rigid)};
+      chosen.reinit(3 * touching.size() + problem.n_rigid());
       for (unsigned int a = 0; a < touching.size(); ++a)
         for (unsigned int c = 0; c < (rows[a].has_friction ? 3 : 1); ++c)
-          chosen[3 * a + c] = state.force[touching[a]][c] = random_number();
+          chosen[3 * a + c] = random_number();
+      for (unsigned int r = 0; r < problem.n_rigid(); ++r)
+        chosen[3 * touching.size() + r] = rigid_scale * random_number();
+      right_hand_side = left_hand_side(chosen);
+    }
+
+    /** By the laws of the problem alone. */
+    dealii::Vector<double> left_hand_side(const dealii::Vector<double> &solution) const
+    {
+      const unsigned int n = 3 * touching.size(), n_rigid = problem.n_rigid();
+      ContactState state{std::vector<PointVector>(problem.n_points()),
+                         std::vector<double>(n_rigid)};
+      for (unsigned int i = 0; i < n; ++i)
+        state.force[touching[i / 3]][i % 3] = solution[i];
       for (unsigned int r = 0; r < n_rigid; ++r)
-        chosen[n + r] = state.rigid[r] = rigid_scale * random_number();
+        state.rigid[r] = solution[n + r];
+      dealii::Vector<double> left(n + n_rigid);
       const std::vector<PointVector> motion = problem.motion_by(state);
       for (unsigned int a = 0; a < touching.size(); ++a)
       {
         const PointVector result =
             rows[a].by_motion * motion[touching[a]] + rows[a].by_force * state.force[touching[a]];
         for (unsigned int c = 0; c < 3; ++c)
-          right_hand_side[3 * a + c] = result[c];
+          left[3 * a + c] = result[c];
       }
       const std::vector<double> balances = problem.balances(state); // without loads
       for (unsigned int r = 0; r < n_rigid; ++r)
-        right_hand_side[n + r] = balances[r];
+        left[n + r] = balances[r];
+      return left;
     }
 
     void expect_solved_by(RowSolver &solver, const double tolerance = 1e-9) const
@@ -152,6 +163,17 @@ namespace ringmotor::tests
       ASSERT_TRUE(solver.solve(problem, touching, rows, solution));
       solution -= chosen;
       EXPECT_LT(solution.linfty_norm(), tolerance);
+    }
+
+    /** The same of its residual: what an iterative solver promises, whatever the condition of
+     * random numbers. */
+    void expect_fulfilled_by(RowSolver &solver, const double tolerance) const
+    {
+      dealii::Vector<double> solution = right_hand_side;
+      ASSERT_TRUE(solver.solve(problem, touching, rows, solution));
+      dealii::Vector<double> residual = left_hand_side(solution);
+      residual -= right_hand_side;
+      EXPECT_LT(residual.l2_norm(), tolerance * right_hand_side.l2_norm());
     }
 
     const ContactProblem &problem;
