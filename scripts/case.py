@@ -21,6 +21,15 @@ class CaseError(Exception):
     """A case that cannot be shown; the text is one line for the user."""
 
 
+def words_of_failure(case_folder, program):
+    """Why a program has failed when it ran last; nothing if it has not."""
+    try:
+        with open(os.path.join(case_folder, f"{program}_failed.txt"), encoding="utf-8", errors="replace") as file:
+            return " ".join(file.read().split())
+    except FileNotFoundError:
+        return ""
+
+
 class Results:
     """Files of one program in the folder of a case; `program` is its name and that of its folder."""
 

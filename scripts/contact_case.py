@@ -5,15 +5,16 @@ import os
 
 import h5py
 import numpy as np
-from case import Results, read_table
+from case import Results, read_table, words_of_failure
 
 NORMAL, TANGENTIAL, RADIAL = 0, 1, 2  # components of forces and displacements: up, along -theta, outwards
 OPEN, STICK, SLIP = 0, 1, 2
 
 
 def has_contact(case_folder):
-    """summary.json is written last: without it the run did not come to its end."""
-    return os.path.exists(os.path.join(case_folder, "contact", "summary.json"))
+    """summary.json is written last: without it the run did not come to its end. What is there when the program has
+    failed is of an earlier run."""
+    return not words_of_failure(case_folder, "contact") and os.path.exists(os.path.join(case_folder, "contact", "summary.json"))
 
 
 class ContactCase(Results):

@@ -3,7 +3,7 @@
 import math
 import os
 
-from case import Case, Results, read_table
+from case import Case, Results, read_table, words_of_failure
 from contact_case import ContactCase, has_contact
 
 PARTS = ("friction_loss", "internal_loss_stator_metal", "internal_loss_piezoceramic", "internal_loss_rotor",
@@ -15,8 +15,9 @@ NUMBERS = {"losses.csv": LOAD + [f"{name}{end}" for name in (*PARTS, "total_loss
 
 
 def has_losses(case_folder):
-    """summary.json is written last: without it the run did not come to its end."""
-    return os.path.exists(os.path.join(case_folder, "losses", "summary.json"))
+    """summary.json is written last: without it the run did not come to its end. What is there when the program has
+    failed is of an earlier run."""
+    return not words_of_failure(case_folder, "losses") and os.path.exists(os.path.join(case_folder, "losses", "summary.json"))
 
 
 class LossesCase(Results):
@@ -61,13 +62,15 @@ class LossesCase(Results):
 
 
 def read_case(folder):
-    """Results of the three programs, and list of what is left out: None for one that is not there, or that does not
-    belong to those before it."""
+    """Results of the three programs, and list of what is left out: None for one that is not there, that has failed, or
+    that does not belong to those before it."""
     case = Case(folder)
+    notes = [f"The program {program} failed: {words}" for program in ("contact", "losses")
+             if (words := words_of_failure(folder, program))]
     contact = ContactCase(folder) if has_contact(folder) else None
     if contact and not contact.belongs_to(case):
-        return case, None, None, ["The contact was computed with another wave; run contact again"]
+        return case, None, None, [*notes, "The contact was computed with another wave; run contact again"]
     losses = LossesCase(folder) if contact and has_losses(folder) else None
     if losses and not losses.belongs_to(contact):
-        return case, contact, None, ["The losses are those of other operating points; run losses again"]
-    return case, contact, losses, []
+        return case, contact, None, [*notes, "The losses are those of other operating points; run losses again"]
+    return case, contact, losses, notes

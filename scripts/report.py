@@ -90,7 +90,7 @@ def html_of_head(table):
 
 
 def html_of_row(row, align):
-    is_fail = "FAIL" in row or any("DO NOT HOLD" in cell for cell in row)
+    is_fail = "FAIL" in row or any("DO NOT HOLD" in cell or "FAILED" in cell for cell in row)
     cells = "".join(f'<td class="{side}">{html.escape(cell)}</td>' for cell, side in zip(row, align))
     return f'<tr class="fail">{cells}</tr>\n' if is_fail else f"<tr>{cells}</tr>\n"
 

@@ -1,17 +1,19 @@
 #!/usr/bin/env bash
-# From a parameter file to a report: sets up and builds if needed, runs the programs stator and, on the wave that it
-# finds, contact and losses; draws the figures and writes report.html (unless Output/Figures = false) and prints a
-# one-page summary. Options are those of the programs. Without the motor's wave among the modes, contact and losses are
-# left out.
-# Usage: scripts/run.sh FILE.prm [--set 'Section/Entry = value']... [--output DIR] [--study] [--resume]
-# With --study: what accuracy costs of stator and of contact, tables and figures, and nothing else. With --resume,
-# contact takes over what an interrupted run has found; the others are computed again, which gives the same.
+# From a parameter file to a report: sets up and builds if needed, looks at the parameters of all programs, runs stator
+# and, on the wave that it finds, contact and losses; draws the figures and writes report.html (unless Output/Figures =
+# false) and prints a one-page summary. Options are those of the programs.
+# Usage: scripts/run.sh FILE.prm [--set 'Section/Entry = value']... [--output DIR] [--check] [--study] [--resume]
+# With --check: looks at the parameters, and nothing else. With --study: what accuracy costs of stator and of contact,
+# tables and figures, and nothing else. With --resume, contact takes over what an interrupted run has found; the others
+# are computed again, which gives the same. With Modes/Body = rotor or tooth: the modes of that body alone.
 set -euo pipefail
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
 bin=$root/build/bin
+[[ -e $root/CMakeLists.txt ]] || bin=$(cd "$root/../../bin" && pwd) # installed: nothing to be built
 programs=("$bin/stator" "$bin/contact" "$bin/losses")
 
 is_built() {
+  [[ -e $root/CMakeLists.txt ]] || return 0
   local program
   for program in "${programs[@]}"; do
     [[ -x $program ]] || return 1
@@ -25,59 +27,54 @@ if ! is_built; then
   touch "${programs[@]}" # a changed source that they do not depend on leaves them as they were
 fi
 
-log=$(mktemp)
-trap 'rm -f "$log"' EXIT
-is_study=false
+mode=run
 is_resumed=false
 options=() # for all programs
 for option in "$@"; do
   case $option in
-    --study) is_study=true ;;
+    --study | --check) mode=${option#--} ;;
     --resume) is_resumed=true ;;
+    --help | --version) exec "$bin/contact" "$option" ;;
     *) options+=("$option") ;;
   esac
 done
-if $is_study && $is_resumed; then
+if [[ $mode == study ]] && $is_resumed; then
   echo "run.sh: --resume does not go with --study, which computes everything anew; leave one of them out" >&2
   exit 1
 fi
+resume=()
+! $is_resumed || resume=(--resume)
 
-# The end of the line of the log that tells it, of the program that has run last.
-told() {
-  sed -n "s/^\[ *[0-9.]* s\] $1 in //p" "$log" | tail -n 1
-}
-
-if $is_study; then
-  "$bin/stator" "${options[@]}" --study | tee "$log"
-  study=$(told study)
-  [[ -n $study ]] || exit 0
-  # contact needs a wave, which a study leaves none of.
-  "$bin/stator" "${options[@]}" | tee "$log"
-  [[ ! -f $(told results)/ellipses.csv ]] || "$bin/contact" "$@"
-  "$root/scripts/study_figure.py" "${study%/stator/study.csv}"
+# Before the first second is spent: what is wrong with the parameters of any program.
+checked=$("$bin/stator" "${options[@]}" --check)
+results=${checked##* in } # where those of stator would be
+if [[ $results != */stator/ ]]; then # of the rotor or a tooth, which have no figures
+  case $mode in
+    check) echo "$checked" ;;
+    study) exec "$bin/stator" "${options[@]}" --study ;;
+    run) exec "$bin/stator" "${options[@]}" ;;
+  esac
   exit
 fi
-
-"$bin/stator" "${options[@]}" | tee "$log"
-# The program's last line says where the results are; --help and --version have none, and
-# those of the rotor have no figures.
-results=$(told results)
-[[ $results == */stator/ ]] || exit 0
+"$bin/losses" "${options[@]}" --check > /dev/null
 case_folder=${results%/stator/}
-
-# Where a program fails, the results of those before it are shown all the same, but none that an earlier run of it may
-# have left.
-status=0
-run_next() {
-  "$bin/$1" "${@:2}" || status=$?
-  ((status == 0)) && return
-  [[ ! -e $case_folder/$1/summary.json ]] || exit "$status"
-  return "$status"
-}
-# ellipses.csv is written with the motor's wave, which contact needs.
-if [[ -f $results/ellipses.csv ]]; then
-  run_next contact "$@" && run_next losses "${options[@]}" || true
+if [[ $mode == check ]]; then
+  echo "the parameters of stator, contact and losses are fine; results would be in $case_folder"
+  exit 0
 fi
+
+if [[ $mode == study ]]; then
+  "$bin/stator" "${options[@]}" --study
+  "$bin/stator" "${options[@]}" # contact needs a wave, which a study leaves none of
+  "$bin/contact" "${options[@]}" --study
+  exec "$root/scripts/study_figure.py" "$case_folder"
+fi
+
+# Where a program fails, the page tells so beside the results of those before it.
+rm -f "$case_folder/report.html"
+"$bin/stator" "${options[@]}"
+status=0
+{ "$bin/contact" "${options[@]}" "${resume[@]}" && "$bin/losses" "${options[@]}"; } || status=$?
 
 figures=$(sed -n '/^subsection Output/,/^end/s/^ *set Figures *= *//p' "$results/used.prm")
 if [[ $figures == true ]]; then

@@ -10,6 +10,7 @@
 #include <ringmotor/output/study.h>
 #include <ringmotor/output/text.h>
 #include <ringmotor/parameters/errors.h>
+#include <ringmotor/programs/interruption.h>
 #include <ringmotor/programs/run_program.h>
 #include <ringmotor/programs/run_results.h>
 #include <ringmotor/quantities/curve_search.h>
@@ -96,7 +97,7 @@ namespace ringmotor
     }
 
     ContactProgram::ContactProgram(const Parameters &parameters)
-        : parameters(parameters), folder(parameters.output.directory + "/contact/"),
+        : parameters(parameters), folder(results_folder("contact", parameters)),
           speaks(Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0), log(speaks),
           wave(read_stator_wave(parameters.output.directory + "/stator/modes.h5", parameters)),
           search(parameters, wave.relative_error, 2. * numbers::PI / wave.angular_frequency,
@@ -116,10 +117,14 @@ namespace ringmotor
     void ContactProgram::run(const bool resumes)
     {
       keep.emplace(folder, wave, resumes, log, MPI_COMM_WORLD);
+      if (speaks)
+        tell_when_interrupted(
+            "contact: interrupted; the operating points found so far are kept in " + folder +
+            "kept: go on with --resume");
       search.find();
       report();
-      keep->report();
       write_results();
+      keep->report();
     }
 
     void ContactProgram::study()
@@ -271,7 +276,7 @@ namespace ringmotor
         write_torque_speed(folder + "torque_speed.csv", search.points());
         write_history(folder + "history.csv", search.motor(), search.points(),
                       !is_marched(parameters), parameters.output.history_points);
-        write_contact_h5(folder + "contact.h5", parameters, search.motor(), search.points());
+        write_contact_h5(folder + "contact.h5", parameters, wave, search.motor(), search.points());
       }
       if (parameters.output.vtu)
         write_fields();
@@ -310,11 +315,13 @@ namespace ringmotor
 int main(int argc, char **argv)
 {
   using namespace ringmotor;
-  return run_program(
-      argc, argv, "contact",
-      "Computes speed, torque and friction loss of the motor with stick and slip.",
-      [](const Parameters &parameters) { check_for_contact(parameters); },
-      [](const Parameters &parameters) { ContactProgram(parameters).run(false); },
-      [](const Parameters &parameters) { ContactProgram(parameters).study(); },
-      [](const Parameters &parameters) { ContactProgram(parameters).run(true); });
+  return run_program(argc, argv,
+                     {"contact",
+                      "Computes speed, torque and friction loss of the motor with stick and slip.",
+                      [](const Parameters &parameters) { check_for_contact(parameters); },
+                      [](const Parameters &parameters) { ContactProgram(parameters).run(false); },
+                      [](const Parameters &parameters) { ContactProgram(parameters).study(); },
+                      [](const Parameters &parameters) { ContactProgram(parameters).run(true); },
+                      [](const Parameters &parameters)
+                      { ContactKeep::clear(results_folder("contact", parameters)); }});
 }

@@ -47,7 +47,7 @@ namespace ringmotor
     };
 
     LossesProgram::LossesProgram(const Parameters &parameters)
-        : parameters(parameters), folder(parameters.output.directory + "/losses/"),
+        : parameters(parameters), folder(results_folder("losses", parameters)),
           speaks(Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0), log(speaks)
     {
       for (const std::string &warning : check_for_losses(parameters))
@@ -68,7 +68,9 @@ namespace ringmotor
       wave                    = read_wave_energies(from + "/stator/modes.h5", parameters);
       if (speaks && parameters.output.vtu)
         body = read_wave_body(from + "/stator/modes.h5", parameters);
-      for (const CurvePoint &point : read_contact_points(from + "/contact/contact.h5", parameters))
+      const StatorWave of_now = read_stator_wave(from + "/stator/modes.h5", parameters);
+      for (const CurvePoint &point :
+           read_contact_points(from + "/contact/contact.h5", parameters, of_now))
         points.push_back({point, loss_budget(point, wave, parameters.materials, parameters.support),
                           budgets_by_cause(point, wave, parameters.materials, parameters.support)});
     }
@@ -111,13 +113,9 @@ namespace ringmotor
 int main(int argc, char **argv)
 {
   using namespace ringmotor;
-  return run_program(
-      argc, argv, "losses", "Computes losses and efficiency of the motor at its operating points.",
-      [](const Parameters &parameters) { check_for_losses(parameters); },
-      [](const Parameters &parameters) { LossesProgram(parameters).run(); },
-      [](const Parameters &)
-      {
-        throw UserError("--study has nothing to show for the program losses, which takes over the "
-                        "errors of stator and contact; leave it out");
-      });
+  return run_program(argc, argv,
+                     {"losses",
+                      "Computes losses and efficiency of the motor at its operating points.",
+                      [](const Parameters &parameters) { check_for_losses(parameters); },
+                      [](const Parameters &parameters) { LossesProgram(parameters).run(); }});
 }

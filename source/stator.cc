@@ -26,11 +26,6 @@ namespace ringmotor
 
   namespace
   {
-    std::string to_string(const Body body)
-    {
-      return body == Body::stator ? "stator" : body == Body::rotor ? "rotor" : "tooth";
-    }
-
     /**
      * The program `stator`: natural modes of the stator and its travelling wave, or the modes of
      * the rotor or of a tooth, from a mesh that is refined until the frequencies are as accurate as
@@ -85,7 +80,7 @@ namespace ringmotor
 
     StatorProgram::StatorProgram(const Parameters &parameters)
         : parameters(parameters), of_stator(parameters.modes.body == Body::stator),
-          folder(parameters.output.directory + "/" + to_string(parameters.modes.body) + "/"),
+          folder(results_folder("stator", parameters)),
           speaks(Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0), log(speaks),
           body(parameters, MPI_COMM_WORLD)
     {
@@ -329,8 +324,9 @@ namespace ringmotor
 int main(int argc, char **argv)
 {
   using namespace ringmotor;
-  return run_program(
-      argc, argv, "stator", "Computes natural modes of the stator and its travelling wave.",
-      check_for_stator, [](const Parameters &parameters) { StatorProgram(parameters).run(); },
-      [](const Parameters &parameters) { StatorProgram(parameters).study(); });
+  return run_program(argc, argv,
+                     {"stator", "Computes natural modes of the stator and its travelling wave.",
+                      check_for_stator,
+                      [](const Parameters &parameters) { StatorProgram(parameters).run(); },
+                      [](const Parameters &parameters) { StatorProgram(parameters).study(); }});
 }

@@ -110,7 +110,8 @@ namespace ringmotor
   } // namespace
 
   void write_contact_h5(const std::string &path, const Parameters &parameters,
-                        const CondensedMotor &motor, const std::vector<CurvePoint> &points)
+                        const StatorWave &wave, const CondensedMotor &motor,
+                        const std::vector<CurvePoint> &points)
   {
     Hdf5Writer file("ringmotor contact", contact_format_version);
     file.set_attribute("/", "motor", parameters.motor.name);
@@ -119,6 +120,7 @@ namespace ringmotor
     file.set_attribute("/", "angular_frequency_rad_per_s", motor.angular_frequency);
     file.set_attribute("/", "n_points", static_cast<unsigned int>(points.size()));
     file.set_attribute("/", "parameters", text_of(relevant_for_points(parameters)));
+    file.set_attribute("/", "wave", wave.fingerprint);
     std::vector<double> radius, angle, area, free_motion;
     for (const CondensedMotor::Node &node : motor.nodes)
     {
@@ -140,7 +142,8 @@ namespace ringmotor
     file.save(path);
   }
 
-  std::vector<CurvePoint> read_contact_points(const std::string &path, const Parameters &parameters)
+  std::vector<CurvePoint> read_contact_points(const std::string &path, const Parameters &parameters,
+                                              const StatorWave &wave)
   {
     if (!std::filesystem::exists(path))
       throw UserError(path + " does not exist: the operating points are needed; run the program "
@@ -151,6 +154,9 @@ namespace ringmotor
     if (!other.empty())
       throw UserError(path + " belongs to other parameters: " + other +
                       "; run the program contact with these parameters first");
+    if (file.attribute<std::string>("/", "wave") != wave.fingerprint)
+      throw UserError(path + " belongs to another wave of the stator than the one that is there "
+                             "now; run the program contact again");
     std::vector<CurvePoint> points;
     for (unsigned int p = 0; p < file.attribute<unsigned int>("/", "n_points"); ++p)
       points.push_back(read_point(file, group_of(p)));

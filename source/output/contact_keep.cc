@@ -2,6 +2,8 @@
 #include <ringmotor/output/contact_keep.h>
 #include <ringmotor/output/files.h>
 #include <ringmotor/output/kept_file.h>
+#include <ringmotor/output/text.h>
+#include <ringmotor/parameters/errors.h>
 #include <ringmotor/parameters/fingerprint.h>
 #include <ringmotor/parameters/relevant.h>
 #include <ringmotor/version.h>
@@ -25,6 +27,22 @@ namespace ringmotor
       return std::string("ringmotor ") + version + " (" + git_revision + "), executable of " +
              std::to_string(fs::file_size(program)) + " bytes, linked at " +
              std::to_string(fs::last_write_time(program).time_since_epoch().count()) + "\n";
+    }
+
+    /** Bytes of all files below a folder, none if there is no such folder. */
+    std::uintmax_t size_of(const fs::path &folder)
+    {
+      std::uintmax_t size = 0;
+      std::error_code no_throw;
+      for (const fs::directory_entry &entry : fs::recursive_directory_iterator(folder, no_throw))
+        if (entry.is_regular_file(no_throw))
+          size += entry.file_size(no_throw);
+      return size;
+    }
+
+    std::string megabytes(const std::uintmax_t bytes)
+    {
+      return text(1e-6 * bytes, 1) + " MB";
     }
 
     std::string key_of(const std::string &what, const Parameters &relevant, const StatorWave &wave,
@@ -157,5 +175,21 @@ namespace ringmotor
                "bars included, were there already; " +
                (n_found == 0 ? "nothing was left to compute"
                              : std::to_string(n_found) + " were computed"));
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      log.line("kept for later runs: " + megabytes(size_of(motors)) + " in " + motors +
+               " (contact --clear removes them)");
+  }
+
+  void ContactKeep::clear(const std::string &folder)
+  {
+    const std::string kept = folder + "kept/";
+    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+      return;
+    const std::uintmax_t size = size_of(kept);
+    std::error_code error;
+    fs::remove_all(kept, error);
+    if (error)
+      throw UserError("cannot remove " + kept + ": " + error.message() + "; check its permissions");
+    Log(true).line("removed " + megabytes(size) + " in " + kept);
   }
 } // namespace ringmotor

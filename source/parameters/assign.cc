@@ -12,6 +12,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <map>
 #include <optional>
 
@@ -97,6 +98,31 @@ namespace ringmotor
       for (std::size_t i = 0; i + 1 < names.size(); ++i)
         prm.leave_subsection();
     }
+
+    /** Units that users may have thought of: name, those of the entry, factor between them. */
+    struct OtherUnit
+    {
+      std::string name, of, power;
+    };
+
+    /** The value with its unit as it should have been written, if some unit explains it. */
+    std::string guessed_units(const std::string &value, const std::string &units,
+                              const std::function<bool(double)> &is_plausible)
+    {
+      const std::vector<OtherUnit> others{
+          {"mm", "m", "-3"},         {"um", "m", "-6"},     {"GPa", "Pa", "9"}, {"MPa", "Pa", "6"},
+          {"g/cm^3", "kg/m^3", "3"}, {"kN", "N", "3"},      {"mN", "N", "-3"},  {"kHz", "Hz", "3"},
+          {"us", "s", "-6"},         {"mm^2", "m^2", "-6"}, {"%", "none", "-2"}};
+      if (value.find_first_not_of("0123456789.+-") != std::string::npos) // has a power of its own
+        return "";
+      for (const OtherUnit &other : others)
+      {
+        const std::string in_si = value + "e" + other.power;
+        if (other.of == units && is_plausible(std::strtod(in_si.c_str(), nullptr)))
+          return " (" + value + " " + other.name + " is " + in_si + ")";
+      }
+      return "";
+    }
   } // namespace
 
   void assign_all(const std::vector<PrmFile::Assignment> &assignments,
@@ -111,6 +137,30 @@ namespace ringmotor
                         " is set a second time, the first is " + first->second +
                         "; remove one of them");
       assign(assignment, declared, prm);
+    }
+  }
+
+  void check_plausible(const std::vector<PrmFile::Assignment> &assignments,
+                       const DeclaredEntries &declared)
+  {
+    for (const PrmFile::Assignment &assignment : assignments)
+    {
+      const DeclaredEntries::Entry &entry = *declared.find(assignment.path);
+      const auto rest                     = text_after_number(assignment.value);
+      if (entry.plausible.empty() || !rest || !rest->empty()) // a word
+        continue;
+      char *end               = nullptr;
+      const double least      = std::strtod(entry.plausible.c_str(), &end);
+      const double most       = std::strtod(end + std::string(" to ").size(), nullptr);
+      const auto is_plausible = [=](const double value)
+      { return value == 0. || (std::abs(value) >= least && std::abs(value) <= most); };
+      if (is_plausible(std::strtod(assignment.value.c_str(), nullptr)))
+        continue;
+      const std::string units = entry.units == "none" ? "" : " " + entry.units;
+      throw UserError(assignment.place + ": " + assignment.path + " = " + assignment.value + units +
+                      " is not plausible; plausible: " + entry.plausible + units +
+                      guessed_units(assignment.value, entry.units, is_plausible) +
+                      "; if it is meant, set Motor/Unusual values = accept");
     }
   }
 } // namespace ringmotor

@@ -51,6 +51,20 @@ namespace ringmotor
                         std::to_string(motor.n_teeth / 2));
     }
 
+    /** @throws UserError if the file leaves open entries whose paths start with one of these */
+    void check_given(const Parameters &parameters, const std::string &whom,
+                     const std::vector<std::string> &sections)
+    {
+      std::vector<std::string> missing;
+      for (const std::string &entry : parameters.not_given)
+        for (const std::string &section : sections)
+          if (entry.compare(0, section.size(), section) == 0)
+            missing.push_back(entry);
+      if (!missing.empty())
+        throw UserError("missing " + some_of(missing) + "; " + whom +
+                        ", which has no default values, see --help for what to give");
+    }
+
     void check_effects(const StatorGeometry &stator, const Effects &effects)
     {
       if (effects.felt_support != EffectChoice::off)
@@ -208,6 +222,8 @@ namespace ringmotor
     check_modes(parameters.modes, parameters.motor);
     if (parameters.modes.body == Body::rotor)
     {
+      check_given(parameters, "Modes/Body = rotor needs a rotor",
+                  {"Rotor/", "Materials/Rotor metal/"});
       check_rotor(parameters.rotor);
       return;
     }
@@ -233,11 +249,22 @@ namespace ringmotor
       if (!stator.mesh_file.empty())
         throw UserError("Stator/Mesh file = " + quoted(stator.mesh_file) +
                         " is not available in the program contact, which builds its own tooth "
-                        "from the dimensions; allowed: none");
+                        "from the dimensions; allowed: none, or the program stator alone");
       check_radii("Base", stator.base_inner_radius, stator.base_outer_radius);
       check_radii("Tip", stator.tip_inner_radius, stator.tip_outer_radius);
       check_slot(stator, parameters.motor.n_teeth);
       check_amplitude(parameters.wave, stator);
+    }
+
+    /** The wave has to be among the modes that the program stator computes. */
+    void check_modes_for_contact(const Parameters &parameters)
+    {
+      const Modes &modes = parameters.modes;
+      if (std::find(modes.nodal_diameters.begin(), modes.nodal_diameters.end(),
+                    parameters.motor.n_waves) == modes.nodal_diameters.end())
+        throw UserError("Modes/Nodal diameters do not include the wave of the motor, " +
+                        entry("Motor/Number of waves", parameters.motor.n_waves) +
+                        ", which contact and losses need; allowed: wave, or a list with it");
     }
 
     /** Lip and tooth tops have to share a strip that is more than a sliver. */
@@ -359,7 +386,10 @@ namespace ringmotor
 
   std::vector<std::string> check_for_contact(const Parameters &parameters)
   {
+    check_given(parameters, "the program contact needs a rotor and its preload",
+                {"Rotor/", "Materials/Rotor metal/", "Loading/"});
     check_wave(parameters.motor);
+    check_modes_for_contact(parameters);
     check_stator_geometry(parameters);
     check_rotor(parameters.rotor);
     check_overlap(parameters.stator, parameters.rotor);
@@ -381,17 +411,18 @@ namespace ringmotor
     std::vector<std::string> warnings = check_for_contact(parameters);
     const Support &felt               = parameters.support;
     const StatorGeometry &stator      = parameters.stator;
-    if (felt.felt_inner_radius >= felt.felt_outer_radius)
-      throw UserError(entry("Support/Felt inner radius", felt.felt_inner_radius) +
-                      " is not below " +
-                      entry("Support/Felt outer radius", felt.felt_outer_radius) +
+    const double felt_inner_radius    = felt.felt_inner_radius.value_or(stator.base_inner_radius),
+                 felt_outer_radius    = felt.felt_outer_radius.value_or(stator.base_outer_radius);
+    if (felt_inner_radius >= felt_outer_radius)
+      throw UserError(entry("Support/Felt inner radius", felt_inner_radius) + " is not below " +
+                      entry("Support/Felt outer radius", felt_outer_radius) +
                       "; allowed: inner radius < outer radius");
-    if (felt.felt_inner_radius >= stator.base_outer_radius ||
-        felt.felt_outer_radius <= stator.base_inner_radius)
+    if (felt_inner_radius >= stator.base_outer_radius ||
+        felt_outer_radius <= stator.base_inner_radius)
       warnings.push_back("the felt (Support/Felt inner radius to Felt outer radius) lies nowhere "
                          "under the stator: it loses nothing");
-    else if (felt.felt_inner_radius < stator.base_inner_radius ||
-             felt.felt_outer_radius > stator.base_outer_radius)
+    else if (felt_inner_radius < stator.base_inner_radius ||
+             felt_outer_radius > stator.base_outer_radius)
       warnings.push_back("the felt (Support/Felt inner radius to Felt outer radius) reaches beyond "
                          "the stator: that part is left out");
     return warnings;

@@ -84,6 +84,33 @@ namespace ringmotor
     return number_within(0., largest, "a number from 0");
   }
 
+  Notation<double> plausible(const Notation<double> &number, const double least, const double most)
+  {
+    Notation<double> narrower = number;
+    narrower.plausible        = shortest_text(least) + " to " + shortest_text(most);
+    return narrower;
+  }
+
+  Notation<double> radius()
+  {
+    return plausible(positive_number(), 1e-3, 0.5);
+  }
+
+  Notation<double> thickness()
+  {
+    return plausible(positive_number(), 1e-5, 0.05);
+  }
+
+  Notation<double> height()
+  {
+    return plausible(any_number(), 0., 0.05);
+  }
+
+  Notation<double> modulus()
+  {
+    return plausible(positive_number(), 1e8, 1.5e12);
+  }
+
   Notation<std::vector<double>> numbers_or(const std::string &word, const Notation<double> &number)
   {
     using Values     = std::vector<double>;

@@ -17,15 +17,18 @@ namespace ringmotor
 
   namespace
   {
-    /** The word between `Units: ` and the end of that sentence; empty without it. */
-    std::string units_of(const std::string &documentation)
+    /** What stands between `Units: `, or another @p start, and the end of that sentence; empty
+     * without it. */
+    std::string told(const std::string &start, const std::string &documentation)
     {
-      const std::string start = "Units: ";
       const std::size_t found = documentation.find(start);
       if (found == std::string::npos)
         return "";
       const std::size_t begin = found + start.size();
-      return documentation.substr(begin, documentation.find(". ", begin) - begin);
+      std::string sentence = documentation.substr(begin, documentation.find(". ", begin) - begin);
+      if (!sentence.empty() && sentence.back() == '.')
+        sentence.pop_back();
+      return sentence;
     }
 
     std::string last_name(const std::string &path)
@@ -107,7 +110,11 @@ namespace ringmotor
       {
         const std::string path = prefix + name;
         if (node.contains("pattern_description"))
-          entries[path] = {node["pattern_description"], units_of(node["documentation"])};
+        {
+          const std::string documentation = node["documentation"];
+          entries[path] = {node["pattern_description"], told("Units: ", documentation),
+                           told("Plausible: ", documentation)};
+        }
         else
         {
           sections.insert(path);

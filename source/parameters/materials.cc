@@ -11,15 +11,15 @@ namespace ringmotor
   void Material::declare(ParameterHandler &prm, const bool required)
   {
     const Presence presence = required ? Presence::required : Presence::optional;
-    add_entry(prm, "Young modulus", young_modulus, positive_number(),
-              "Modulus of elasticity. Units: Pa.", presence);
+    add_entry(prm, "Young modulus", young_modulus, modulus(), "Modulus of elasticity. Units: Pa.",
+              presence);
     add_entry(prm, "Poisson ratio", poisson_ratio,
               number_within(std::nextafter(-1., 0.), std::nextafter(0.5, 0.),
                             "a number above -1 and below 0.5 (at 0.5 a solid is incompressible, "
                             "which these elements cannot represent)"),
               "Transverse contraction over axial extension. Units: none.", presence);
-    add_entry(prm, "Density", density, positive_number(), "Mass per volume. Units: kg/m^3.",
-              presence);
+    add_entry(prm, "Density", density, plausible(positive_number(), 100., 25000.),
+              "Mass per volume. Units: kg/m^3.", presence);
     add_entry(prm, "Loss factor", loss_factor, number_within(0., 1., "a number from 0 to 1"),
               "Energy lost per radian of vibration over the largest stored energy. Units: none.");
   }
@@ -35,7 +35,7 @@ namespace ringmotor
     };
     declare_material("Stator metal", stator_metal, true);
     declare_material("Piezoceramic", piezoceramic, true);
-    declare_material("Rotor metal", rotor_metal, false);
+    declare_material("Rotor metal", rotor_metal, true);
     declare_material("Target plate", target_plate, false);
   }
 } // namespace ringmotor

@@ -50,15 +50,23 @@ namespace ringmotor
 
     Notation<NodalDiameters> nodal_diameter_list()
     {
-      const auto write = [](const NodalDiameters &numbers)
-      { return numbers.empty() ? "all" : ranges_text(numbers); };
-      const auto read = [](const std::string &text)
-      { return text == "all" ? NodalDiameters() : numbers_in_ranges(text); };
+      const NodalDiameters all = {Modes::all_nodal_diameters}, of_wave;
+      const auto write         = [=](const NodalDiameters &numbers) {
+        return numbers == of_wave ? "wave" : numbers == all ? "all" : ranges_text(numbers);
+      };
+      const auto read = [=](const std::string &text) {
+        return text == "wave" ? of_wave : text == "all" ? all : numbers_in_ranges(text);
+      };
       return {write, read,
-              "all, or whole numbers and ranges from 0 to half the number of teeth, such as \"7\", "
-              "\"0-12\" or \"2, 5-7\""};
+              "wave, all, or whole numbers and ranges from 0 to half the number of teeth, such as "
+              "\"7\", \"0-12\" or \"2, 5-7\""};
     }
   } // namespace
+
+  std::string to_string(const Body body)
+  {
+    return body == Body::stator ? "stator" : body == Body::rotor ? "rotor" : "tooth";
+  }
 
   void Modes::declare(ParameterHandler &prm)
   {
@@ -67,21 +75,23 @@ namespace ringmotor
         selection<Body>({{"stator", Body::stator}, {"rotor", Body::rotor}, {"tooth", Body::tooth}}),
         "The body whose modes are computed.");
     add_entry(prm, "Nodal diameters", nodal_diameters, nodal_diameter_list(),
-              "The numbers of waves around the ring for which modes are computed.");
+              "The numbers of waves around the ring for which modes are computed; \"wave\" stands "
+              "for that of the motor.");
     add_entry(prm, "Number of modes", n_modes, whole_number(1, 1000),
               "Number of elastic modes for each nodal diameter.");
-    add_entry(prm, "Frequency target", frequency_target, non_negative_number(),
+    add_entry(prm, "Frequency target", frequency_target, plausible(non_negative_number(), 10., 1e7),
               "The modes nearest to this frequency are computed; 0 stands for the lowest elastic "
               "ones. Units: Hz.");
   }
 
   void Wave::declare(ParameterHandler &prm)
   {
-    add_entry(prm, "Amplitude", amplitude, positive_number(),
+    add_entry(prm, "Amplitude", amplitude, plausible(positive_number(), 1e-10, 1e-3),
               "Normal amplitude of the wave at the outer edge of the tooth tops, zero to peak. "
               "Units: m.",
               Presence::required);
-    add_entry(prm, "Frequency", frequency, number_or("mode", positive_number()),
+    add_entry(prm, "Frequency", frequency,
+              number_or("mode", plausible(positive_number(), 1e3, 1e7)),
               "Frequency at which the motor is driven; \"mode\" takes the computed one of the "
               "driving mode. Units: Hz.");
   }

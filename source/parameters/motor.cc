@@ -13,6 +13,12 @@ namespace ringmotor
       return selection<ElementKind>({{"solid", ElementKind::solid}, {"shell", ElementKind::shell}});
     }
 
+    void add_length(ParameterHandler &prm, const std::string &name, double &variable,
+                    const Notation<double> &length, const std::string &sentence)
+    {
+      add_entry(prm, name, variable, length, sentence, Presence::required);
+    }
+
     const std::string mesh_file_sentence =
         "Gmsh file (.msh) of one sector, which replaces the dimensions above; a relative path is "
         "searched in the folder of this parameter file first, then in the current directory.";
@@ -27,38 +33,40 @@ namespace ringmotor
     add_entry(prm, "Number of teeth", n_teeth, whole_number(3, 10000),
               "Number of teeth N around the ring, which is also the number of its equal sectors.",
               Presence::required);
+    add_entry(prm, "Unusual values", accepts_unusual_values,
+              selection<bool>({{"refuse", false}, {"accept", true}}),
+              "Whether numbers that are allowed but not plausible are refused, as they are most "
+              "likely written in other units, or meant.");
   }
 
   void StatorGeometry::declare(ParameterHandler &prm)
   {
-    const auto add_length =
-        [&prm](const std::string &name, double &variable, const std::string &sentence)
-    { add_entry(prm, name, variable, positive_number(), sentence, Presence::required); };
-
-    add_length("Base inner radius", base_inner_radius,
+    add_length(prm, "Base inner radius", base_inner_radius, radius(),
                "Inner radius of the metal base at its lower face, where z = 0. Units: m.");
-    add_length("Base outer radius", base_outer_radius,
+    add_length(prm, "Base outer radius", base_outer_radius, radius(),
                "Outer radius of the metal base at its lower face, where z = 0. Units: m.");
-    add_length("Tip inner radius", tip_inner_radius,
+    add_length(prm, "Tip inner radius", tip_inner_radius, radius(),
                "Inner radius of the tooth tops; the inner side is straight from the base to here. "
                "Units: m.");
-    add_length("Tip outer radius", tip_outer_radius,
+    add_length(prm, "Tip outer radius", tip_outer_radius, radius(),
                "Outer radius of the tooth tops; the outer side is straight from the base to here. "
                "Units: m.");
-    add_length("Base thickness", base_thickness,
+    add_length(prm, "Base thickness", base_thickness, thickness(),
                "Thickness of the metal base, from its lower face to the slot roots. Units: m.");
-    add_length("Tooth height", tooth_height,
+    add_length(prm, "Tooth height", tooth_height, thickness(),
                "Height of the teeth, from the slot roots to the tooth tops. Units: m.");
-    add_length("Slot width", slot_width,
+    add_length(prm, "Slot width", slot_width, thickness(),
                "Distance between the parallel walls of a slot. Units: m.");
     add_entry(
-        prm, "Piezoceramic thickness", piezoceramic_thickness, non_negative_number(),
+        prm, "Piezoceramic thickness", piezoceramic_thickness,
+        plausible(non_negative_number(), 1e-5, 0.05),
         "Thickness of the piezoceramic ring bonded below the base, which has the radii of the "
         "base's lower face; 0 leaves the ring out. Units: m.",
         Presence::required);
     add_entry(prm, "Piezoceramic element", piezoceramic_element, element_kind(),
               "Elements of the piezoceramic ring.");
-    add_entry(prm, "Target plate cross-section", target_plate_area, positive_number(),
+    add_entry(prm, "Target plate cross-section", target_plate_area,
+              plausible(positive_number(), 1e-10, 1e-4),
               "Cross-section of the thin plates, targets of optical measurements, on the outer "
               "edges of the tooth tops; they take part where Effects/Target plates is on. Units: "
               "m^2.");
@@ -67,31 +75,34 @@ namespace ringmotor
 
   void RotorGeometry::declare(ParameterHandler &prm)
   {
-    add_entry(prm, "Ring inner radius", ring_inner_radius, positive_number(),
-              "Inner radius of the rotor ring. Units: m.");
-    add_entry(prm, "Ring outer radius", ring_outer_radius, positive_number(),
-              "Outer radius of the rotor ring. Units: m.");
-    add_entry(prm, "Ring lower face", ring_lower_face, any_number(),
-              "Height of the ring's lower face above the plane of the tooth tops. Units: m.");
-    add_entry(prm, "Ring upper face", ring_upper_face, any_number(),
-              "Height of the ring's upper face above the plane of the tooth tops. Units: m.");
-    add_entry(prm, "Flange lower face", flange_lower_face, any_number(),
-              "Height of the flange's lower face above the plane of the tooth tops. Units: m.");
-    add_entry(prm, "Flange thickness", flange_thickness, positive_number(),
-              "Thickness of the flange spring between ring and lip. Units: m.");
+    add_length(prm, "Ring inner radius", ring_inner_radius, radius(),
+               "Inner radius of the rotor ring. Units: m.");
+    add_length(prm, "Ring outer radius", ring_outer_radius, radius(),
+               "Outer radius of the rotor ring. Units: m.");
+    add_length(prm, "Ring lower face", ring_lower_face, height(),
+               "Height of the ring's lower face above the plane of the tooth tops. Units: m.");
+    add_length(prm, "Ring upper face", ring_upper_face, height(),
+               "Height of the ring's upper face above the plane of the tooth tops. Units: m.");
+    add_length(prm, "Flange lower face", flange_lower_face, height(),
+               "Height of the flange's lower face above the plane of the tooth tops. Units: m.");
+    add_length(prm, "Flange thickness", flange_thickness, thickness(),
+               "Thickness of the flange spring between ring and lip. Units: m.");
     add_entry(prm, "Flange element", flange_element, element_kind(),
               "Elements of the flange spring.");
-    add_entry(prm, "Lip inner radius", lip_inner_radius, positive_number(),
-              "Inner radius of the lip, the part of the rotor that can touch. Units: m.");
-    add_entry(prm, "Lip outer radius", lip_outer_radius, positive_number(),
-              "Outer radius of the lip, the part of the rotor that can touch. Units: m.");
+    add_length(prm, "Lip inner radius", lip_inner_radius, radius(),
+               "Inner radius of the lip, the part of the rotor that can touch. Units: m.");
+    add_length(prm, "Lip outer radius", lip_outer_radius, radius(),
+               "Outer radius of the lip, the part of the rotor that can touch. Units: m.");
     add_entry(
-        prm, "Radial bar stiffness", radial_bar_stiffness, non_negative_number(),
+        prm, "Radial bar stiffness", radial_bar_stiffness,
+        plausible(non_negative_number(), 1e3, 1e14),
         "Radial stiffness, per length of circumference, of the bars that hold the upper edge of "
-        "the ring's inner face; 0 leaves the bars out. Units: N/m^2.");
-    add_entry(prm, "Radial bar height", radial_bar_height, positive_number(),
+        "the ring's inner face; 0 leaves the bars out. Units: N/m^2.",
+        Presence::required);
+    add_entry(prm, "Radial bar height", radial_bar_height, thickness(),
               "Height of the band, down from that edge, over which the bars' forces are spread: "
-              "forces on a line would have no limit on fine meshes. Units: m.");
+              "forces on a line would have no limit on fine meshes. Units: m.",
+              Presence::required);
     add_entry(prm, "Mesh file", mesh_file, file_or_none(), mesh_file_sentence);
   }
 } // namespace ringmotor

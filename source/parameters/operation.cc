@@ -8,8 +8,9 @@ namespace ringmotor
 
   void Loading::declare(ParameterHandler &prm)
   {
-    add_entry(prm, "Preload", preload, positive_number(),
-              "Total axial force that presses the rotor ring down on its top face. Units: N.");
+    add_entry(prm, "Preload", preload, plausible(positive_number(), 1e-3, 1e5),
+              "Total axial force that presses the rotor ring down on its top face. Units: N.",
+              Presence::required);
     add_entry(prm, "Control", control,
               selection<Control>({{"torque", Control::torque}, {"speed", Control::speed}}),
               "The quantity that is prescribed; the other one is computed.");
@@ -30,26 +31,30 @@ namespace ringmotor
                                 {"slip-weakening", FrictionLaw::slip_weakening}}),
         "Friction law: one coefficient (the dynamic one), a jump from the static to the dynamic "
         "one, a decay with the sliding velocity, or a decay over a sliding length.");
-    add_entry(prm, "Static coefficient", static_coefficient, non_negative_number(),
+    add_entry(prm, "Static coefficient", static_coefficient,
+              plausible(non_negative_number(), 1e-3, 5.),
               "Coefficient of friction of points that stick. Units: none.");
-    add_entry(prm, "Dynamic coefficient", dynamic_coefficient, non_negative_number(),
+    add_entry(prm, "Dynamic coefficient", dynamic_coefficient,
+              plausible(non_negative_number(), 1e-3, 5.),
               "Coefficient of friction of points that slip. Units: none.");
-    add_entry(prm, "Decay velocity", decay_velocity, number_or("none", positive_number()),
+    add_entry(prm, "Decay velocity", decay_velocity,
+              number_or("none", plausible(positive_number(), 1e-6, 1e3)),
               "Sliding velocity over which the law \"velocity\" decays. Units: m/s.");
-    add_entry(prm, "Weakening length", weakening_length, number_or("none", positive_number()),
+    add_entry(prm, "Weakening length", weakening_length,
+              number_or("none", plausible(positive_number(), 1e-10, 1e-2)),
               "Sliding length over which the law \"slip-weakening\" decays. Units: m.");
     add_entry(prm, "Lining normal stiffness", lining_normal_stiffness,
-              number_or("none", positive_number()),
+              number_or("none", plausible(positive_number(), 1e6, 1e18)),
               "Normal stiffness per area of a friction lining. Units: N/m^3.");
     add_entry(prm, "Lining tangential stiffness", lining_tangential_stiffness,
-              number_or("none", positive_number()),
+              number_or("none", plausible(positive_number(), 1e6, 1e18)),
               "Tangential stiffness per area of a friction lining. Units: N/m^3.");
   }
 
   void InitialDeformation::declare(ParameterHandler &prm)
   {
     add_entry(
-        prm, "Amplitude", amplitude, non_negative_number(),
+        prm, "Amplitude", amplitude, plausible(non_negative_number(), 1e-10, 1e-3),
         "Amplitude A of the warp A cos(m theta) of the tooth tops at rest: how much higher each "
         "place of a tooth's top stands, theta from the centre of tooth 0. Units: m.");
     add_entry(prm, "Number of waves", n_waves, whole_number(0, 5000),
@@ -58,17 +63,17 @@ namespace ringmotor
 
   void Support::declare(ParameterHandler &prm)
   {
-    add_entry(prm, "Felt thickness", felt_thickness, positive_number(),
+    add_entry(prm, "Felt thickness", felt_thickness, thickness(),
               "Thickness of the felt ring under the stator. Units: m.");
-    add_entry(prm, "Felt modulus", felt_modulus, positive_number(),
+    add_entry(prm, "Felt modulus", felt_modulus, plausible(positive_number(), 1e2, 1e11),
               "Modulus of elasticity of the felt in compression. Units: Pa.");
     add_entry(prm, "Felt loss factor", felt_loss_factor,
               number_within(0., 10., "a number from 0 to 10"),
               "Energy lost per radian of vibration over the largest stored energy. Units: none.");
-    add_entry(prm, "Felt inner radius", felt_inner_radius, positive_number(),
-              "Inner radius of the felt ring. Units: m.");
-    add_entry(prm, "Felt outer radius", felt_outer_radius, positive_number(),
-              "Outer radius of the felt ring. Units: m.");
+    add_entry(prm, "Felt inner radius", felt_inner_radius, number_or("base", radius()),
+              "Inner radius of the felt ring; \"base\" takes that of the stator's base. Units: m.");
+    add_entry(prm, "Felt outer radius", felt_outer_radius, number_or("base", radius()),
+              "Outer radius of the felt ring, \"base\" as before. Units: m.");
   }
 
   void Contact::declare(ParameterHandler &prm)
@@ -78,9 +83,11 @@ namespace ringmotor
                                              {"penalty", ContactFormulation::penalty}}),
               "How contact is enforced: by mortar integrals, or by springs at the nodes as in the "
               "paper.");
-    add_entry(prm, "Normal penalty", normal_penalty, number_or("none", positive_number()),
+    add_entry(prm, "Normal penalty", normal_penalty,
+              number_or("none", plausible(positive_number(), 1e2, 1e15)),
               "Stiffness of the normal springs of the formulation \"penalty\". Units: N/m.");
-    add_entry(prm, "Tangential penalty", tangential_penalty, number_or("none", positive_number()),
+    add_entry(prm, "Tangential penalty", tangential_penalty,
+              number_or("none", plausible(positive_number(), 1e2, 1e15)),
               "Stiffness of the tangential springs of the formulation \"penalty\". Units: N/m.");
   }
 
@@ -94,7 +101,7 @@ namespace ringmotor
               "How the period is resolved: as one steady state, or step by step from a rotor that "
               "rests on the standing wave without friction; \"auto\" "
               "takes the steady state where the ring is uniform.");
-    add_entry(prm, "Time step", time_step, positive_number(),
+    add_entry(prm, "Time step", time_step, plausible(positive_number(), 1e-11, 1e-3),
               "Step of the scheme \"marching\", shortened where a period of the solution has to be "
               "a whole number of steps. Units: s.");
     add_entry(prm, "Number of steps", n_steps, number_or("auto", whole_number(1, most_steps)),

@@ -15,6 +15,8 @@
 #include <fstream>
 #include <iterator>
 #include <numeric>
+#include <set>
+#include <sstream>
 
 namespace ringmotor
 {
@@ -47,8 +49,14 @@ namespace ringmotor
 
   namespace
   {
-    /** Refuses a file that leaves the motor itself open. */
-    void check_required(const Parameters &parameters, const ParameterHandler &prm,
+    bool starts_with(const std::string &path, const std::string &section)
+    {
+      return boost::algorithm::starts_with(path, section);
+    }
+
+    /** Refuses a file that leaves the motor itself open, and notes what it leaves open of the rotor
+     * and its load. */
+    void check_required(Parameters &parameters, const ParameterHandler &prm,
                         const std::string &name)
     {
       std::vector<std::string> missing;
@@ -58,23 +66,21 @@ namespace ringmotor
         boost::algorithm::replace_all(path, ".", "/");
         boost::algorithm::replace_all(path, "_20", " ");
         const bool replaced_by_mesh =
-            !parameters.stator.mesh_file.empty() && boost::algorithm::starts_with(path, "Stator/");
-        const bool part_left_out = parameters.stator.piezoceramic_thickness == 0. &&
-                                   boost::algorithm::starts_with(path, "Materials/Piezoceramic/");
-        if (!replaced_by_mesh && !part_left_out)
+            !parameters.stator.mesh_file.empty() && starts_with(path, "Stator/");
+        const bool part_left_out =
+            (parameters.stator.piezoceramic_thickness == 0. &&
+             starts_with(path, "Materials/Piezoceramic/")) ||
+            (parameters.rotor.radial_bar_stiffness == 0. && path == "Rotor/Radial bar height");
+        const bool not_of_stator = starts_with(path, "Rotor/") || starts_with(path, "Loading/") ||
+                                   starts_with(path, "Materials/Rotor metal/");
+        if (not_of_stator && !part_left_out)
+          parameters.not_given.push_back(path);
+        else if (!replaced_by_mesh && !part_left_out)
           missing.push_back(path);
       }
-      if (missing.empty())
-        return;
-
-      constexpr std::size_t most_shown = 4;
-      std::string names;
-      for (std::size_t i = 0; i < std::min(missing.size(), most_shown); ++i)
-        names += (i == 0 ? "" : ", ") + missing[i];
-      if (missing.size() > most_shown)
-        names += " and " + std::to_string(missing.size() - most_shown) + " more";
-      throw UserError(name + ": missing " + names +
-                      "; the motor itself has no default values, see --help for what to give");
+      if (!missing.empty())
+        throw UserError(name + ": missing " + some_of(missing) +
+                        "; the motor itself has no default values, see --help for what to give");
     }
 
     /** The path of a mesh file as the program can open it from anywhere. */
@@ -94,6 +100,8 @@ namespace ringmotor
     {
       std::vector<unsigned int> &nodal_diameters = parameters.modes.nodal_diameters;
       if (nodal_diameters.empty())
+        nodal_diameters = {parameters.motor.n_waves};
+      else if (nodal_diameters.front() == Modes::all_nodal_diameters)
       {
         nodal_diameters.resize(parameters.motor.n_teeth / 2 + 1);
         std::iota(nodal_diameters.begin(), nodal_diameters.end(), 0);
@@ -125,6 +133,11 @@ namespace ringmotor
     for (const std::string &override_text : overrides)
       assignments.push_back(parse_override(override_text));
     assign_all(assignments, declared, prm);
+    if (!parameters.motor.accepts_unusual_values)
+    {
+      check_plausible(file.assignments, declared);
+      check_plausible(assignments, declared);
+    }
 
     check_required(parameters, prm, name);
     resolve(parameters, name);
@@ -151,7 +164,17 @@ namespace ringmotor
     Parameters copy = parameters;
     ParameterHandler prm;
     copy.declare(prm);
-    prm.print_parameters(out, ParameterHandler::PRM | ParameterHandler::KeepDeclarationOrder);
+    std::stringstream text;
+    prm.print_parameters(text, ParameterHandler::PRM | ParameterHandler::KeepDeclarationOrder);
+    const std::vector<std::string> &left_out = parameters.not_given;
+    std::set<unsigned int> lines_left_out;
+    for (const PrmFile::Assignment &assignment : parse_prm(text.str(), "").assignments)
+      if (std::find(left_out.begin(), left_out.end(), assignment.path) != left_out.end())
+        lines_left_out.insert(assignment.line);
+    unsigned int number = 0;
+    for (std::string line; std::getline(text, line);)
+      if (lines_left_out.count(++number) == 0)
+        out << line << '\n';
   }
 
   bool is_warped(const Parameters &parameters)

@@ -48,7 +48,8 @@ namespace ringmotor
       }
 
       const std::string name;
-      std::string place;                    // of the line being read
+      unsigned int line_number = 0;         // of the line being read
+      std::string place;                    // where it is
       std::vector<std::string> subsections; // the open ones, outermost first
       std::vector<std::string> opened_at;   // the places where they were opened
       PrmFile file;
@@ -56,13 +57,18 @@ namespace ringmotor
 
     PrmFile PrmParser::parse(const std::string &text)
     {
-      std::istringstream stream(text);
+      const std::string byte_order_mark = "\xEF\xBB\xBF";
+      const bool is_marked = text.compare(0, byte_order_mark.size(), byte_order_mark) == 0;
+      std::istringstream stream(is_marked ? text.substr(byte_order_mark.size()) : text);
       std::string raw_line, line;
       bool continued = false;
       for (unsigned int number = 1; std::getline(stream, raw_line); ++number)
       {
         if (!continued)
-          place = name + ":" + std::to_string(number);
+        {
+          line_number = number;
+          place       = name + ":" + std::to_string(number);
+        }
         // Cut the comment first: a comment that ends with a backslash must not swallow a line.
         line += trim_copy(raw_line.substr(0, raw_line.find('#')));
         continued = !line.empty() && line.back() == '\\';
@@ -131,8 +137,8 @@ namespace ringmotor
       const std::string entry  = tidy(assignment.substr(0, equals));
       if (equals == std::string::npos || entry.empty())
         fail("cannot understand " + quoted("set " + assignment) + "; write \"set Entry = value\"");
-      file.assignments.push_back(
-          {path_of(subsections, entry), trim_copy(assignment.substr(equals + 1)), place});
+      file.assignments.push_back({path_of(subsections, entry),
+                                  trim_copy(assignment.substr(equals + 1)), place, line_number});
     }
   } // namespace
 
@@ -166,5 +172,16 @@ namespace ringmotor
         visible.begin(), visible.end(),
         [](const unsigned char character) { return character < ' ' || character == 127; }, '?');
     return '"' + visible + (text.size() > longest ? "..." : "") + '"';
+  }
+
+  std::string some_of(const std::vector<std::string> &names)
+  {
+    constexpr std::size_t most_shown = 4;
+    const std::vector<std::string> shown(names.begin(),
+                                         names.begin() + std::min(names.size(), most_shown));
+    return boost::algorithm::join(shown, ", ") +
+           (names.size() > most_shown
+                ? " and " + std::to_string(names.size() - most_shown) + " more"
+                : "");
   }
 } // namespace ringmotor

@@ -27,11 +27,12 @@ namespace ringmotor
   Parameters relevant_for_points(const Parameters &parameters)
   {
     const Parameters defaults;
-    Parameters relevant             = parameters;
-    relevant.motor.name             = defaults.motor.name;
-    relevant.loading.control        = defaults.loading.control;
-    relevant.loading.values         = defaults.loading.values;
-    relevant.loading.n_curve_points = defaults.loading.n_curve_points;
+    Parameters relevant                   = parameters;
+    relevant.motor.name                   = defaults.motor.name;
+    relevant.motor.accepts_unusual_values = defaults.motor.accepts_unusual_values;
+    relevant.loading.control              = defaults.loading.control;
+    relevant.loading.values               = defaults.loading.values;
+    relevant.loading.n_curve_points       = defaults.loading.n_curve_points;
     if (!is_marched(parameters)) // marching goes on until what changes is small against the target
       relevant.accuracy.contact_target = defaults.accuracy.contact_target;
     relevant.accuracy.time_limit           = defaults.accuracy.time_limit;
@@ -63,22 +64,23 @@ namespace ringmotor
   Parameters relevant_for_wave(const Parameters &parameters)
   {
     const Parameters defaults;
-    Parameters relevant            = parameters;
-    relevant.motor.name            = defaults.motor.name;
-    relevant.rotor                 = defaults.rotor;
-    relevant.materials.rotor_metal = defaults.materials.rotor_metal;
-    relevant.modes                 = defaults.modes;
-    relevant.loading               = defaults.loading;
-    relevant.friction              = defaults.friction;
-    relevant.initial_deformation   = defaults.initial_deformation;
-    relevant.support               = defaults.support;
-    relevant.contact               = defaults.contact;
-    relevant.time                  = defaults.time;
-    relevant.accuracy              = defaults.accuracy;
-    relevant.output                = defaults.output;
-    relevant.effects               = defaults.effects;
-    relevant.effects.target_plates = parameters.effects.target_plates;
-    relevant.effects.felt_support  = parameters.effects.felt_support;
+    Parameters relevant                   = parameters;
+    relevant.motor.name                   = defaults.motor.name;
+    relevant.motor.accepts_unusual_values = defaults.motor.accepts_unusual_values;
+    relevant.rotor                        = defaults.rotor;
+    relevant.materials.rotor_metal        = defaults.materials.rotor_metal;
+    relevant.modes                        = defaults.modes;
+    relevant.loading                      = defaults.loading;
+    relevant.friction                     = defaults.friction;
+    relevant.initial_deformation          = defaults.initial_deformation;
+    relevant.support                      = defaults.support;
+    relevant.contact                      = defaults.contact;
+    relevant.time                         = defaults.time;
+    relevant.accuracy                     = defaults.accuracy;
+    relevant.output                       = defaults.output;
+    relevant.effects                      = defaults.effects;
+    relevant.effects.target_plates        = parameters.effects.target_plates;
+    relevant.effects.felt_support         = parameters.effects.felt_support;
     reset_loss_factors(relevant.materials);
     if (parameters.effects.target_plates == EffectChoice::off)
     {

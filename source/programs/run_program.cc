@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/output/files.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/programs/blas_kernel.h>
+#include <ringmotor/programs/case_lock.h>
+#include <ringmotor/programs/interruption.h>
 #include <ringmotor/programs/run_program.h>
+#include <ringmotor/programs/run_results.h>
 #include <ringmotor/version.h>
 
 #include <deal.II/base/exceptions.h>
@@ -11,36 +15,76 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <iostream>
+#include <optional>
+#include <sstream>
 #include <thread>
+#include <tuple>
 #include <vector>
 
 namespace ringmotor
 {
   namespace
   {
+    bool is_first_rank()
+    {
+      return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+    }
+
+    using Work = std::function<void(const Parameters &)>;
+
     struct CommandLine
     {
       std::string file;
       std::vector<std::string> overrides;
-      bool study = false, resume = false, help = false, version = false;
+      bool check = false, study = false, resume = false, clear = false, help = false,
+           version = false;
     };
 
-    CommandLine read_command_line(int argc, char **argv, const std::string &name,
-                                  const bool can_resume)
+    /** The options that a program has, as its usage tells them. */
+    std::string options_of(const Program &program)
+    {
+      return std::string(" [--output DIR] [--check]") + (program.study ? " [--study]" : "") +
+             (program.resume ? " [--resume]" : "") + (program.clear ? " [--clear]" : "");
+    }
+
+    void check_options(const CommandLine &line, const Program &program)
+    {
+      const std::vector<std::tuple<std::string, bool, bool>> works{
+          {"--study", line.study, static_cast<bool>(program.study)},
+          {"--resume", line.resume, static_cast<bool>(program.resume)},
+          {"--clear", line.clear, static_cast<bool>(program.clear)},
+          {"--check", line.check, true}};
+      std::string first;
+      for (const auto &[option, is_given, is_there] : works)
+      {
+        if (!is_given)
+          continue;
+        if (!is_there)
+          throw UserError(option + " is not available for the program " + program.name +
+                          "; leave it out");
+        if (!first.empty())
+          throw UserError(first + " does not go with " + option + "; leave one of them out");
+        first = option;
+      }
+    }
+
+    CommandLine read_command_line(int argc, char **argv, const Program &program)
     {
       const option options[] = {{"set", required_argument, nullptr, 's'},
                                 {"output", required_argument, nullptr, 'o'},
+                                {"check", no_argument, nullptr, 'k'},
                                 {"study", no_argument, nullptr, 't'},
                                 {"resume", no_argument, nullptr, 'r'},
+                                {"clear", no_argument, nullptr, 'c'},
                                 {"help", no_argument, nullptr, 'h'},
                                 {"version", no_argument, nullptr, 'v'},
                                 {nullptr, 0, nullptr, 0}};
       const std::string usage =
-          "; usage: " + name +
-          " FILE.prm [--set 'Section/Entry = value']... [--output DIR] [--study]" +
-          (can_resume ? " [--resume]" : "") + ", or " + name + " --help for all entries";
+          "; usage: " + program.name + " FILE.prm [--set 'Section/Entry = value']..." +
+          options_of(program) + ", or " + program.name + " --help for all entries";
       CommandLine line;
       opterr = 0;
       for (int found; (found = getopt_long(argc, argv, ":h", options, nullptr)) != -1;)
@@ -52,11 +96,17 @@ namespace ringmotor
         case 'o':
           line.overrides.push_back("Output/Directory = " + std::string(optarg));
           break;
+        case 'k':
+          line.check = true;
+          break;
         case 't':
           line.study = true;
           break;
         case 'r':
           line.resume = true;
+          break;
+        case 'c':
+          line.clear = true;
           break;
         case 'h':
           line.help = true;
@@ -71,11 +121,7 @@ namespace ringmotor
         }
       if (line.help || line.version)
         return line;
-      if (line.resume && !can_resume)
-        throw UserError("--resume is not available for the program " + name +
-                        ", which has nothing to go on from; leave it out");
-      if (line.resume && line.study)
-        throw UserError("--resume does not go with --study; leave one of them out");
+      check_options(line, program);
       if (argc - optind != 1)
         throw UserError(
             (optind == argc ? "no parameter file given" : "more than one parameter file given") +
@@ -90,42 +136,75 @@ namespace ringmotor
       return kernel.empty() ? "a BLAS other than OpenBLAS" : "BLAS kernel " + kernel;
     }
 
-    void work(int argc, char **argv, const std::string &name, const std::string &purpose,
-              const std::function<void(const Parameters &)> &check,
-              const std::function<void(const Parameters &)> &run,
-              const std::function<void(const Parameters &)> &study,
-              const std::function<void(const Parameters &)> &resume)
+    void print_help(const Program &program)
     {
-      const CommandLine line = read_command_line(argc, argv, name, static_cast<bool>(resume));
-      const bool speaks      = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-      if (line.version)
+      std::cout << "# " << program.name << " FILE.prm [--set 'Section/Sub/Entry = value']..."
+                << options_of(program) << " [--help] [--version]\n# " << program.purpose
+                << "\n# --check looks at the parameters and computes nothing.";
+      if (program.study)
+        std::cout << "\n# --study shows what accuracy costs: a ladder of settings, each with its "
+                     "errors and seconds.";
+      if (program.resume)
+        std::cout << "\n# --resume goes on after an interruption: finished operating points are "
+                     "not computed again.";
+      if (program.clear)
+        std::cout << "\n# --clear removes what is kept for later runs, and computes nothing.";
+      std::cout << "\n# A parameter file looks like this; the values are those of the reference "
+                   "motor.\n\n";
+      print_parameters(std::cout, Parameters());
+    }
+
+    /** Does the work in the folder of the case, which nobody else uses meanwhile.
+     * @param noted_in where the words of an error shall stay, empty before the work begins */
+    void work_in_folder(const Program &program, const Work &do_it, const Parameters &parameters,
+                        std::string &noted_in)
+    {
+      std::optional<CaseLock> lock;
+      if (is_first_rank())
       {
-        if (speaks)
-          std::cout << name << " of ringmotor " << version << " (" << git_revision << "), "
-                    << describe_blas() << '\n';
+        lock.emplace(parameters.output.directory);
+        tell_when_interrupted(program.name +
+                              ": interrupted; nothing of this run is kept: start it again");
+        noted_in = failure_file(program.name, parameters);
+        std::remove(noted_in.c_str());
       }
-      else if (line.help)
+      do_it(parameters);
+    }
+
+    void work(int argc, char **argv, const Program &program, std::string &noted_in)
+    {
+      const CommandLine line = read_command_line(argc, argv, program);
+      if (line.version && is_first_rank())
+        std::cout << program.name << " of ringmotor " << version << " (" << git_revision << "), "
+                  << describe_blas() << '\n';
+      else if (line.help && is_first_rank())
+        print_help(program);
+      if (line.version || line.help)
+        return;
+      const Parameters parameters = read_parameters(line.file, line.overrides);
+      program.check(parameters);
+      if (!line.check)
+        work_in_folder(program,
+                       line.study    ? program.study
+                       : line.resume ? program.resume
+                       : line.clear  ? program.clear
+                                     : program.run,
+                       parameters, noted_in);
+      else if (is_first_rank())
+        std::cout << program.name << ": the parameters are fine; results would be in "
+                  << results_folder(program.name, parameters) << std::endl;
+    }
+
+    /** Leaves the words of an error for those who look at the results. */
+    void note_failure(const std::string &path, const std::string &message)
+    {
+      try
       {
-        if (speaks)
-        {
-          std::cout << "# " << name
-                    << " FILE.prm [--set 'Section/Sub/Entry = value']... [--output DIR] [--study] "
-                    << (resume ? "[--resume] " : "") << "[--help] [--version]\n# " << purpose
-                    << "\n# --study shows what accuracy costs: a ladder of settings, each with its "
-                       "errors and seconds."
-                    << (resume ? "\n# --resume goes on after an interruption: finished operating "
-                                 "points are not computed again."
-                               : "")
-                    << "\n# A parameter file looks like this; the values are those of the "
-                       "reference motor.\n\n";
-          print_parameters(std::cout, Parameters());
-        }
+        if (!path.empty())
+          write_file(path, message + "\n");
       }
-      else
+      catch (const UserError &) // the disk: the message itself tells
       {
-        const Parameters parameters = read_parameters(line.file, line.overrides);
-        check(parameters);
-        (line.study ? study : line.resume ? resume : run)(parameters);
       }
     }
 
@@ -153,45 +232,46 @@ namespace ringmotor
     setenv("OMPI_MCA_btl", "self", 0);
   }
 
-  int run_program(int argc, char **argv, const std::string &name, const std::string &purpose,
-                  const std::function<void(const Parameters &)> &check,
-                  const std::function<void(const Parameters &)> &run,
-                  const std::function<void(const Parameters &)> &study,
-                  const std::function<void(const Parameters &)> &resume)
+  int run_program(int argc, char **argv, const Program &program)
   {
     restart_with_faster_blas_kernel(argv);
     spare_the_network_search();
     std::signal(SIGXFSZ, SIG_IGN); // a file grown too large shall be an error that can be told
     const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+    std::string noted_in;
+    const auto failed = [&](const std::string &message, const int status)
+    {
+      note_failure(noted_in, message);
+      return fail(program.name, message, status);
+    };
     try
     {
-      work(argc, argv, name, purpose, check, run, study, resume);
+      work(argc, argv, program, noted_in);
       return 0;
     }
     catch (const UserError &error)
     {
-      return fail(name, error.what(), 1);
+      return failed(error.what(), 1);
     }
     catch (const ComputationError &error)
     {
-      return fail(name, error.what(), 2);
+      return failed(error.what(), 2);
     }
     catch (const std::bad_alloc &)
     {
-      return fail(
-          name, "out of memory; choose a larger Accuracy/Target or a smaller Modes/Nodal diameters",
-          2);
+      return failed(
+          "out of memory; choose a larger Accuracy/Target or a smaller Modes/Nodal diameters", 2);
     }
     catch (const dealii::ExceptionBase &error)
     {
       // what() carries a stack trace, of use to programmers only
       std::ostringstream message;
       error.print_info(message);
-      return fail(name, "internal error: " + message.str(), 2);
+      return failed("internal error: " + message.str(), 2);
     }
     catch (const std::exception &error)
     {
-      return fail(name, std::string("internal error: ") + error.what(), 2);
+      return failed(std::string("internal error: ") + error.what(), 2);
     }
   }
 } // namespace ringmotor

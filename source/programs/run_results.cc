@@ -12,6 +12,17 @@
 
 namespace ringmotor
 {
+  std::string results_folder(const std::string &program, const Parameters &parameters)
+  {
+    const std::string name = program == "stator" ? to_string(parameters.modes.body) : program;
+    return parameters.output.directory + "/" + name + "/";
+  }
+
+  std::string failure_file(const std::string &program, const Parameters &parameters)
+  {
+    return parameters.output.directory + "/" + program + "_failed.txt";
+  }
+
   void prepare_results(const std::string &folder, const std::string &ours)
   {
     prepare_directory(folder);

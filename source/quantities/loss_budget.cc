@@ -51,8 +51,9 @@ namespace ringmotor
   double felt_energy(const Support &felt, const StatorGeometry &stator, const unsigned int n_teeth,
                      const WaveMotion &lower_side)
   {
-    const double inner = std::max(felt.felt_inner_radius, stator.base_inner_radius),
-                 outer = std::min(felt.felt_outer_radius, stator.base_outer_radius);
+    const double inner = std::max(felt.felt_inner_radius.value_or(0.), stator.base_inner_radius),
+                 outer = std::min(felt.felt_outer_radius.value_or(stator.base_outer_radius),
+                                  stator.base_outer_radius);
     if (inner >= outer)
       return 0.;
     // The wave is a polynomial on each face of the mesh, smooth enough from face to face.

@@ -18,6 +18,13 @@ namespace ringmotor
       double gap;
     };
 
+    /** What is nothing but rounding of numbers of some size becomes zero. */
+    void drop_rounding(double &value, const double size)
+    {
+      if (std::abs(value) < 1e-13 * size)
+        value = 0.;
+    }
+
     OperatingPoint evaluate(const OperatingState &state,
                             const std::function<Before(unsigned int)> &before)
     {
@@ -56,6 +63,12 @@ namespace ringmotor
       point.teeth_in_contact      = static_cast<double>(touching.size()) * contact.n_repeats() /
                                (contact.n_times() * motor.n_waves);
       point.stick_fraction = pressed > 0. ? stuck / pressed : 0.;
+      drop_rounding(point.speed, motor.crest_speed());
+      drop_rounding(point.torque, pressed * motor.nodes.front().radius);
+      for (double OperatingPoint::*power :
+           {&OperatingPoint::tangential_loss, &OperatingPoint::radial_loss,
+            &OperatingPoint::output_work, &OperatingPoint::input_power})
+        drop_rounding(point.*power, point.gross_power);
       return point;
     }
   } // namespace

@@ -8,19 +8,20 @@
 
 namespace ringmotor
 {
-  constexpr unsigned int contact_format_version = 3;
+  constexpr unsigned int contact_format_version = 4;
 
   /** `contact.h5`: the operating points, with all forces and displacements at the contact points.
    * See doc/files.md. */
   void write_contact_h5(const std::string &path, const Parameters &parameters,
-                        const CondensedMotor &motor, const std::vector<CurvePoint> &points);
+                        const StatorWave &wave, const CondensedMotor &motor,
+                        const std::vector<CurvePoint> &points);
 
   /**
    * Reads the operating points, without their fields, from a file `contact.h5` that the program
-   * `contact` has written with @p parameters; loss factors and the felt may be others.
+   * `contact` has written with @p parameters on @p wave; loss factors and the felt may be others.
    * @throws UserError in one line if the file is missing, damaged, of another version or from other
-   *         parameters; it names the first entry that differs
+   *         parameters, naming the first entry that differs, or another wave
    */
-  std::vector<CurvePoint> read_contact_points(const std::string &path,
-                                              const Parameters &parameters);
+  std::vector<CurvePoint> read_contact_points(const std::string &path, const Parameters &parameters,
+                                              const StatorWave &wave);
 } // namespace ringmotor

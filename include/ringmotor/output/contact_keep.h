@@ -46,7 +46,11 @@ namespace ringmotor
         const std::function<void(const CurvePoint &)> &after_point = [](const CurvePoint &) {},
         const std::vector<CurvePoint> &starts                      = {});
 
-    /** Says in the log how much of a run that resumed was there already. */
+    /** Removes what is kept in the folder of the results, and says how much that was.
+     * @throws UserError if the disk refuses */
+    static void clear(const std::string &folder);
+
+    /** Says in the log how much of a run that resumed was there already, and how much is kept. */
     void report();
 
   private:

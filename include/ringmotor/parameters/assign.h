@@ -23,4 +23,11 @@ namespace ringmotor
    */
   void assign_all(const std::vector<PrmFile::Assignment> &assignments,
                   const DeclaredEntries &declared, dealii::ParameterHandler &prm);
+
+  /**
+   * Looks for numbers that no motor has, which is what values in other units than SI look like.
+   * @throws UserError
+   */
+  void check_plausible(const std::vector<PrmFile::Assignment> &assignments,
+                       const DeclaredEntries &declared);
 } // namespace ringmotor

@@ -22,6 +22,9 @@ namespace ringmotor
     std::function<std::string(const T &)> write;
     std::function<std::optional<T>(const std::string &)> read;
     std::string allowed;
+    /** In words, the numbers that motors have: `1e-05 to 0.05`; empty if any allowed one will do.
+     * Others are most likely written in other units, see check_plausible(). */
+    std::string plausible = "";
   };
 
   /** A deal.II pattern that asks a predicate and describes itself in words. */
@@ -58,13 +61,15 @@ namespace ringmotor
                  const Presence presence = Presence::optional)
   {
     const bool required = presence == Presence::required;
-    prm.declare_entry(name, notation.write(variable),
-                      WordedPattern([read = notation.read](const std::string &text)
-                                    { return read(text).has_value(); },
-                                    notation.allowed),
-                      sentence + " Allowed: " + notation.allowed + "." +
-                          (required ? " Required." : ""),
-                      required);
+    prm.declare_entry(
+        name, notation.write(variable),
+        WordedPattern([read = notation.read](const std::string &text)
+                      { return read(text).has_value(); },
+                      notation.allowed),
+        sentence + " Allowed: " + notation.allowed + "." +
+            (notation.plausible.empty() ? "" : " Plausible: " + notation.plausible + ".") +
+            (required ? " Required." : ""),
+        required);
     prm.add_action(name, [&variable, read = notation.read](const std::string &text)
                    { variable = *read(text); });
   }
@@ -77,6 +82,18 @@ namespace ringmotor
 
   /** Finite numbers from zero. */
   Notation<double> non_negative_number();
+
+  /** Numbers of which those with a magnitude from @p least to @p most are plausible, and zero. */
+  Notation<double> plausible(const Notation<double> &number, double least, double most);
+
+  /** Lengths (m) as parts of motors have them: radii around the axis, thicknesses and widths, and
+   * heights of faces of any sign. */
+  Notation<double> radius();
+  Notation<double> thickness();
+  Notation<double> height();
+
+  /** Moduli of elasticity (Pa) of what motors are built of, felt excepted. */
+  Notation<double> modulus();
 
   /** Numbers from @p lower to @p upper, both included, described by @p allowed. */
   Notation<double> number_within(double lower, double upper, const std::string &allowed);
@@ -96,7 +113,7 @@ namespace ringmotor
         return Value(value);
       return {};
     };
-    return {write, read, word + ", or " + number.allowed};
+    return {write, read, word + ", or " + number.allowed, number.plausible};
   }
 
   /** Numbers separated by commas, or the @p word that stands for the empty list. */

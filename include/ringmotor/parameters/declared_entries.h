@@ -20,6 +20,7 @@ namespace ringmotor
     {
       std::string allowed; ///< the allowed values in words
       std::string units;   ///< `m`, `Pa`, ...; `none` for a plain number, empty if it is no number
+      std::string plausible; ///< see Notation#plausible
     };
 
     /** Collects all entries declared in @p prm with add_entry(). */

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace dealii
@@ -19,16 +20,20 @@ namespace ringmotor
     tooth
   };
 
+  /** Its name: `stator`, `rotor`, `tooth`. */
+  std::string to_string(const Body body);
+
   /** Which modes the program `stator` computes. */
   struct Modes
   {
     Body body = Body::stator;
 
     /**
-     * Nodal diameters in ascending order, each once. An empty list stands for all of them, and
-     * read_parameters() replaces it by 0 .. N/2.
+     * Nodal diameters in ascending order, each once. read_parameters() replaces an empty list by
+     * that of the motor's wave, and a list of #all_nodal_diameters by 0 .. N/2.
      */
-    std::vector<unsigned int> nodal_diameters = {7};
+    std::vector<unsigned int> nodal_diameters;
+    static constexpr unsigned int all_nodal_diameters = static_cast<unsigned int>(-1);
 
     unsigned int n_modes    = 2;  ///< elastic modes for each nodal diameter
     double frequency_target = 0.; ///< Hz; modes nearest to it are taken, 0: the lowest ones

@@ -20,9 +20,10 @@ namespace ringmotor
   /** What makes the motor this motor: its name, its wave and its symmetry. */
   struct Motor
   {
-    std::string name     = "ring motor"; ///< used in titles only
-    unsigned int n_waves = 7;            ///< wavelengths around the ring
-    unsigned int n_teeth = 90;           ///< teeth, and so equal sectors, around the ring
+    std::string name            = "ring motor"; ///< used in titles only
+    unsigned int n_waves        = 7;            ///< wavelengths around the ring
+    unsigned int n_teeth        = 90;           ///< teeth, and so equal sectors, around the ring
+    bool accepts_unusual_values = false;        ///< see check_plausible()
 
     /** Declares the entries; reading them changes the members. */
     void declare(dealii::ParameterHandler &prm);

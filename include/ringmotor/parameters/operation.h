@@ -69,11 +69,11 @@ namespace ringmotor
   /** The felt ring that carries the stator from below. */
   struct Support
   {
-    double felt_thickness    = 1.e-3;   ///< m
-    double felt_modulus      = 5.e5;    ///< Pa, in compression
-    double felt_loss_factor  = 0.3;     ///< energy lost per radian over the stored energy
-    double felt_inner_radius = 30.0e-3; ///< m
-    double felt_outer_radius = 36.0e-3; ///< m
+    double felt_thickness   = 1.e-3;         ///< m
+    double felt_modulus     = 5.e5;          ///< Pa, in compression
+    double felt_loss_factor = 0.3;           ///< energy lost per radian over the stored energy
+    std::optional<double> felt_inner_radius; ///< m; without a value that of the stator's base
+    std::optional<double> felt_outer_radius; ///< m, likewise
 
     /** Declares the entries; reading them changes the members. */
     void declare(dealii::ParameterHandler &prm);

@@ -35,6 +35,10 @@ namespace ringmotor
     Effects effects;
     Output output;
 
+    /** Required entries that the file does not give, but that only some programs need. The values
+     * above are then those of another motor. */
+    std::vector<std::string> not_given;
+
     /** Declares the whole tree, one subsection for each member, in this order. */
     void declare(dealii::ParameterHandler &prm);
   };

@@ -15,9 +15,10 @@ namespace ringmotor
     /** A line `set Entry = value`. */
     struct Assignment
     {
-      std::string path;  ///< `Section/Sub/Entry`
-      std::string value; ///< without surrounding blanks, may be empty
-      std::string place; ///< where it stands, for messages
+      std::string path;      ///< `Section/Sub/Entry`
+      std::string value;     ///< without surrounding blanks, may be empty
+      std::string place;     ///< where it stands, for messages
+      unsigned int line = 0; ///< from 1; 0 on the command line
     };
 
     /** A line `subsection Name`. */
@@ -33,9 +34,8 @@ namespace ringmotor
 
   /**
    * Splits the @p text of a parameter file into its lines: `subsection`, `set`, `end`, comments
-   * from
-   * `#` to the end of the line, and a backslash that joins the next line. The place of a line is
-   * `name:line`.
+   * from `#` to the end of the line, and a backslash that joins the next line. The place of a line
+   * is `name:line`. A byte-order mark at the start, which some editors write, is skipped.
    *
    * @throws UserError for everything else, and for subsections that are not balanced.
    */
@@ -50,4 +50,7 @@ namespace ringmotor
 
   /** @p text in quotes, fit for a message of one line: no control characters, not too long. */
   std::string quoted(const std::string &text);
+
+  /** The first few of @p names, separated by commas, and how many more there are. */
+  std::string some_of(const std::vector<std::string> &names);
 } // namespace ringmotor

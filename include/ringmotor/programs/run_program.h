@@ -14,18 +14,24 @@ namespace ringmotor
    */
   void spare_the_network_search();
 
+  /** A program: what its main() hands to run_program(). */
+  struct Program
+  {
+    std::string name, purpose;
+    /** What looks for contradictions in the parameters, and what does the work. */
+    std::function<void(const Parameters &)> check, run;
+    /** The options `--study`, `--resume`, `--clear`; those of a program that has none are refused.
+     */
+    std::function<void(const Parameters &)> study = {}, resume = {}, clear = {};
+  };
+
   /**
    * Everything a program's main() does around its work: sees to a fast BLAS, starts MPI, reads the
-   * command line `FILE.prm [--set 'Section/Sub/Entry = value']... [--output DIR] [--study]
-   * [--resume] [--help]
-   * [--version]` and the parameters, calls @p check and then @p run or, with `--study`, @p study
-   * or, with `--resume`, @p resume with them (a program without @p resume refuses the option), and
-   * turns errors into one line on standard error and an exit status: 0 done and certified, 1 the
-   * user's mistake, 2 a computation that failed.
+   * command line `FILE.prm [--set 'Section/Sub/Entry = value']... [--output DIR] [--check]
+   * [--study] [--resume] [--clear] [--help] [--version]` and the parameters, checks them and, in a
+   * folder that it locks, does the work; turns errors into one line on standard error and an exit
+   * status: 0 done and certified, 1 the user's mistake, 2 a computation that failed. The words of
+   * an error in the work stay in the folder of the case, see failure_file().
    */
-  int run_program(int argc, char **argv, const std::string &name, const std::string &purpose,
-                  const std::function<void(const Parameters &)> &check,
-                  const std::function<void(const Parameters &)> &run,
-                  const std::function<void(const Parameters &)> &study,
-                  const std::function<void(const Parameters &)> &resume = {});
+  int run_program(int argc, char **argv, const Program &program);
 } // namespace ringmotor

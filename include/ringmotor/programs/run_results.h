@@ -9,6 +9,12 @@
 
 namespace ringmotor
 {
+  /** The folder in which a program writes its results, with a slash at its end. */
+  std::string results_folder(const std::string &program, const Parameters &parameters);
+
+  /** The file that tells why a program has failed, as long as it has not run again. */
+  std::string failure_file(const std::string &program, const Parameters &parameters);
+
   /** Makes the folder of a program's results, and removes from it what @p ours, a regular
    * expression for names of files, says an earlier run has left: results of two runs side by side
    * would tell a wrong story. */

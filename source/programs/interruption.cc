@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/programs/interruption.h>
+
+#include <csignal>
+#include <cstring>
+#include <unistd.h>
+#include <vector>
+
+namespace ringmotor
+{
+  namespace
+  {
+    // A signal may come at any time: what is said then stands ready, in memory that does not move.
+    constexpr std::size_t longest = 1000;
+    char what_to_say[longest + 1];
+
+    void stop(const int signal)
+    {
+      [[maybe_unused]] const ssize_t n_written =
+          ::write(STDERR_FILENO, what_to_say, std::strlen(what_to_say));
+      std::signal(signal, SIG_DFL);
+      std::raise(signal);
+    }
+  } // namespace
+
+  void tell_when_interrupted(const std::string &words)
+  {
+    std::vector<int> heard; // a program in the background of a script hears no Ctrl-C
+    for (const int signal : {SIGINT, SIGTERM})
+      if (std::signal(signal, SIG_IGN) != SIG_IGN)
+        heard.push_back(signal);
+    const std::string line = "\n" + words.substr(0, longest - 2) + "\n";
+    std::memcpy(what_to_say, line.c_str(), line.size() + 1);
+    for (const int signal : heard)
+      std::signal(signal, stop);
+  }
+} // namespace ringmotor
