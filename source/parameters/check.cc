@@ -36,14 +36,10 @@ namespace ringmotor
             "allowed: less than half the number of teeth; use fewer waves or more teeth");
     }
 
-    void check_modes(const Modes &modes, const Motor &motor)
+    void check_modes(const Parameters &parameters)
     {
-      if (modes.nodal_diameters.empty() || modes.n_modes < 1)
-        throw UserError(
-            "Modes/Nodal diameters and Modes/Number of modes ask for no mode at all; give "
-            "at least one of each");
-      const unsigned int largest =
-          *std::max_element(modes.nodal_diameters.begin(), modes.nodal_diameters.end());
+      const Motor &motor         = parameters.motor;
+      const unsigned int largest = nodal_diameters_of(parameters).back();
       if (2 * largest > motor.n_teeth)
         throw UserError(entry("Modes/Nodal diameters", largest) + " does not go with " +
                         entry("Motor/Number of teeth", motor.n_teeth) +
@@ -219,7 +215,7 @@ namespace ringmotor
   {
     const StatorGeometry &stator = parameters.stator;
     check_wave(parameters.motor);
-    check_modes(parameters.modes, parameters.motor);
+    check_modes(parameters);
     if (parameters.modes.body == Body::rotor)
     {
       check_given(parameters, "Modes/Body = rotor needs a rotor",
@@ -259,9 +255,8 @@ namespace ringmotor
     /** The wave has to be among the modes that the program stator computes. */
     void check_modes_for_contact(const Parameters &parameters)
     {
-      const Modes &modes = parameters.modes;
-      if (std::find(modes.nodal_diameters.begin(), modes.nodal_diameters.end(),
-                    parameters.motor.n_waves) == modes.nodal_diameters.end())
+      const std::vector<unsigned int> all = nodal_diameters_of(parameters);
+      if (std::find(all.begin(), all.end(), parameters.motor.n_waves) == all.end())
         throw UserError("Modes/Nodal diameters do not include the wave of the motor, " +
                         entry("Motor/Number of waves", parameters.motor.n_waves) +
                         ", which contact and losses need; allowed: wave, or a list with it");

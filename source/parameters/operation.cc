@@ -17,8 +17,10 @@ namespace ringmotor
     add_entry(prm, "Values", values, numbers_or("curve", any_number()),
               "The prescribed torques or speeds; \"curve\" covers no load to stall. Units: N m for "
               "torque and rad/s for speed.");
-    add_entry(prm, "Number of curve points", n_curve_points, whole_number(2, 1000),
-              "Number of operating points of a curve.");
+    add_entry(
+        prm, "Number of curve points", n_curve_points, whole_number(2, 1000),
+        "Number of operating points of a curve; from no load to stall, they lie at equal distances "
+        "along it.");
   }
 
   void Friction::declare(ParameterHandler &prm)

@@ -98,14 +98,6 @@ namespace ringmotor
     /** Replaces the values that stand for something else. */
     void resolve(Parameters &parameters, const std::filesystem::path &file)
     {
-      std::vector<unsigned int> &nodal_diameters = parameters.modes.nodal_diameters;
-      if (nodal_diameters.empty())
-        nodal_diameters = {parameters.motor.n_waves};
-      else if (nodal_diameters.front() == Modes::all_nodal_diameters)
-      {
-        nodal_diameters.resize(parameters.motor.n_teeth / 2 + 1);
-        std::iota(nodal_diameters.begin(), nodal_diameters.end(), 0);
-      }
       if (parameters.output.directory == "auto")
         parameters.output.directory = "output/" + file.stem().string();
       for (std::string *const mesh_file :
@@ -175,6 +167,18 @@ namespace ringmotor
     for (std::string line; std::getline(text, line);)
       if (lines_left_out.count(++number) == 0)
         out << line << '\n';
+  }
+
+  std::vector<unsigned int> nodal_diameters_of(const Parameters &parameters)
+  {
+    const std::vector<unsigned int> &listed = parameters.modes.nodal_diameters;
+    if (listed.empty())
+      return {parameters.motor.n_waves};
+    if (listed.front() != Modes::all_nodal_diameters)
+      return listed;
+    std::vector<unsigned int> all(parameters.motor.n_teeth / 2 + 1);
+    std::iota(all.begin(), all.end(), 0);
+    return all;
   }
 
   bool is_warped(const Parameters &parameters)

@@ -21,8 +21,10 @@ namespace ringmotor
     constexpr unsigned int most_passes = 12, most_dofs = 400000;
 
     /** A tooth knows nothing of waves around the ring: one nodal diameter stands for all. */
-    Modes request_for(Modes modes)
+    Modes request_for(const Parameters &parameters)
     {
+      Modes modes           = parameters.modes;
+      modes.nodal_diameters = nodal_diameters_of(parameters);
       if (modes.body == Body::tooth)
         modes.nodal_diameters = {0};
       return modes;
@@ -91,7 +93,7 @@ namespace ringmotor
   BodyModes::BodyModes(const Parameters &all_parameters, MPI_Comm communicator)
       : parameters(relevant_for_modes(all_parameters)), communicator(communicator),
         mode_search(material_table(parameters.materials, parameters.modes.body),
-                    request_for(parameters.modes)),
+                    request_for(parameters)),
         motor_wave(parameters.motor.n_waves, parameters.wave)
   {
   }

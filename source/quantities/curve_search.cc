@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/parameters/errors.h>
+#include <ringmotor/quantities/curve_points.h>
 #include <ringmotor/quantities/curve_search.h>
 #include <ringmotor/quantities/mesh_transfer.h>
 
@@ -251,14 +252,38 @@ namespace ringmotor
           throw UserError("Loading/Values = " + short_text(torque) +
                           " N m is beyond the stall of the motor, which is at " + short_text(most) +
                           " N m; allowed: less than that, or Loading/Control = speed");
-    requests = requested_points(parameters.loading, stall_torque);
-    if (rotor_sticks() && parameters.loading.values.empty())
-      requests.back() = stalled.request;
+    requests =
+        parameters.loading.values.empty() ? points_of_curve() : listed_points(parameters.loading);
     known.clear();
     for (unsigned int i = 0; i < requests.size(); ++i)
       if (requests[i] == stalled.request)
         known[steps.plain(reached_level)][i] = stalled;
     n_parts.assign(requests.size(), n_parts_to_start_with);
+  }
+
+  std::vector<PointRequest> CurveSearch::points_of_curve()
+  {
+    const unsigned int n_points = parameters.loading.n_curve_points;
+    if (rotor_sticks())
+    {
+      std::vector<PointRequest> rising;
+      for (unsigned int i = 0; i < n_points; ++i)
+        rising.push_back({Control::torque, stall_torque * i / (n_points - 1)});
+      return rising;
+    }
+    if (n_points == 2)
+      return {{Control::torque, 0.}, {Control::speed, 0.}};
+    known.clear();
+    requests.clear();
+    for (const double share : shares_for_shape())
+      requests.push_back({Control::torque, share * stall_torque});
+    const CurveSetting setting = steps.plain(reached_level);
+    find_points_of(setting, all_requests());
+    std::vector<CurvePoint> shape;
+    for (const unsigned int i : all_requests())
+      shape.push_back(point_of(setting, i));
+    shape.push_back(stalled);
+    return points_along_curve(shape, n_points);
   }
 
   void CurveSearch::find_held_torque()

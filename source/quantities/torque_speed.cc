@@ -137,16 +137,11 @@ namespace ringmotor
     return point;
   }
 
-  std::vector<PointRequest> requested_points(const Loading &loading, const double stall_torque)
+  std::vector<PointRequest> listed_points(const Loading &loading)
   {
     std::vector<PointRequest> requests;
     for (const double value : loading.values)
       requests.push_back({loading.control, value});
-    if (!loading.values.empty())
-      return requests;
-    for (unsigned int i = 0; i + 1 < loading.n_curve_points; ++i)
-      requests.push_back({Control::torque, stall_torque * i / (loading.n_curve_points - 1)});
-    requests.push_back({Control::speed, 0.});
     return requests;
   }
 

@@ -16,17 +16,11 @@
 
 using namespace ringmotor;
 using ringmotor::sample::complete_text;
+using ringmotor::sample::printed;
 using ringmotor::sample::with;
 
 namespace
 {
-  std::string printed(const Parameters &parameters)
-  {
-    std::ostringstream text;
-    print_parameters(text, parameters);
-    return text.str();
-  }
-
   const std::string source_folder = RINGMOTOR_SOURCE_DIR;
 
   void expect_reference_motor(const Parameters &parameters)
@@ -83,7 +77,7 @@ namespace
     EXPECT_EQ(parameters.effects.rotor_inertia, EffectChoice::off);
     EXPECT_EQ(parameters.effects.tooth_inertia, EffectChoice::off);
     EXPECT_EQ(parameters.effects.initial_deformation, EffectChoice::automatic);
-    EXPECT_EQ(parameters.modes.nodal_diameters, std::vector<unsigned int>{7});
+    EXPECT_EQ(nodal_diameters_of(parameters), std::vector<unsigned int>{7});
     EXPECT_EQ(parameters.modes.n_modes, 2u);
   }
 } // namespace
@@ -138,7 +132,7 @@ TEST(Reading, NumbersAreShortAndExactInPrint)
 {
   Parameters parameters;
   parameters.wave.amplitude          = 2e-6 * (1. + std::numeric_limits<double>::epsilon());
-  parameters.stator.slot_width       = 0.1 + 0.2;
+  parameters.stator.slot_width       = 1e-3 * (0.1 + 0.2);
   parameters.materials.piezoceramic  = {1. / 3. * 1e11, 0.1 / 3., 7600., 0.};
   parameters.friction.decay_velocity = std::sqrt(2.);
   parameters.loading.values          = {0., 0.05, 1. / 7.};
@@ -171,7 +165,7 @@ TEST(Reading, NodalDiametersAsListRangesAndAll)
 {
   using Numbers      = std::vector<unsigned int>;
   const auto numbers = [](const std::string &text)
-  { return with({"Modes/Nodal diameters = " + text}).modes.nodal_diameters; };
+  { return nodal_diameters_of(with({"Modes/Nodal diameters = " + text})); };
   EXPECT_EQ(numbers("7"), Numbers{7});
   EXPECT_EQ(numbers("2, 5-7"), (Numbers{2, 5, 6, 7}));
   EXPECT_EQ(numbers("5 - 7,6, 2 "), (Numbers{2, 5, 6, 7}));
@@ -182,7 +176,15 @@ TEST(Reading, NodalDiametersAsListRangesAndAll)
   EXPECT_EQ(numbers("all").size(), 46u);
   EXPECT_EQ(numbers("all").back(), 45u);
   const Parameters odd = with({"Motor/Number of teeth = 15", "Modes/Nodal diameters = all"});
-  EXPECT_EQ(odd.modes.nodal_diameters, (Numbers{0, 1, 2, 3, 4, 5, 6, 7}));
+  EXPECT_EQ(nodal_diameters_of(odd), (Numbers{0, 1, 2, 3, 4, 5, 6, 7}));
+  EXPECT_EQ(numbers("wave"), Numbers{7});
+  EXPECT_EQ(nodal_diameters_of(with({"Motor/Number of waves = 5"})), Numbers{5});
+}
+
+TEST(Reading, SkipsAByteOrderMark)
+{
+  EXPECT_EQ(printed(read_parameters_from_text("\xEF\xBB\xBF" + complete_text(), "a.prm")),
+            printed(read_parameters_from_text(complete_text(), "a.prm")));
 }
 
 TEST(Reading, OverridesWinOverTheFile)

@@ -12,12 +12,17 @@
 
 namespace ringmotor::sample
 {
+  inline std::string printed(const Parameters &parameters)
+  {
+    std::ostringstream text;
+    print_parameters(text, parameters);
+    return text.str();
+  }
+
   /** All entries with the values of the reference motor, as `--help` prints them. */
   inline std::string complete_text()
   {
-    std::ostringstream text;
-    print_parameters(text, Parameters());
-    return text.str();
+    return printed(Parameters());
   }
 
   /** The parameters of complete_text() after `--set`. */
@@ -31,9 +36,10 @@ namespace ringmotor::sample
   {
     const std::string reference = text_of(with({}));
     for (const std::string value :
-         {"3",       "4",      "0.31",   "1e-5",     "off",    "on",      "true",   "false",
-          "solid",   "shell",  "stator", "rotor",    "torque", "speed",   "mortar", "penalty",
-          "coulomb", "steady", "auto",   "adaptive", "fixed",  "0:0.034", "text"})
+         {"3",        "3000",  "3e9",     "4",       "0.31",    "1e-5",   "off",
+          "on",       "true",  "false",   "solid",   "shell",   "stator", "rotor",
+          "torque",   "speed", "mortar",  "penalty", "coulomb", "steady", "auto",
+          "adaptive", "fixed", "0:0.034", "text"})
       try
       {
         const std::string change = entry + " = " + value;

@@ -12,6 +12,7 @@ using namespace ringmotor;
 using ringmotor::sample::complete_text;
 using ringmotor::sample::expect_message;
 using ringmotor::sample::message_of;
+using ringmotor::sample::printed;
 using ringmotor::sample::with;
 
 namespace
@@ -34,6 +35,15 @@ namespace
     std::string text = complete_text();
     const auto begin = text.find("set " + entry, text.find("subsection " + subsection + "\n"));
     return text.erase(begin, text.find('\n', begin) - begin);
+  }
+
+  unsigned int n_lines(const std::string &text, const std::string &words)
+  {
+    std::istringstream stream(text);
+    unsigned int number = 0;
+    for (std::string line; std::getline(stream, line);)
+      number += line.find(words) != std::string::npos;
+    return number;
   }
 
   void expect_clash(const std::vector<std::string> &overrides, const Words &words)
@@ -93,10 +103,74 @@ TEST(WrongInput, MissingEntries)
     for (const std::string entry : {"Young modulus", "Poisson ratio", "Density"})
       expect_missing(material, entry, "Materials/" + material + "/" + entry);
   expect_refused_text("", {"my.prm: missing", "more"});
+}
 
-  // All others have a default value.
-  EXPECT_NO_THROW(read_parameters_from_text(text_without("Loading", "Preload"), "my.prm"));
-  EXPECT_NO_THROW(read_parameters_from_text(text_without("Rotor metal", "Density"), "my.prm"));
+TEST(WrongInput, RotorsThatAreMissing)
+{
+  // The stator alone needs none of them, and does not tell of another motor's.
+  for (const auto &[section, entry] :
+       std::vector<std::pair<std::string, std::string>>{{"Rotor", "Lip inner radius"},
+                                                        {"Rotor", "Radial bar stiffness"},
+                                                        {"Rotor metal", "Density"},
+                                                        {"Loading", "Preload"}})
+  {
+    const Parameters parameters = read_parameters_from_text(text_without(section, entry), "my.prm");
+    EXPECT_NO_THROW(check_for_stator(parameters)) << entry;
+    EXPECT_EQ(n_lines(printed(parameters), "set " + entry),
+              n_lines(complete_text(), "set " + entry) - 1);
+    expect_message(message_of([&] { check_for_contact(parameters); }),
+                   {"missing", entry, "--help"});
+    Parameters of_rotor = parameters;
+    of_rotor.modes.body = Body::rotor;
+    if (section != "Loading")
+      expect_message(message_of([&] { check_for_stator(of_rotor); }), {"missing", entry, "rotor"});
+  }
+  // Without bars their height does not matter.
+  EXPECT_NO_THROW(check_for_contact(read_parameters_from_text(
+      text_without("Rotor", "Radial bar height"), "my.prm", {"Rotor/Radial bar stiffness = 0"})));
+}
+
+TEST(WrongInput, NumbersInOtherUnits)
+{
+  struct Case
+  {
+    std::string entry, value, guess;
+  };
+  for (const auto &[entry, value, guess] : std::vector<Case>{
+           {"Stator/Base inner radius", "30", "(30 mm is 30e-3)"},
+           {"Stator/Base thickness", "1.4", "(1.4 mm is 1.4e-3)"},
+           {"Stator/Slot width", "600", "(600 um is 600e-6)"},
+           {"Stator/Piezoceramic thickness", "0.5", "(0.5 mm is 0.5e-3)"},
+           {"Rotor/Ring lower face", "-3", "(-3 mm is -3e-3)"},
+           {"Rotor/Flange thickness", "0.6", "mm"},
+           {"Rotor/Lip inner radius", "33.2", "mm"},
+           {"Materials/Stator metal/Young modulus", "110", "(110 GPa is 110e9)"},
+           {"Materials/Piezoceramic/Young modulus", "81000", "(81000 MPa is 81000e6)"},
+           {"Materials/Rotor metal/Young modulus", "1e30", "1e+08 to 1.5e+12 Pa"},
+           {"Materials/Stator metal/Density", "8.8", "(8.8 g/cm^3 is 8.8e3)"},
+           {"Wave/Amplitude", "1.5", "(1.5 um is 1.5e-6)"},
+           {"Wave/Frequency", "43.2", "(43.2 kHz is 43.2e3)"},
+           {"Loading/Preload", "6e6", "0.001 to 100000 N"},
+           {"Friction/Static coefficient", "48", "(48 % is 48e-2)"},
+           {"Time/Time step", "0.5", "(0.5 us is 0.5e-6)"},
+           {"Initial deformation/Amplitude", "4", "(4 um is 4e-6)"},
+           {"Support/Felt outer radius", "36", "mm"}})
+  {
+    const std::string text = entry + " = " + value;
+    expect_refused_override(text, {text, "not plausible", guess, "Motor/Unusual values = accept"});
+    EXPECT_NO_THROW(with({text, "Motor/Unusual values = accept"})) << entry;
+  }
+  expect_refused_text("subsection Loading\n  set Preload = 6e6\nend\n",
+                      {"my.prm:2: Loading/Preload"});
+  EXPECT_NO_THROW(with({"Rotor/Flange lower face = 0", "Initial deformation/Amplitude = 0",
+                        "Rotor/Radial bar stiffness = 0", "Wave/Frequency = mode"}));
+}
+
+TEST(WrongInput, WavesThatAreNotAskedFor)
+{
+  expect_message(message_of([] { check_for_contact(with({"Modes/Nodal diameters = 5-6"})); }),
+                 {"Modes/Nodal diameters", "Motor/Number of waves = 7", "allowed: wave"});
+  EXPECT_NO_THROW(check_for_contact(with({"Modes/Nodal diameters = all"})));
 }
 
 TEST(WrongInput, APartThatIsLeftOutNeedsNoMaterial)
@@ -281,8 +355,8 @@ TEST(WrongInput, SlotsWiderThanThePitch)
 
 TEST(WrongInput, AmplitudesThatAreNotSmall)
 {
-  expect_clash({"Wave/Amplitude = 2"},
-               {"Wave/Amplitude = 2 m", "Stator/Base thickness = 0.00437 m", "2e-6"});
+  expect_clash({"Wave/Amplitude = 2e-4"},
+               {"Wave/Amplitude = 0.0002 m", "Stator/Base thickness = 0.00437 m", "2e-6"});
 }
 
 TEST(WrongInput, ChoicesThatAreNotAvailable)
@@ -311,8 +385,9 @@ TEST(WrongInput, ThinPartsThatAreThick)
                {"Rotor/Flange thickness = 0.002 m", "Rotor/Flange element", "30 %", "solid"});
   expect_clash({"Stator/Piezoceramic element = shell", "Stator/Piezoceramic thickness = 3e-3"},
                {"Stator/Piezoceramic thickness = 0.003 m", "Stator/Piezoceramic element", "30 %"});
-  expect_clash({"Effects/Target plates = on", "Stator/Target plate cross-section = 1"},
-               {"Stator/Target plate cross-section = 1 m^2", "Stator/Tooth height", "4e-07 m^2"});
+  expect_clash(
+      {"Effects/Target plates = on", "Stator/Target plate cross-section = 1e-5"},
+      {"Stator/Target plate cross-section = 1e-05 m^2", "Stator/Tooth height", "4e-07 m^2"});
 }
 
 TEST(WrongInput, RotorsWithoutRoom)

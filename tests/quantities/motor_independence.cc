@@ -153,10 +153,10 @@ TEST(MotorIndependence, OfHowACommonFactorIsUsed)
 
 TEST(MotorIndependenceRanks, SameResultsOnTwo)
 {
-  Parameters parameters             = reference_motor();
-  parameters.loading.n_curve_points = 5;
-  const CondensedMotor motor        = condense_motor(parameters, stator_wave(parameters), coarse());
-  const std::vector<PointRequest> requests = requested_points(parameters.loading, 0.19);
+  Parameters parameters      = reference_motor();
+  parameters.loading.values  = {0., 0.05, 0.1, 0.15, 0.17};
+  const CondensedMotor motor = condense_motor(parameters, stator_wave(parameters), coarse());
+  const std::vector<PointRequest> requests = listed_points(parameters.loading);
   const auto curve_on                      = [&](MPI_Comm communicator)
   { return find_points(parameters, motor, {}, requests, communicator, [](const CurvePoint &) {}); };
   const std::vector<CurvePoint> one = curve_on(MPI_COMM_SELF), two = curve_on(MPI_COMM_WORLD);

@@ -28,10 +28,8 @@ namespace ringmotor
   {
     Body body = Body::stator;
 
-    /**
-     * Nodal diameters in ascending order, each once. read_parameters() replaces an empty list by
-     * that of the motor's wave, and a list of #all_nodal_diameters by 0 .. N/2.
-     */
+    /** Nodal diameters in ascending order, each once; empty for that of the motor's wave, or
+     * #all_nodal_diameters alone. See nodal_diameters_of(). */
     std::vector<unsigned int> nodal_diameters;
     static constexpr unsigned int all_nodal_diameters = static_cast<unsigned int>(-1);
 

@@ -65,6 +65,10 @@ namespace ringmotor
    */
   void print_parameters(std::ostream &out, const Parameters &parameters);
 
+  /** The nodal diameters for which modes are asked, in ascending order: as listed, that of the
+   * wave, or all from 0 to N/2. */
+  std::vector<unsigned int> nodal_diameters_of(const Parameters &parameters);
+
   /** Whether the ring is warped at rest, and the warp takes part. */
   bool is_warped(const Parameters &parameters);
 

@@ -129,6 +129,9 @@ namespace ringmotor
     /** Processor seconds of the points of a setting. */
     double point_seconds(const CurveSetting &setting);
     void find_requests(const unsigned int n_parts);
+    /** Where the whole curve is computed: along its shape on the first mesh, or at rising torques
+     * if the rotor sticks under all of them. */
+    std::vector<PointRequest> points_of_curve();
     /** With which steps those of a point are compared. */
     CurveSetting compared_step(const unsigned int request) const;
     CurveSetting changed_wave() const;

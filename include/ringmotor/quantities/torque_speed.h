@@ -168,9 +168,8 @@ namespace ringmotor
   /** The friction law with the effects that are switched off left out. */
   Friction effective_friction(const Parameters &parameters);
 
-  /** The points that Loading/Values asks for; of a curve those from no load up to @p stall_torque
-   * (N m). */
-  std::vector<PointRequest> requested_points(const Loading &loading, const double stall_torque);
+  /** The points that Loading/Values lists; none of a curve, see points_along_curve(). */
+  std::vector<PointRequest> listed_points(const Loading &loading);
 
   /**
    * Finds several points with the steps of @p setting, spread over the ranks of @p communicator;
