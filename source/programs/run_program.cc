@@ -53,8 +53,8 @@ namespace ringmotor
     void check_options(const CommandLine &line, const Program &program)
     {
       const std::vector<std::tuple<std::string, bool, bool>> works{
-          {"--study", line.study, static_cast<bool>(program.study)},
           {"--resume", line.resume, static_cast<bool>(program.resume)},
+          {"--study", line.study, static_cast<bool>(program.study)},
           {"--clear", line.clear, static_cast<bool>(program.clear)},
           {"--check", line.check, true}};
       std::string first;

@@ -32,6 +32,7 @@ namespace
   // Entries that change no operating point by itself, and those that change no condensed motor:
   // this list is a promise to the user, who may change them and still resume.
   const std::set<std::string> not_of_points{"Motor/Name",
+                                            "Motor/Unusual values",
                                             "Loading/Control",
                                             "Loading/Values",
                                             "Loading/Number of curve points",

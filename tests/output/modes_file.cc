@@ -29,6 +29,7 @@ namespace
   bool is_of_the_wave(const std::string &entry)
   {
     static const std::set<std::string> excepted{"Motor/Name",
+                                                "Motor/Unusual values",
                                                 "Materials/Stator metal/Loss factor",
                                                 "Materials/Piezoceramic/Loss factor",
                                                 "Materials/Target plate/Loss factor",

@@ -1,0 +1,166 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a designer does with an installed ringmotor: run.sh, which is called ringmotor there, from a parameter file to
+the page.
+
+Usage: tests/programs/installation.py BUILD_DIR [unittest arguments]
+"""
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
+from program import ROOT, rows_of, run, settings  # noqa: E402
+
+BUILD = pathlib.Path(sys.argv.pop(1))
+QUIET = settings("Output/VTU = false", "Output/Figures = false")
+
+
+class Installed(unittest.TestCase):
+    """Has an installed tree, away from sources and build."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.scratch = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.scratch.name)
+        cls.prefix = cls.folder / "installed"
+        done = run("cmake", "--install", BUILD, "--prefix", cls.prefix)
+        assert done.returncode == 0, done.stderr
+        cls.quick = cls.prefix / "share" / "ringmotor" / "prm" / "quick.prm"
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.scratch.cleanup()
+
+    def ringmotor(self, *options, file=None):
+        return run(self.prefix / "bin" / "ringmotor", file or self.quick, *options)
+
+
+class FromFileToPage(Installed):
+    def test_a_motor_of_ones_own(self):
+        case = self.folder / "ring45"
+        done = self.ringmotor("--output", case, *settings("Output/VTU = false"), file=ROOT / "tests/programs/ring45.prm")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("all hold", done.stdout)
+        self.assertTrue((case / "report.html").exists())
+        for program in ("stator", "contact", "losses"):
+            self.assertTrue(json.loads((case / program / "summary.json").read_text())["certificate"]["holds"], program)
+        # An efficiency within a few per cent of itself, and a frequency near that of the ring's neighbour of 60 mm.
+        best = max(rows_of(case / "losses" / "efficiency.csv"), key=lambda row: float(row["efficiency"]))
+        self.assertLess(float(best["efficiency_error"]), 0.03 * float(best["efficiency"]))
+        self.assertTrue(0.3 < float(best["efficiency"]) < 0.9)
+        self.assertAlmostEqual(float(rows_of(case / "stator" / "frequencies.csv")[0]["frequency_Hz"]), 43.7e3, delta=500)
+
+    def test_the_curve_is_computed_where_it_bends(self):
+        case = self.folder / "curve"
+        done = self.ringmotor("--output", case, *QUIET, *settings("Loading/Number of curve points = 9"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        curve = rows_of(case / "contact" / "torque_speed.csv")
+        torques, speeds = ([float(row[name]) for row in curve] for name in ("torque_mNm", "speed_rpm"))
+        self.assertEqual((torques[0], speeds[-1]), (0, 0))
+        steps = [(((b - a) / torques[-1]) ** 2 + (0.4 * (d - c) / speeds[0]) ** 2) ** 0.5
+                 for a, b, c, d in zip(torques, torques[1:], speeds, speeds[1:])]
+        self.assertLess(max(steps), 2.2 * min(steps))  # the shape is known from five points
+        for row, torque, speed in list(zip(curve, torques, speeds))[1:-1]:
+            if row["control"] == "torque":
+                self.assertLess(torque, 0.97 * torques[-1])
+            else:
+                self.assertLess(speed, 0.9 * speeds[0])
+        self.assertGreater(sum(row["control"] == "speed" for row in curve), 1)
+
+    def test_a_program_that_fails_stays_on_page_and_report(self):
+        case = self.folder / "failed"
+        options = ("--output", case, *settings("Output/VTU = false"))
+        self.assertEqual(self.ringmotor(*options).returncode, 0)
+        # The contact is stopped, after an earlier run that was not.
+        done = self.ringmotor(*options, *settings("Accuracy/Time limit = 1e-3"))
+        self.assertEqual(done.returncode, 2, done.stderr)
+        words = "Accuracy/Time limit = 0 s is over"
+        self.assertIn(words, done.stderr)
+        for text in (done.stdout, (case / "report.html").read_text()):
+            self.assertIn("contact FAILED", text)
+            self.assertIn(words, text)
+            for other in ("all hold", "efficiency  ", "speed without load"):
+                self.assertNotIn(other, text)
+        # Losses that fail leave the contact on the page.
+        self.assertEqual(self.ringmotor(*options).returncode, 0)
+        (case / "losses_failed.txt").write_text("no power left\n")
+        page = run(self.prefix / "share/ringmotor/scripts/summary.py", case).stdout
+        for said in ("losses FAILED", "no power left", "speed without load"):
+            self.assertIn(said, page)
+        # A run that succeeds takes it back.
+        done = self.ringmotor(*options)
+        self.assertIn("all hold", done.stdout)
+        self.assertNotIn("FAILED", done.stdout)
+
+    def test_mistakes_are_told_before_anything_is_computed(self):
+        case = self.folder / "mistakes"
+        for entry, said in (("Rotor/Lip inner radius = 0.035", "Rotor/Lip inner radius"),
+                            ("Materials/Rotor metal/Young modulus = 68.9", "(68.9 GPa is 68.9e9)"),
+                            ("Friction/Law = velocity", "Friction/Decay velocity"),
+                            ("Support/Felt outer radius = 0.02", "Support/Felt outer radius"),
+                            ("Modes/Nodal diameters = 5-6", "Modes/Nodal diameters")):
+            done = self.ringmotor("--output", case, *settings(entry))
+            self.assertEqual((done.returncode, done.stdout), (1, ""), entry)
+            self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+            self.assertIn(said, done.stderr)
+            self.assertFalse(case.exists())
+        done = self.ringmotor("--output", case, "--check")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn(f"would be in {case}", done.stdout)
+        self.assertFalse(case.exists())
+
+    def test_modes_of_the_rotor_alone(self):
+        case = self.folder / "rotor"
+        done = self.ringmotor("--output", case, *QUIET, *settings("Modes/Body = rotor", "Accuracy/Target = 0.1"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(sorted(path.name for path in case.iterdir()), ["rotor"])
+
+
+class Package(Installed):
+    def test_the_links_of_the_readme_lead_somewhere(self):
+        shared = self.prefix / "share" / "ringmotor"
+        for name in ("README.md", "LICENSE", "doc/walk.md", "doc/images/torque_speed.png", "prm/canon_ring.prm",
+                     "meshes", "scripts/report.py"):
+            self.assertTrue((shared / name).exists(), name)
+        self.assertFalse((shared / "scripts" / "setup.sh").exists())
+        done = run(self.prefix / "bin" / "ringmotor", "--version")
+        self.assertRegex(done.stdout, r"ringmotor \d+\.\d+\.\d+")
+
+    def test_the_debian_package_installs_and_runs(self):
+        done = run("cpack", "--config", BUILD / "CPackConfig.cmake", "-B", self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        package, = self.folder.glob("*.deb")
+        depends = run("dpkg-deb", "--field", package, "Depends").stdout
+        for alternatives in depends.split(","):
+            names = [name.split("(")[0].strip() for name in alternatives.split("|")]
+            there = [run("dpkg-query", "-W", "-f=${Status}", name).stdout == "install ok installed" for name in names]
+            self.assertTrue(any(there), f"not installed: {alternatives}")
+        for needed in ("libdeal.ii", "libopenblas0", "python3-h5py", "libopenmpi"):
+            self.assertIn(needed, depends)
+        # Into a tree of its own, with dpkg's records there.
+        root = self.folder / "root"
+        records = root / "var" / "lib" / "dpkg"
+        for folder in ("updates", "info"):
+            (records / folder).mkdir(parents=True)
+        (records / "status").touch()
+        command = ["dpkg", "--force-not-root", "--force-depends", f"--root={root}", f"--log={self.folder}/log", "--install",
+                   package]
+        if os.geteuid() != 0:
+            command.insert(0, "fakeroot")
+        done = run(*command)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("install ok installed", (records / "status").read_text())
+        case = self.folder / "packaged"
+        done = run(root / "usr/bin/ringmotor", root / "usr/share/ringmotor/prm/quick.prm", "--output", case, *QUIET)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("all hold", done.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()
