@@ -9,7 +9,7 @@ namespace ringmotor
 
   const std::vector<double> &shares_for_shape()
   {
-    static const std::vector<double> shares{0., 0.3, 0.6, 0.8, 0.9};
+    static const std::vector<double> shares{0., 0.3, 0.6, 0.8, 0.9, 0.97};
     return shares;
   }
 
