@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/parameters/check_geometry.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/parameters/parameters.h>
 #include <ringmotor/parameters/prm_file.h>
@@ -13,19 +14,6 @@ namespace ringmotor
 {
   namespace
   {
-    /** A length as the user writes it, with its entry: `Stator/Slot width = 0.0006 m`. */
-    std::string entry(const std::string &path, const double metres)
-    {
-      std::ostringstream text;
-      text << path << " = " << metres << " m";
-      return text.str();
-    }
-
-    std::string entry(const std::string &path, const unsigned int count)
-    {
-      return path + " = " + std::to_string(count);
-    }
-
     void check_wave(const Motor &motor)
     {
       if (2 * motor.n_waves >= motor.n_teeth)
@@ -82,19 +70,6 @@ namespace ringmotor
                         ", which has the ceramic ring in its solid cells; allowed: solid");
     }
 
-    /** Shells are for thin parts. */
-    void check_shell(const std::string &element, const std::string &name, const double thickness,
-                     const double width)
-    {
-      constexpr double thickest = 0.3;
-      if (thickness > thickest * width)
-        throw UserError(
-            entry(name, thickness) + " is not thin against the width of the part, " +
-            entry("as " + element + " = shell needs; allowed: up to 30 % of it, here " + name,
-                  thickest * width) +
-            ", or " + element + " = solid");
-    }
-
     void check_mesh_file(const std::string &file)
     {
       std::error_code no_throw;
@@ -110,105 +85,6 @@ namespace ringmotor
         throw UserError(found + "cannot be read; check its permissions");
     }
 
-    void check_thin_parts(const StatorGeometry &stator, const Effects &effects)
-    {
-      if (stator.piezoceramic_element == ElementKind::shell)
-        check_shell("Stator/Piezoceramic element", "Stator/Piezoceramic thickness",
-                    stator.piezoceramic_thickness,
-                    stator.base_outer_radius - stator.base_inner_radius);
-      const double largest = 0.1 * stator.tooth_height * stator.tooth_height;
-      if (effects.target_plates == EffectChoice::on && stator.target_plate_area > largest)
-      {
-        std::ostringstream text;
-        text << "Stator/Target plate cross-section = " << stator.target_plate_area
-             << " m^2 is no thin plate on teeth of "
-             << entry("Stator/Tooth height", stator.tooth_height)
-             << "; allowed: up to a tenth of the height's square, " << largest << " m^2";
-        throw UserError(text.str());
-      }
-    }
-
-    /** Two radii of one face: in order, and not so close that no solid is left between them. */
-    void check_radii(const std::string &face, const double inner_radius, const double outer_radius)
-    {
-      constexpr double thinnest = 1.e-3;
-      if (outer_radius - inner_radius < thinnest * outer_radius)
-        throw UserError(entry("Stator/" + face + " inner radius", inner_radius) +
-                        " leaves no width below " +
-                        entry("Stator/" + face + " outer radius", outer_radius) +
-                        "; allowed: less than 0.999 of it, so that the sides of the cross-section "
-                        "do not meet");
-    }
-
-    void check_slot(const StatorGeometry &stator, const unsigned int n_teeth)
-    {
-      const double root_height_share =
-          stator.base_thickness / (stator.base_thickness + stator.tooth_height);
-      const double root_inner_radius =
-          stator.base_inner_radius +
-          root_height_share * (stator.tip_inner_radius - stator.base_inner_radius);
-      const double smallest_radius = std::min(root_inner_radius, stator.tip_inner_radius);
-
-      // Half a pitch, measured at right angles to the slot's wall, holds half the slot and half the
-      // tooth; at least 5 % must be left for the tooth.
-      constexpr double most_slot = 0.95;
-      const double widest        = most_slot * 2. * smallest_radius * std::sin(M_PI / n_teeth);
-      if (stator.slot_width > widest)
-        throw UserError(entry("Stator/Slot width", stator.slot_width) + " leaves no tooth with " +
-                        entry("Motor/Number of teeth", n_teeth) + " and " +
-                        entry("a smallest inner radius of the teeth", smallest_radius) + "; " +
-                        entry("allowed: up to 95 % of the pitch, here Stator/Slot width", widest));
-    }
-
-    /** The second length lies above the first by more than a sliver of the rotor's height or width.
-     */
-    void check_order(const std::string &low_name, const double low, const std::string &high_name,
-                     const double high)
-    {
-      constexpr double thinnest = 1e-6; // m
-      if (high - low < thinnest)
-        throw UserError(entry("Rotor/" + low_name, low) + " does not go with " +
-                        entry("Rotor/" + high_name, high) +
-                        "; allowed: the first less than the second by at least a micrometre");
-    }
-
-    void check_rotor(const RotorGeometry &rotor)
-    {
-      if (!rotor.mesh_file.empty())
-        throw UserError("Rotor/Mesh file = " + quoted(rotor.mesh_file) +
-                        " is not available in this version; leave it out");
-      check_order("Lip inner radius", rotor.lip_inner_radius, "Lip outer radius",
-                  rotor.lip_outer_radius);
-      check_order("Lip outer radius", rotor.lip_outer_radius, "Ring inner radius",
-                  rotor.ring_inner_radius);
-      if (rotor.flange_element == ElementKind::shell)
-      {
-        check_shell("Rotor/Flange element", "Rotor/Flange thickness", rotor.flange_thickness,
-                    rotor.ring_inner_radius - rotor.lip_inner_radius);
-        check_order("Lip outer radius", rotor.lip_outer_radius,
-                    "Ring inner radius - half of Rotor/Flange thickness",
-                    rotor.ring_inner_radius - 0.5 * rotor.flange_thickness);
-      }
-      check_order("Ring inner radius", rotor.ring_inner_radius, "Ring outer radius",
-                  rotor.ring_outer_radius);
-      check_order("Ring lower face", rotor.ring_lower_face, "Flange lower face",
-                  rotor.flange_lower_face);
-      check_order(
-          "Flange lower face + Flange thickness", rotor.flange_lower_face + rotor.flange_thickness,
-          "Ring upper face - Radial bar height", rotor.ring_upper_face - rotor.radial_bar_height);
-    }
-
-    /** Amplitudes in um are easily written as if the file took um. */
-    void check_amplitude(const Wave &wave, const StatorGeometry &stator)
-    {
-      constexpr double largest_share = 0.01;
-      if (wave.amplitude > largest_share * stator.base_thickness)
-        throw UserError(
-            entry("Wave/Amplitude", wave.amplitude) + " is not small against " +
-            entry("Stator/Base thickness", stator.base_thickness) +
-            ", as linear vibration has to be; allowed: up to 1 % of it; amplitudes are in "
-            "m (2 um is 2e-6)");
-    }
   } // namespace
 
   void check_for_stator(const Parameters &parameters)
@@ -231,9 +107,7 @@ namespace ringmotor
       return;
     }
     check_thin_parts(stator, parameters.effects);
-    check_radii("Base", stator.base_inner_radius, stator.base_outer_radius);
-    check_radii("Tip", stator.tip_inner_radius, stator.tip_outer_radius);
-    check_slot(stator, parameters.motor.n_teeth);
+    check_cross_section(stator, parameters.motor.n_teeth);
     check_amplitude(parameters.wave, stator);
   }
 
@@ -246,9 +120,7 @@ namespace ringmotor
         throw UserError("Stator/Mesh file = " + quoted(stator.mesh_file) +
                         " is not available in the program contact, which builds its own tooth "
                         "from the dimensions; allowed: none, or the program stator alone");
-      check_radii("Base", stator.base_inner_radius, stator.base_outer_radius);
-      check_radii("Tip", stator.tip_inner_radius, stator.tip_outer_radius);
-      check_slot(stator, parameters.motor.n_teeth);
+      check_cross_section(stator, parameters.motor.n_teeth);
       check_amplitude(parameters.wave, stator);
     }
 
@@ -260,21 +132,6 @@ namespace ringmotor
         throw UserError("Modes/Nodal diameters do not include the wave of the motor, " +
                         entry("Motor/Number of waves", parameters.motor.n_waves) +
                         ", which contact and losses need; allowed: wave, or a list with it");
-    }
-
-    /** Lip and tooth tops have to share a strip that is more than a sliver. */
-    void check_overlap(const StatorGeometry &stator, const RotorGeometry &rotor)
-    {
-      constexpr double narrowest = 1e-5; // m
-      if (std::min(rotor.lip_outer_radius, stator.tip_outer_radius) -
-              std::max(rotor.lip_inner_radius, stator.tip_inner_radius) <
-          narrowest)
-        throw UserError(
-            "the lip misses the teeth: " + entry("Rotor/Lip inner radius", rotor.lip_inner_radius) +
-            " and " + entry("Rotor/Lip outer radius", rotor.lip_outer_radius) +
-            " share no strip with " + entry("Stator/Tip inner radius", stator.tip_inner_radius) +
-            " to " + entry("Stator/Tip outer radius", stator.tip_outer_radius) +
-            "; allowed: at least 10 um in common");
     }
 
     void check_history(const Parameters &parameters)
