@@ -29,7 +29,8 @@ namespace ringmotor
 
   namespace
   {
-    constexpr double rpm = numbers::PI / 30.;
+    constexpr double rpm           = numbers::PI / 30.;
+    constexpr double worth_telling = 60.; ///< s that a step takes or took
 
     /**
      * The program `contact`: presses the rotor on the teeth of the stator, which carry the wave
@@ -49,6 +50,11 @@ namespace ringmotor
                                    const CurveSetting &setting,
                                    const std::vector<PointRequest> &requests,
                                    const std::vector<CurvePoint> &starts);
+      /** Since the program began. */
+      double seconds() const
+      {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+      }
       /** Says what operating points cost if that is worth telling. */
       void tell_price(const CondensedMotor &motor, const CurveSetting &setting,
                       const unsigned int n_points);
@@ -170,12 +176,22 @@ namespace ringmotor
                                 : "1/" + std::to_string(setting.n_parts)) +
           (setting.wave_factor == 1. ? "" : ", wave changed"));
       tell_price(motor, setting, requests.size());
-      unsigned int n_found   = 0;
-      const auto after_point = [&](const CurvePoint &point)
+      unsigned int n_found        = 0;
+      const double seconds_before = seconds();
+      double told_at              = seconds_before;
+      const auto after_point      = [&](const CurvePoint &point)
       {
-        log.progress("operating points", std::min(1., ++n_found / (1. * requests.size())));
+        ++n_found;
+        log.progress("operating points", std::min(1., n_found / (1. * requests.size())));
         seconds_per_effort = point.seconds / effort_of(motor, setting);
         check_time_limit();
+        if (n_found >= requests.size() || seconds() < told_at + worth_telling)
+          return;
+        told_at = seconds();
+        log.line(std::to_string(n_found) + " of " + std::to_string(requests.size()) +
+                 " operating points found; the others may take some " +
+                 text((told_at - seconds_before) * (requests.size() - n_found) / n_found, 0) +
+                 " s");
       };
       return keep ? keep->points(of_points, motor, setting, requests, after_point, starts)
                   : find_points(of_points, motor, setting, requests, MPI_COMM_WORLD, after_point,
@@ -185,8 +201,7 @@ namespace ringmotor
     void ContactProgram::tell_price(const CondensedMotor &motor, const CurveSetting &setting,
                                     const unsigned int n_points)
     {
-      constexpr double worth_telling = 60.;
-      const double seconds           = n_points * seconds_per_effort * effort_of(motor, setting);
+      const double seconds = n_points * seconds_per_effort * effort_of(motor, setting);
       if (seconds > worth_telling)
         log.line(
             "the next " + std::to_string(n_points) + " operating points on interface mesh " +
@@ -200,11 +215,9 @@ namespace ringmotor
     void ContactProgram::check_time_limit() const
     {
       const std::optional<double> limit = parameters.accuracy.time_limit;
-      const double seconds =
-          std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-      if (limit && seconds > *limit)
+      if (limit && seconds() > *limit)
         throw ComputationError(
-            "Accuracy/Time limit = " + text(*limit, 0) + " s is over after " + text(seconds, 1) +
+            "Accuracy/Time limit = " + text(*limit, 0) + " s is over after " + text(seconds(), 1) +
             " s; the operating points found so far are kept: choose a larger "
             "limit and go on with --resume, or a larger Accuracy/Contact target");
     }
