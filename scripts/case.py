@@ -30,6 +30,17 @@ def words_of_failure(case_folder, program):
         return ""
 
 
+def failures(case_folder):
+    """The words of those programs after stator that have failed, by their names."""
+    return {program: words for program in ("contact", "losses") if (words := words_of_failure(case_folder, program))}
+
+
+def has_results(case_folder, program):
+    """summary.json is written last: without it the run did not come to its end. What is there when the program has
+    failed is of an earlier run."""
+    return not words_of_failure(case_folder, program) and os.path.exists(os.path.join(case_folder, program, "summary.json"))
+
+
 class Results:
     """Files of one program in the folder of a case; `program` is its name and that of its folder."""
 

@@ -1,20 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the program contact left in the folder of a case, for the scripts that draw or print it."""
 import csv
-import os
 
 import h5py
 import numpy as np
-from case import Results, read_table, words_of_failure
+from case import Results, read_table
 
 NORMAL, TANGENTIAL, RADIAL = 0, 1, 2  # components of forces and displacements: up, along -theta, outwards
 OPEN, STICK, SLIP = 0, 1, 2
-
-
-def has_contact(case_folder):
-    """summary.json is written last: without it the run did not come to its end. What is there when the program has
-    failed is of an earlier run."""
-    return not words_of_failure(case_folder, "contact") and os.path.exists(os.path.join(case_folder, "contact", "summary.json"))
 
 
 class ContactCase(Results):

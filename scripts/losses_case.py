@@ -3,8 +3,8 @@
 import math
 import os
 
-from case import Case, Results, read_table, words_of_failure
-from contact_case import ContactCase, has_contact
+from case import Case, Results, failures, has_results, read_table
+from contact_case import ContactCase
 
 PARTS = ("friction_loss", "internal_loss_stator_metal", "internal_loss_piezoceramic", "internal_loss_rotor",
          "support_loss")
@@ -12,12 +12,6 @@ LOAD = ["torque_mNm", "speed_rpm"]
 NUMBERS = {"losses.csv": LOAD + [f"{name}{end}" for name in (*PARTS, "total_loss") for end in ("_mW", "_error_mW")],
            "efficiency.csv": LOAD + ["input_power_mW", "output_power_mW", "output_power_error_mW", "efficiency",
                                      "efficiency_error"]}
-
-
-def has_losses(case_folder):
-    """summary.json is written last: without it the run did not come to its end. What is there when the program has
-    failed is of an earlier run."""
-    return not words_of_failure(case_folder, "losses") and os.path.exists(os.path.join(case_folder, "losses", "summary.json"))
 
 
 class LossesCase(Results):
@@ -65,12 +59,11 @@ def read_case(folder):
     """Results of the three programs, and list of what is left out: None for one that is not there, that has failed, or
     that does not belong to those before it."""
     case = Case(folder)
-    notes = [f"The program {program} failed: {words}" for program in ("contact", "losses")
-             if (words := words_of_failure(folder, program))]
-    contact = ContactCase(folder) if has_contact(folder) else None
+    notes = [f"The program {program} failed: {words}" for program, words in failures(folder).items()]
+    contact = ContactCase(folder) if has_results(folder, "contact") else None
     if contact and not contact.belongs_to(case):
         return case, None, None, [*notes, "The contact was computed with another wave; run contact again"]
-    losses = LossesCase(folder) if contact and has_losses(folder) else None
+    losses = LossesCase(folder) if contact and has_results(folder, "losses") else None
     if losses and not losses.belongs_to(contact):
         return case, contact, None, [*notes, "The losses are those of other operating points; run losses again"]
     return case, contact, losses, notes

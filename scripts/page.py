@@ -3,7 +3,7 @@
 import os
 from dataclasses import dataclass, field
 
-from case import known, words_of_failure
+from case import failures, known
 from losses_case import PARTS, read_case
 
 MOST_MODES = 12
@@ -109,7 +109,7 @@ class Page:
             rows.append(["efficiency", efficiency(best), "%", where])
         failed = [check for part in self.programs for check in part.summary["certificate"]["checks"]
                   if not check["holds"]]
-        missing = [program for program in ("contact", "losses") if words_of_failure(self.folder, program)]
+        missing = failures(self.folder)
         holds = f"{len(failed)} DO NOT HOLD" if failed else "all hold" if not missing else "those below hold"
         rows.append(["certificates", ", ".join([*(f"{program} FAILED" for program in missing), holds]), "", ""])
         rows.append(["computed in", f"{sum(map(seconds, self.programs)):.1f}", "s", ""])
