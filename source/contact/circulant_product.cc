@@ -76,6 +76,27 @@ namespace ringmotor
     const Plan forward, backward;
   };
 
+  std::vector<FullMatrix<double>>
+  transposed_sectors_of(const std::vector<std::vector<std::complex<double>>> &waves,
+                        const unsigned int n_sectors, const unsigned int width)
+  {
+    const std::size_t block = static_cast<std::size_t>(width) * width;
+    std::vector<FullMatrix<double>> sectors(n_sectors, FullMatrix<double>(width, width));
+    if (block == 0)
+      return sectors;
+    std::vector<std::complex<double>> by_wave;
+    for (const std::vector<std::complex<double>> &wave : waves)
+      by_wave.insert(by_wave.end(), wave.begin(), wave.end());
+    std::vector<double> by_sector(n_sectors * block);
+    const Plan plan(n_sectors, block, Plan::Direction::to_sectors);
+    fftw_execute_dft_c2r(plan.plan, of_fftw(by_wave.data()), by_sector.data());
+    for (unsigned int distance = 0; distance < n_sectors; ++distance)
+      for (unsigned int i = 0; i < width; ++i)
+        for (unsigned int j = 0; j < width; ++j)
+          sectors[distance](j, i) = by_sector[distance * block + i * width + j] / n_sectors;
+    return sectors;
+  }
+
   CirculantProduct::CirculantProduct(const std::vector<FullMatrix<double>> &kernel)
       : width(kernel.empty() ? 0 : kernel.front().m()), n_sectors(kernel.size())
   {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/contact/condensed_motor.h>
+#include <ringmotor/contact/rotor_modes.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/parameters/relevant.h>
 
@@ -14,9 +15,6 @@ namespace ringmotor
   namespace
   {
     using Complex = std::complex<double>;
-
-    /** Numbers up to which a table of the compliance is faster than its parts. */
-    constexpr std::size_t largest_table = 1u << 24;
 
     /** A tooth alone: its compliance, and how its top follows the motion of its foot. */
     struct CondensedTooth
@@ -65,26 +63,6 @@ namespace ringmotor
         for (unsigned int shape = 0; i % 3 != 0 && shape < compliance.shapes.n(); ++shape)
           compliance.shapes(i, shape) = 0.;
       }
-    }
-
-    CondensedMotor::LooseMotion loose_motion(const SupportMotion &support,
-                                             const std::vector<MirroredNode> &origin,
-                                             const MortarCoupling &mortar, const double pitch,
-                                             const unsigned int n_teeth)
-    {
-      const std::vector<std::array<Complex, 3>> rotor = sector_motion(support.interface, origin);
-      // Two halves make a sector, and the mean square of a wave is half of its amplitude's.
-      CondensedMotor::LooseMotion loose{{}, n_teeth * support.stiffness};
-      for (const MortarCoupling::Node &node : mortar.nodes)
-      {
-        std::array<Complex, 3> motion{};
-        for (const MortarCoupling::Weight &weight : node.weights)
-          for (unsigned int c = 0; c < 3; ++c)
-            motion[c] += weight.weight * std::polar(1., -weight.sector * pitch) *
-                         rotor[weight.rotor_node][c];
-        loose.motion.push_back(motion);
-      }
-      return loose;
     }
 
     /** m/N of the springs at a node between tooth and rotor: those of the penalty method, which are
@@ -209,6 +187,7 @@ namespace ringmotor
       unsigned int n_dofs;
     };
 
+
     CondensedRotor condense_rotor(const Parameters &parameters, const ContactSurface &tooth_top,
                                   const ContactDiscretisation &discretisation)
     {
@@ -236,8 +215,13 @@ namespace ringmotor
                                                             { return interface.through_cut(k, body.held(k)); });
       const std::vector<unsigned int> held = body.held(1);
       for (const unsigned int support : held)
-        rotor.loose_motions.push_back(loose_motion(condensation.support_motion(1, held, support),
-                                                   whole.origin, rotor.mortar, pitch, n_teeth));
+      {
+        const SupportMotion motion = condensation.support_motion(1, held, support);
+        // Two halves make a sector, and the mean square of a wave is half of its amplitude's.
+        rotor.loose_motions.push_back(
+            {at_contact_points(motion.interface, whole.origin, rotor.mortar, pitch),
+             n_teeth * motion.stiffness});
+      }
       return rotor;
     }
   } // namespace
@@ -258,11 +242,17 @@ namespace ringmotor
     motor.n_dofs                  = tooth.n_dofs + rotor.n_dofs;
     motor.tooth_inertia_indicator = tooth.inertia_indicator;
     add_teeth(motor, tooth, rotor.mortar, parameters);
-    if (motor.compliance.table_size() <= largest_table)
+    if (motor.compliance.table_size() <= RingCompliance::largest_table)
       motor.compliance.tabulate();
     if (motor.n_repeats() > 1)
       motor.folded = motor.compliance.folded(motor.n_repeats());
     motor.constants = constants_for(motor.compliance);
+    if (parameters.effects.rotor_inertia != EffectChoice::off)
+    {
+      motor.rotor_modes = rotor_modes(parameters, tooth.surface.surface, wave, discretisation);
+      motor.rotor_dynamics = {parameters.materials.rotor_metal.loss_factor,
+                              InertiaScheme::second_order(0.8)};
+    }
     return motor;
   }
 } // namespace ringmotor

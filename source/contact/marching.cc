@@ -14,15 +14,18 @@ namespace ringmotor
     StepEnd start;
     start.state = solve_without_friction(contact, motor.constants, contact.pressed_down()).state;
     positions   = contact.positions(start.state);
+    if (!motor.rotor_modes.empty())
+    {
+      modes.emplace(motor.rotor_modes, motor.n_teeth, motor.rotor_dynamics);
+      modes->rest(start.state.force);
+    }
     history.add(std::move(start));
     memory.resize(n_points);
   }
 
   OperatingState MarchingDriver::step(const RotorLoad &load, const double length)
   {
-    const double end_time = time() + length;
-    const TimeStep time_step{end_time, length, positions};
-    const auto contact = std::make_shared<const RingContact>(motor, load, time_step, warp);
+    const auto contact = std::make_shared<const RingContact>(motor, load, next_step(length), warp);
     std::vector<FrictionMemory> limits = memory;
     const PointFriction law            = [&](const unsigned int point, const double slip)
     { return friction_coefficient(friction, limits[point], slip, length); };
@@ -41,10 +44,30 @@ namespace ringmotor
     }
     positions = contact->positions(solution.state);
     memory    = next_memory(solution, memory);
-    StepEnd end{end_time, length, contact->speed(solution.state), solution.state, solution.motion};
+    StepEnd end{time() + length, length, contact->speed(solution.state), solution.state, solution.motion};
     end.state.rigid.resize(contact->n_rigid() - (load.torque ? 1 : 0));
     history.add(std::move(end));
-    return {contact, std::move(solution), std::move(limits)};
+    const ModalPower power =
+        modes ? modes->step(solution.state.force, length) : ModalPower();
+    return {contact, std::move(solution), std::move(limits), power};
+  }
+
+  TimeStep MarchingDriver::next_step(const double length)
+  {
+    TimeStep step{time() + length, length, positions};
+    if (!modes)
+      return step;
+    if (length != step_length)
+    {
+      RingCompliance in_step = motor.compliance + modes->compliance(length);
+      if (in_step.table_size() <= RingCompliance::largest_table)
+        in_step.tabulate();
+      compliance  = std::make_shared<const RingCompliance>(std::move(in_step));
+      step_length = length;
+    }
+    step.compliance = compliance;
+    step.vibration  = modes->free_motion(length);
+    return step;
   }
 
   bool MarchingDriver::lose_static_limits(const ContactSolution &solution,

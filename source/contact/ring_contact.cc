@@ -19,29 +19,75 @@ namespace ringmotor
         ++s;
       return s % (n_teeth / fold);
     }
+
+    /** s, from one moment to the next. */
+    double step_of(const CondensedMotor &motor, const SteadyStep &step)
+    {
+      return motor.period() * step.n_joined /
+             (motor.n_teeth / motor.n_repeats() * step.n_moments);
+    }
   } // namespace
 
+  namespace
+  {
+    /** The steady state as a ring of instants: one sector further is as many instants earlier as
+     * steps from tooth to tooth lead there. */
+    RingCompliance over_time(const CondensedMotor &motor, const SteadyStep &step)
+    {
+      const RingCompliance &at_once = motor.repeating();
+      const unsigned int n_sectors  = at_once.n_sectors(),
+                         s = neighbour_of(motor.n_waves, motor.n_teeth, motor.n_repeats());
+      unsigned int n_steps = 0;
+      while (n_sectors > 1 && n_steps * s % n_sectors != 1)
+        ++n_steps;
+      return at_once.spread(n_sectors * step.n_moments, step.n_moments * (n_sectors - n_steps));
+    }
+  } // namespace
+
+  SteadyDynamics::SteadyDynamics(const CondensedMotor &motor, const SteadyStep &step,
+                                 const RingDynamics &dynamics)
+      : inertia(motor.rotor_modes, motor.n_waves, motor.n_teeth, motor.period(),
+                motor.n_teeth / motor.n_repeats() * step.n_moments, step_of(motor, step), dynamics),
+        compliance(over_time(motor, step) + inertia.compliance())
+  {
+    if (compliance.table_size() <= RingCompliance::largest_table)
+      compliance.tabulate();
+  }
+
   RingContact::RingContact(const CondensedMotor &motor, const RotorLoad &load,
-                           const SteadyStep &steady_step)
+                           const SteadyStep &steady_step,
+                           std::shared_ptr<const SteadyDynamics> with_inertia)
       : motor(motor), load(load), fold(motor.n_repeats()), n_sectors(motor.n_teeth / fold),
         n_nodes(motor.nodes.size()), n_moments(steady_step.n_moments),
-        step(motor.period() * steady_step.n_joined / (n_sectors * n_moments)),
+        step(step_of(motor, steady_step)),
         steady_neighbour(steady_step.n_joined * neighbour_of(motor.n_waves, motor.n_teeth, fold) %
                          n_sectors),
         // Forces that repeat themselves around the ring shift and tilt nothing.
         n_rigid_of_moment(fold > 1 ? 1 : 1 + 2 * motor.loose_motions.size()),
-        compliance(motor.repeating())
+        dynamics(std::move(with_inertia)),
+        compliance(dynamics, dynamics ? &dynamics->compliance : &motor.repeating())
   {
     Assert(n_moments == 1 || steady_step.n_joined == 1, ExcMessage("one moment, or short steps"));
     place_stator(0., Warp());
     tabulate_rigid_motions();
+    if (!dynamics)
+      return;
+    const unsigned int s = neighbour_of(motor.n_waves, motor.n_teeth, fold);
+    place.resize(n_blocks());
+    for (unsigned int m = 0; m < n_moments; ++m)
+      for (unsigned int n_steps = 0; n_steps < n_sectors; ++n_steps)
+        place[m * n_sectors + s * n_steps % n_sectors] =
+            (m + n_moments * (n_sectors - n_steps)) % n_blocks();
   }
 
   RingContact::RingContact(const CondensedMotor &motor, const RotorLoad &load,
                            const TimeStep &time_step, const Warp &warp)
       : motor(motor), load(load), fold(1), n_sectors(motor.n_teeth), n_nodes(motor.nodes.size()),
         n_moments(1), step(time_step.length), given(time_step.earlier), steady_neighbour(0),
-        n_rigid_of_moment(1 + 2 * motor.loose_motions.size()), compliance(motor.compliance)
+        n_rigid_of_moment(1 + 2 * motor.loose_motions.size()),
+        compliance(time_step.compliance, time_step.compliance ? time_step.compliance.get()
+                                                              : &motor.compliance),
+        vibration(time_step.vibration)
   {
     place_stator(time_step.time, warp);
     tabulate_rigid_motions();
@@ -101,15 +147,43 @@ namespace ringmotor
       for (unsigned int r = 0; r < n_rigid_of_moment; ++r)
         position[point] +=
             state.rigid[moment(point) * n_rigid_of_moment + r] * rigid_motion(point, r);
-    compliance.add_motions(&state.force[0][0], &position[0][0], n_moments);
+    add_motions(state.force, position);
     return position;
+  }
+
+  std::vector<PointVector> RingContact::by_place(const std::vector<PointVector> &force) const
+  {
+    std::vector<PointVector> forces(force.size());
+    for (unsigned int point = 0; point < force.size(); ++point)
+      forces[place[point / n_nodes] * n_nodes + point % n_nodes] = force[point];
+    return forces;
+  }
+
+  ModalPower RingContact::modal_power(const ContactState &state) const
+  {
+    return dynamics ? dynamics->inertia.power(by_place(state.force)) : ModalPower();
+  }
+
+  void RingContact::add_motions(const std::vector<PointVector> &force,
+                                std::vector<PointVector> &motion) const
+  {
+    if (place.empty())
+    {
+      compliance->add_motions(&force[0][0], &motion[0][0], n_moments);
+      return;
+    }
+    const std::vector<PointVector> forces = by_place(force);
+    std::vector<PointVector> moved(force.size());
+    compliance->add_motions(&forces[0][0], &moved[0][0]);
+    for (unsigned int point = 0; point < motion.size(); ++point)
+      motion[point] += moved[place[point / n_nodes] * n_nodes + point % n_nodes];
   }
 
   std::vector<PointVector> RingContact::positions(const ContactState &state) const
   {
     std::vector<PointVector> position = positions_by(state);
     for (unsigned int point = 0; point < position.size(); ++point)
-      position[point] -= stator[point];
+      position[point] -= vibration.empty() ? stator[point] : stator[point] - vibration[point];
     return position;
   }
 
@@ -211,10 +285,10 @@ namespace ringmotor
                                      const unsigned int first, FullMatrix<double> &matrix) const
   {
     for (const PointsOfTooth &loaded : columns)
-      if (moment(loaded.first_point) == moment(at))
-        compliance.add_entries((tooth(at) + n_sectors - tooth(loaded.first_point)) % n_sectors,
-                               rows.nodes, loaded.nodes, factor, first, matrix, 3 * rows.first,
-                               3 * loaded.first);
+      if (const unsigned int of_loaded = loaded.first_point / n_nodes, of_rows = at / n_nodes;
+          ring(of_loaded) == ring(of_rows))
+        compliance->add_entries(distance(of_rows, of_loaded), rows.nodes, loaded.nodes, factor,
+                                first, matrix, 3 * rows.first, 3 * loaded.first);
   }
 
   std::vector<double> RingContact::balances(const ContactState &state) const
@@ -279,7 +353,7 @@ namespace ringmotor
   double RingContact::stored_energy(const ContactState &state) const
   {
     std::vector<PointVector> deflection(n_points());
-    compliance.add_motions(&state.force[0][0], &deflection[0][0], n_moments);
+    add_motions(state.force, deflection);
     double energy = 0.;
     for (unsigned int point = 0; point < n_points(); ++point)
       energy += 0.5 * (state.force[point] * deflection[point]);

@@ -109,12 +109,20 @@ namespace ringmotor
                              const SteadyStep &step)
       : motor(motor), friction(friction), step(step)
   {
+    if (!motor.rotor_modes.empty())
+      dynamics = std::make_shared<const SteadyDynamics>(motor, step, motor.rotor_dynamics);
   }
 
   OperatingState SteadyDriver::find(const RotorLoad &load, Start from) const
+  {
+    return find(load, std::move(from), dynamics);
+  }
+
+  OperatingState SteadyDriver::find(const RotorLoad &load, Start from,
+                                    std::shared_ptr<const SteadyDynamics> with_inertia) const
   try
   {
-    const auto contact = std::make_shared<const RingContact>(motor, load, step);
+    const auto contact = std::make_shared<const RingContact>(motor, load, step, std::move(with_inertia));
     RowSolver solver;
     unsigned int n_iterations = 0;
     from.state.rigid.resize(contact->n_rigid());
@@ -133,7 +141,10 @@ namespace ringmotor
       from.state   = solution.state;
       from.motion.clear();
       if (update.settled(travelled(*contact, solution), solution.status, from.memory))
-        return {contact, std::move(solution), std::move(from.memory)};
+      {
+        const ModalPower power = contact->modal_power(solution.state);
+        return {contact, std::move(solution), std::move(from.memory), power};
+      }
     }
     throw ComputationError("the memory of the friction law did not settle in " +
                            std::to_string(most_rounds) + " rounds");
@@ -179,11 +190,34 @@ namespace ringmotor
                         {},
                         std::vector<FrictionMemory>(contact.n_points(), {true, 0.}),
                         with_speed.speed};
-    if (!load.torque)
+    if (!load.torque && !dynamics)
       return pressed;
-    const OperatingState state = find(with_speed, pressed);
-    return {state.solution.state, state.solution.motion, travelled(*state.contact, state.solution),
-            with_speed.speed};
+    const OperatingState state = find(with_speed, pressed, nullptr);
+    const Start start{state.solution.state, state.solution.motion,
+                      travelled(*state.contact, state.solution), with_speed.speed};
+    return dynamics ? by_damping(with_speed, start) : start;
+  }
+
+  SteadyDriver::Start SteadyDriver::by_damping(const RotorLoad &load, Start from) const
+  {
+    std::vector<RingDynamics> stages;
+    const RingDynamics &last         = motor.rotor_dynamics;
+    const InertiaScheme dissipative  = InertiaScheme::newmark(1.);
+    for (double loss_factor = 0.3; loss_factor > 1.5 * last.loss_factor && loss_factor > 1e-3;
+         loss_factor *= std::sqrt(0.1))
+      stages.push_back({loss_factor, dissipative});
+    stages.push_back({last.loss_factor, dissipative});
+    for (const RingDynamics &stage : stages)
+    {
+      const OperatingState state = find(load, from, std::make_shared<const SteadyDynamics>(motor, step, stage));
+      from = {state.solution.state, state.solution.motion, travelled(*state.contact, state.solution),
+              load.speed};
+      if (getenv("TRACE"))
+        std::fprintf(stderr, "stage %g: %u iterations, %s; torque %g\n", stage.loss_factor,
+                     state.solution.n_iterations, state.solution.how.c_str(),
+                     state.contact->torque(state.solution.state));
+    }
+    return from;
   }
 
   OperatingState SteadyDriver::at(const RotorLoad &load)

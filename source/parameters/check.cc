@@ -200,7 +200,6 @@ namespace ringmotor
     void check_contact_effects(const Effects &effects)
     {
       const std::vector<std::pair<std::string, EffectChoice>> missing{
-          {"Rotor inertia", effects.rotor_inertia},
           {"Tooth inertia", effects.tooth_inertia},
           {"Damping", effects.damping},
           {"Stator back-reaction", effects.stator_back_reaction},

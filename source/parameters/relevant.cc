@@ -42,6 +42,8 @@ namespace ringmotor
     relevant.modes                         = defaults.modes;
     relevant.support                       = defaults.support;
     reset_loss_factors(relevant.materials);
+    if (parameters.effects.rotor_inertia != EffectChoice::off)
+      relevant.materials.rotor_metal.loss_factor = parameters.materials.rotor_metal.loss_factor;
     return relevant;
   }
 
@@ -56,8 +58,9 @@ namespace ringmotor
     relevant.friction.dynamic_coefficient = defaults.friction.dynamic_coefficient;
     relevant.friction.decay_velocity      = defaults.friction.decay_velocity;
     relevant.friction.weakening_length    = defaults.friction.weakening_length;
-    relevant.initial_deformation          = defaults.initial_deformation;
     relevant.time                         = defaults.time;
+    if (parameters.effects.rotor_inertia == EffectChoice::off) // the warp asks for more modes
+      relevant.initial_deformation = defaults.initial_deformation;
     return relevant;
   }
 

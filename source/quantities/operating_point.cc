@@ -33,6 +33,8 @@ namespace ringmotor
       OperatingPoint point;
       point.speed  = contact.speed(solution.state);
       point.torque = contact.torque(solution.state);
+      point.modal_power   = state.modal_power.taken;
+      point.rotor_damping = state.modal_power.damped;
       // Sums over the points of all moments become powers of the whole ring.
       const double per_second = contact.n_repeats() / (contact.n_times() * contact.time_step());
       double pressed = 0., stuck = 0.;
@@ -76,7 +78,7 @@ namespace ringmotor
   double OperatingPoint::power_imbalance() const
   {
     constexpr double nothing = 1e-6; // a rotor that sticks takes no power
-    return std::abs(input_power - output_work - friction_loss() - stored_power) /
+    return std::abs(input_power - output_work - friction_loss() - stored_power - modal_power) /
            std::max({std::abs(input_power), friction_loss(), nothing * gross_power, 1e-300});
   }
 
@@ -116,7 +118,8 @@ namespace ringmotor
     for (double OperatingPoint::*quantity :
          {&OperatingPoint::speed, &OperatingPoint::torque, &OperatingPoint::tangential_loss,
           &OperatingPoint::radial_loss, &OperatingPoint::input_power, &OperatingPoint::output_work,
-          &OperatingPoint::stored_power, &OperatingPoint::gross_power,
+          &OperatingPoint::stored_power, &OperatingPoint::modal_power,
+          &OperatingPoint::rotor_damping, &OperatingPoint::gross_power,
           &OperatingPoint::closing_work, &OperatingPoint::teeth_in_contact,
           &OperatingPoint::stick_fraction})
       for (std::size_t i = 0; i < points.size(); ++i)

@@ -192,24 +192,31 @@ namespace ringmotor
     return motion;
   }
 
-  std::array<Vector<double>, 2> SectorElements::from_forces(const SectorMotion &forces) const
+  std::array<Vector<double>, 2> SectorElements::in_axes(const SectorMotion &motion) const
   {
     std::array<Vector<double>, 2> fields;
     for (unsigned int part = 0; part < 2; ++part)
     {
-      const Vector<double> &solid = part == 0 ? forces.solid.real : forces.solid.imaginary;
-      const Vector<double> &shell = part == 0 ? forces.shell.real : forces.shell.imaginary;
+      const Vector<double> &solid = part == 0 ? motion.solid.real : motion.solid.imaginary;
+      const Vector<double> &shell = part == 0 ? motion.shell.real : motion.shell.imaginary;
       fields[part].reinit(n_dofs());
       std::copy(solid.begin(), solid.end(), fields[part].begin());
       std::copy(shell.begin(), shell.end(), fields[part].begin() + solid.size());
       sector_nodes.rotate_to_axes(fields[part]);
+    }
+    return fields;
+  }
+
+  std::array<Vector<double>, 2> SectorElements::from_forces(const SectorMotion &forces) const
+  {
+    std::array<Vector<double>, 2> fields = in_axes(forces);
+    for (Vector<double> &field : fields)
       for (const auto &line : dependent_dofs.get_lines())
       {
         for (const auto &[master, weight] : line.entries)
-          fields[part][master] += weight * fields[part][line.index];
-        fields[part][line.index] = 0.;
+          field[master] += weight * field[line.index];
+        field[line.index] = 0.;
       }
-    }
     return fields;
   }
 } // namespace ringmotor

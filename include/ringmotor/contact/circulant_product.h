@@ -9,6 +9,13 @@
 
 namespace ringmotor
 {
+  /** The blocks of a block-circulant matrix, transposed, by distance 0 .. n - 1, from those of its
+   * waves exp(2 pi i m j / n), m = 0 .. n / 2, each @p width by @p width entries by rows. Imaginary
+   * parts that waves of real numbers cannot have are not looked at. */
+  std::vector<dealii::FullMatrix<double>>
+  transposed_sectors_of(const std::vector<std::vector<std::complex<double>>> &waves,
+                        const unsigned int n_sectors, const unsigned int width);
+
   /**
    * Products with a block-circulant matrix: n sectors in a ring, and a block that depends only on
    * the distance of two sectors. The discrete Fourier transform over the sectors makes it block

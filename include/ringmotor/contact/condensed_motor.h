@@ -3,7 +3,7 @@
 
 #include <ringmotor/contact/contact_bodies.h>
 #include <ringmotor/contact/contact_solver.h>
-#include <ringmotor/contact/ring_compliance.h>
+#include <ringmotor/contact/ring_modes.h>
 
 #include <boost/serialization/array.hpp>
 #include <boost/serialization/complex.hpp>
@@ -66,6 +66,8 @@ namespace ringmotor
 
     std::vector<Node> nodes;
     std::vector<LooseMotion> loose_motions;
+    RingModes rotor_modes;     ///< empty if the rotor has no inertia
+    RingDynamics rotor_dynamics;
     RingCompliance compliance; ///< of rotor and teeth, relative motion of rotor against stator
     RingCompliance folded;     ///< the same of the part that repeats itself; empty if nothing does
     ComplementarityConstants constants{};
@@ -92,7 +94,7 @@ namespace ringmotor
     {
       archive &n_teeth &n_waves &angular_frequency &nodes &loose_motions &compliance &folded;
       archive &constants.normal &constants.tangential &tooth_compliance &faces &degree &n_dofs;
-      archive &tooth_inertia_indicator;
+      archive &tooth_inertia_indicator &rotor_modes &rotor_dynamics;
     }
   };
 

@@ -29,9 +29,15 @@ namespace ringmotor
     bool lose_static_limits(const ContactSolution &solution,
                             std::vector<FrictionMemory> &limits) const;
 
+    /** The step from here, so far as the rotor's inertia decides it. */
+    TimeStep next_step(const double length);
+
     const CondensedMotor &motor;
     const Friction friction;
     const Warp warp;
+    std::optional<MarchedModes> modes; ///< of a rotor with inertia
+    std::shared_ptr<const RingCompliance> compliance; ///< with them, in steps of #step_length
+    double step_length = 0.;
     StepHistory history;
     std::vector<PointVector> positions; ///< at the end of the last step
     std::vector<FrictionMemory> memory;

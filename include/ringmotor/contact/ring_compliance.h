@@ -68,6 +68,23 @@ namespace ringmotor
                    const MortarCoupling &coupling,
                    const std::function<dealii::FullMatrix<double>(unsigned int)> &through_cut);
 
+    /**
+     * A ring given by its waves: motions Re(u exp(2 pi i m j / n)) of sector j by forces Re(f exp(2
+     * pi i m j / n)) are u = basis C_m basis^T f.
+     * @param basis a row for each component of a node
+     * @param waves C_m for m = 0 .. n / 2, by rows; of the first one, and of the last one where n
+     * is even, only the real part counts
+     */
+    RingCompliance(const unsigned int n_sectors, const dealii::FullMatrix<double> &basis,
+                   const std::vector<std::vector<std::complex<double>>> &waves);
+
+    /** This ring's sectors at some places of a ring of @p n_places: sector j at place @p stride j.
+     * Sectors at the other places move nothing and do not move. */
+    RingCompliance spread(const unsigned int n_places, const unsigned int stride) const;
+
+    /** The sum of the motions of both rings. */
+    friend RingCompliance operator+(const RingCompliance &a, const RingCompliance &b);
+
     /** Adds a compliance within each sector, three components for each node. */
     void add_within_sectors(const dealii::FullMatrix<double> &compliance);
 
@@ -103,6 +120,8 @@ namespace ringmotor
 
     /** Makes a table of all entries, from which add_entries() reads them. */
     void tabulate();
+    /** Numbers up to which such a table is faster than its parts. */
+    static constexpr std::size_t largest_table = 1u << 24;
     /** Numbers that such a table has. */
     std::size_t table_size() const
     {

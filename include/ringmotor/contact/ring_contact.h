@@ -4,6 +4,7 @@
 #include <ringmotor/contact/condensed_motor.h>
 #include <ringmotor/contact/warp.h>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -31,6 +32,21 @@ namespace ringmotor
     double time;                      ///< s, at its end
     double length;                    ///< s
     std::vector<PointVector> earlier; ///< positions at its begin, see RingContact::positions()
+    /** Of a motor with inertia: how points move by forces within the step, and where the rotor is
+     * at its end (m) without forces there. */
+    std::shared_ptr<const RingCompliance> compliance = nullptr;
+    std::vector<PointVector> vibration               = {};
+  };
+
+  /** A motor with inertia in its steady state. */
+  struct SteadyDynamics
+  {
+    SteadyDynamics(const CondensedMotor &motor, const SteadyStep &step,
+                   const RingDynamics &dynamics);
+
+    const SteadyInertia inertia;
+    /** Static and dynamic, of all instants of the history of a tooth. */
+    RingCompliance compliance;
   };
 
   /**
@@ -43,6 +59,9 @@ namespace ringmotor
    * the first moment, of its s-th neighbour at the last one. With one moment a step may be longer,
    * too: J of them joined look back at the (J s)-th neighbour. The rotor turns at an even speed.
    *
+   * With inertia forces move points at all moments. Then all that counts is how long ago a tooth was
+   * where another one is: the instants of a tooth's history, P S in a period, form one ring.
+   *
    * *One step* from a known state, of a ring that need not be uniform.
    *
    * Points are numbered by moment, tooth, node. Rigid motions are, for each moment, the rotor's
@@ -52,8 +71,10 @@ namespace ringmotor
   class RingContact : public ContactProblem
   {
   public:
-    /** The steady state with steps of a given length. @p motor must outlive this object. */
-    RingContact(const CondensedMotor &motor, const RotorLoad &load, const SteadyStep &step);
+    /** The steady state with steps of a given length. @p motor must outlive this object.
+     * @param dynamics of a motor with inertia, for the same step */
+    RingContact(const CondensedMotor &motor, const RotorLoad &load, const SteadyStep &step,
+                std::shared_ptr<const SteadyDynamics> dynamics = nullptr);
 
     /** One step of a ring that may be warped at rest. */
     RingContact(const CondensedMotor &motor, const RotorLoad &load, const TimeStep &step,
@@ -69,11 +90,15 @@ namespace ringmotor
     void derivatives(const std::vector<unsigned int> &rows,
                      const std::vector<unsigned int> &columns,
                      dealii::FullMatrix<double> &matrix) const override;
-    unsigned int part_of_point(const unsigned int point) const override { return moment(point); }
+    unsigned int part_of_point(const unsigned int point) const override
+    {
+      return ring(point / n_nodes);
+    }
     unsigned int part_of_rigid(const unsigned int motion) const override
     {
       // The turn belongs to all moments.
-      return motion < n_moments * n_rigid_of_moment ? motion / n_rigid_of_moment : no_part;
+      return motion < n_moments * n_rigid_of_moment ? ring(motion / n_rigid_of_moment * n_sectors)
+                                                    : no_part;
     }
     unsigned int n_blocks() const override { return n_moments * n_sectors; }
     unsigned int block_of_point(const unsigned int point) const override { return point / n_nodes; }
@@ -81,18 +106,18 @@ namespace ringmotor
     {
       return given ? no_part : earlier(block * n_nodes) / n_nodes;
     }
-    unsigned int n_far_shapes() const override { return compliance.far().shapes.n(); }
+    unsigned int n_far_shapes() const override { return compliance->far().shapes.n(); }
     double far_shape(const unsigned int point, const unsigned int component,
                      const unsigned int shape) const override
     {
-      return compliance.far().shapes(3 * (point % n_nodes) + component, shape);
+      return compliance->far().shapes(3 * (point % n_nodes) + component, shape);
     }
     const dealii::FullMatrix<double> *far_kernel(const unsigned int moved,
                                                  const unsigned int loaded) const override
     {
-      if (moved == loaded || moved / n_sectors != loaded / n_sectors) // another moment
-        return nullptr;
-      return &compliance.far().kernel[(n_sectors + moved - loaded) % n_sectors];
+      return moved == loaded || ring(moved) != ring(loaded)
+                 ? nullptr
+                 : &compliance->far().kernel[distance(moved, loaded)];
     }
     std::vector<double> balances(const ContactState &state) const override;
     void balance_derivatives(const std::vector<unsigned int> &points,
@@ -134,6 +159,9 @@ namespace ringmotor
      * rise. */
     double stored_energy(const ContactState &state) const;
 
+    /** What inertia and damping of the rotor take in the steady state. */
+    ModalPower modal_power(const ContactState &state) const;
+
     /** A state from which the solver can start: no forces, the rotor so low that a small share of
      * the points would touch. */
     ContactState pressed_down() const;
@@ -141,6 +169,22 @@ namespace ringmotor
   private:
     void place_stator(const double first_time, const Warp &warp);
     void tabulate_rigid_motions();
+    /** Blocks (a tooth at a moment) move those of the same ring only: of the same moment, or all of
+     * them. How far they are apart in it depends on their places. */
+    unsigned int ring(const unsigned int block) const
+    {
+      return place.empty() ? block / n_sectors : 0;
+    }
+    unsigned int distance(const unsigned int moved, const unsigned int loaded) const
+    {
+      const unsigned int n = compliance->n_sectors();
+      return place.empty() ? (n + moved - loaded) % n : (n + place[moved] - place[loaded]) % n;
+    }
+    /** Forces by instant and node. */
+    std::vector<PointVector> by_place(const std::vector<PointVector> &force) const;
+    /** Adds the motions of all points by forces. */
+    void add_motions(const std::vector<PointVector> &force,
+                     std::vector<PointVector> &motion) const;
     double turn(const ContactState &state) const;
     /** Positions by forces and rigid motions alone, and the change of positions in a step. */
     std::vector<PointVector> positions_by(const ContactState &state) const;
@@ -177,8 +221,11 @@ namespace ringmotor
     const std::optional<std::vector<PointVector>> given; ///< positions at the step's begin
     unsigned int steady_neighbour;
     unsigned int n_rigid_of_moment; ///< of the rotor at one moment
-    const RingCompliance &compliance;
+    const std::shared_ptr<const SteadyDynamics> dynamics;
+    const std::shared_ptr<const RingCompliance> compliance;
+    std::vector<unsigned int> place; ///< of each block among all instants, if they form one ring
     std::vector<PointVector> stator; ///< motion of all points without contact forces
+    const std::vector<PointVector> vibration; ///< of the rotor without forces, if it has inertia
     std::vector<PointVector> rigid;  ///< motions of the points of a moment by unit rigid motions
   };
 } // namespace ringmotor

@@ -15,6 +15,7 @@ namespace ringmotor
     std::shared_ptr<const RingContact> contact;
     ContactSolution solution;
     std::vector<FrictionMemory> memory; ///< of each point, at the begin of its step
+    ModalPower modal_power{};           ///< of a rotor with inertia
   };
 
   /**
@@ -49,6 +50,10 @@ namespace ringmotor
       double speed; ///< rad/s
     };
     OperatingState find(const RotorLoad &load, Start start) const;
+    OperatingState find(const RotorLoad &load, Start start,
+                        std::shared_ptr<const SteadyDynamics> with_inertia) const;
+    /** From a state without inertia: by states with inertia and damping that falls. */
+    Start by_damping(const RotorLoad &load, Start start) const;
     /** A start that is near the state under a law that falls with the distance slipped: the last of
      * a chain of states, in each of which points have the coefficients that belong to memory and
      * slip in the one before. Adds the systems that are solved. */
@@ -63,6 +68,7 @@ namespace ringmotor
     const CondensedMotor &motor;
     const Friction friction;
     const SteadyStep step;
+    std::shared_ptr<const SteadyDynamics> dynamics; ///< of a motor with inertia
     std::optional<Start> next;
   };
 

@@ -96,6 +96,9 @@ namespace ringmotor
      */
     SectorMotion to_motion(std::array<dealii::Vector<double>, 2> fields) const;
 
+    /** A motion of all degrees of freedom in the axes of the nodes. */
+    std::array<dealii::Vector<double>, 2> in_axes(const SectorMotion &motion) const;
+
     /** The transposed of to_motion(): forces on all degrees of freedom become forces on those that
      * are not dependent, in the axes of the nodes. */
     std::array<dealii::Vector<double>, 2> from_forces(const SectorMotion &forces) const;

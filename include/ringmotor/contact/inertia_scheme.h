@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <complex>
+
+namespace ringmotor
+{
+  /**
+   * How the motion of a mode is stepped through time,
+   *
+   *   (1 - alpha) a_1 + alpha a_0 + eta omega v_1 + omega^2 q_1 = p_1,
+   *   v_1 = v_0 + dt ((1 - gamma) a_0 + gamma a_1),
+   *   q_1 = q_0 + dt v_0 + dt^2 ((1/2 - beta) a_0 + beta a_1),
+   *
+   * from 0 to 1 for displacement q, velocity v, acceleration a, force p (by mass), frequency omega
+   * and loss factor eta. Newmark's method for alpha = 0; with alpha < 0 the one of Wood, Bossak and
+   * Zienkiewicz (1981), of second order for gamma = 1/2 - alpha. The force at the end of a step
+   * moves the mode in that step, as contact wants it. Impacts need dissipation: without it, modes
+   * take up energy at each of them.
+   */
+  struct InertiaScheme
+  {
+    double alpha = 0., gamma = 0.5, beta = 0.25;
+
+    /** First order for @p gamma > 1/2, unconditionally stable. */
+    static InertiaScheme newmark(const double gamma);
+    /** Of second order. Motions much faster than the step keep this share of their amplitude from
+     * one step to the next; 0 .. 1. */
+    static InertiaScheme second_order(const double spectral_radius);
+
+    /** Displacement by force of the same mass, s^2, where each step multiplies both by @p z. */
+    std::complex<double> response(const std::complex<double> &z, const double dt,
+                                  const double frequency, const double loss_factor) const;
+
+    /** Velocity by displacement in such a motion, 1/s. */
+    std::complex<double> velocity(const std::complex<double> &z, const double dt) const;
+
+    /** Displacement at the end of a step by the force there, s^2. */
+    double response_in_step(const double dt, const double frequency,
+                            const double loss_factor) const;
+  };
+
+  /** A mode in time. */
+  struct ModalState
+  {
+    std::complex<double> displacement, velocity, acceleration;
+  };
+
+  /** What a state becomes in a step @p dt (s) without a force at its end. */
+  ModalState without_force(const InertiaScheme &scheme, const ModalState &begin, const double dt,
+                           const double frequency, const double loss_factor);
+
+  /** Adds what a force (by mass) at the end of the step does. */
+  void add_force(const InertiaScheme &scheme, const std::complex<double> &force, const double dt,
+                 const double frequency, const double loss_factor, ModalState &end);
+} // namespace ringmotor

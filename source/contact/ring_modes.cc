@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/contact/ring_modes.h>
+#include <ringmotor/structure/rank_factors.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ringmotor
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Complex = std::complex<double>;
+  }
+
+  /** Modes in terms of a few shapes of a sector's nodes, which are enough for all of them. */
+  class ModesByShapes
+  {
+  public:
+    explicit ModesByShapes(const RingModes &modes)
+    {
+      std::vector<std::pair<unsigned int, const RingMode *>> all;
+      for (unsigned int k = 0; k < modes.size(); ++k)
+        for (const RingMode &mode : modes[k])
+          all.emplace_back(k, &mode);
+      const std::size_t n_rows = all.empty() ? 0 : 3 * all.front().second->motion.size();
+      FullMatrix<double> motions(n_rows, 2 * all.size());
+      for (std::size_t r = 0; r < all.size(); ++r)
+        for (std::size_t i = 0; i < n_rows; ++i)
+        {
+          const RingMode &mode  = *all[r].second;
+          const Complex part    = mode.motion[i / 3][i % 3] / mode.angular_frequency;
+          motions(i, 2 * r)     = part.real();
+          motions(i, 2 * r + 1) = part.imag();
+        }
+      constexpr double rounding = 1e-12;
+      RankFactors factors(motions, rounding);
+      shapes = std::move(factors.columns);
+      by_diameter.resize(modes.size());
+      for (std::size_t r = 0; r < all.size(); ++r)
+      {
+        Mode mode{all[r].second->angular_frequency, {}};
+        for (unsigned int i = 0; i < shapes.n(); ++i)
+          mode.shares.emplace_back(factors.weights(i, 2 * r), factors.weights(i, 2 * r + 1));
+        by_diameter[all[r].first].push_back(std::move(mode));
+      }
+    }
+
+    struct Mode
+    {
+      double frequency;            ///< rad/s
+      std::vector<Complex> shares; ///< of the shapes in motion / omega
+
+      /** omega motion^H f / omega^2: the static motion of this mode times omega. */
+      Complex static_motion(const std::vector<Complex> &force_on_shapes) const
+      {
+        Complex sum = 0.;
+        for (std::size_t i = 0; i < shares.size(); ++i)
+          sum += std::conj(shares[i]) * force_on_shapes[i];
+        return sum;
+      }
+
+      /** Adds @p factor motion motion^H / omega^2, by shapes, by rows. */
+      void add(const Complex &factor, const bool conjugate, std::vector<Complex> &matrix) const
+      {
+        const std::size_t n = shares.size();
+        const auto share    = [&](const std::size_t i)
+        { return conjugate ? std::conj(shares[i]) : shares[i]; };
+        for (std::size_t i = 0; i < n; ++i)
+          for (std::size_t j = 0; j < n; ++j)
+            matrix[i * n + j] += factor * share(i) * std::conj(share(j));
+      }
+    };
+
+    /** Forces on shapes from those on the nodes of each of some sectors (or instants), as the
+     * amplitude of exp(i m angle j) over j. */
+    std::vector<Complex> wave_on_shapes(const std::vector<PointVector> &forces,
+                                        const unsigned int n_sectors, const unsigned int m) const
+    {
+      const unsigned int n_nodes = shapes.m() / 3;
+      std::vector<Complex> wave(shapes.m()), result(shapes.n());
+      for (unsigned int j = 0; j < n_sectors; ++j)
+      {
+        const Complex phase = std::polar(
+            1. / n_sectors,
+            -2. * numbers::PI * (static_cast<std::size_t>(m) * j % n_sectors) / n_sectors);
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          if (const PointVector &force = forces[j * n_nodes + a]; force != PointVector())
+            for (unsigned int c = 0; c < 3; ++c)
+              wave[3 * a + c] += phase * force[c];
+      }
+      for (unsigned int row = 0; row < shapes.m(); ++row)
+        if (wave[row] != 0.)
+          for (unsigned int i = 0; i < shapes.n(); ++i)
+            result[i] += shapes(row, i) * wave[row];
+      return result;
+    }
+
+    FullMatrix<double> shapes; ///< orthonormal columns, a row for each component of a node
+    std::vector<std::vector<Mode>> by_diameter;
+  };
+
+  namespace
+  {
+    /** How often a wave of real numbers counts: with its conjugate, unless it is that itself. */
+    double multiplicity(const unsigned int m, const unsigned int n)
+    {
+      return m == 0 || 2 * m == n ? 1. : 2.;
+    }
+  } // namespace
+
+  SteadyInertia::SteadyInertia(const RingModes &modes, const unsigned int n_waves,
+                               const unsigned int n_sectors, const double period,
+                               const unsigned int n_instants, const double dt,
+                               const RingDynamics &dynamics)
+      : modes(std::make_shared<const ModesByShapes>(modes)), n_waves(n_waves), n_sectors(n_sectors),
+        n_instants(n_instants), angle(2. * numbers::PI * dt / period), dt(dt), dynamics(dynamics)
+  {
+  }
+
+  SteadyInertia::Diameter SteadyInertia::diameter(const unsigned int m) const
+  {
+    const unsigned int around = static_cast<std::size_t>(n_waves) * m % n_sectors;
+    return {std::min(around, n_sectors - around), 2 * around > n_sectors};
+  }
+
+  Complex SteadyInertia::per_step(const unsigned int m) const
+  {
+    return std::polar(1., m * angle);
+  }
+
+  RingCompliance SteadyInertia::compliance() const
+  {
+    const unsigned int n_shapes = modes->shapes.n();
+    std::vector<std::vector<Complex>> waves(n_instants / 2 + 1,
+                                            std::vector<Complex>(n_shapes * n_shapes));
+    for (unsigned int m = 1; m < waves.size(); ++m)
+    {
+      const auto [k, conjugate] = diameter(m);
+      for (const ModesByShapes::Mode &mode : modes->by_diameter[k])
+      {
+        const Complex amplification =
+            std::pow(mode.frequency, 2) *
+            dynamics.scheme.response(per_step(m), dt, mode.frequency, dynamics.loss_factor);
+        mode.add(amplification - 1., conjugate, waves[m]);
+      }
+    }
+    return RingCompliance(n_instants, modes->shapes, waves);
+  }
+
+  ModalPower SteadyInertia::power(const std::vector<PointVector> &forces) const
+  {
+    ModalPower power;
+    for (unsigned int m = 1; 2 * m < n_instants; ++m) // the last one does no work in steps
+    {
+      const auto [k, conjugate] = diameter(m);
+      if (modes->by_diameter[k].empty())
+        continue;
+      std::vector<Complex> force = modes->wave_on_shapes(forces, n_instants, m);
+      if (conjugate)
+        for (Complex &part : force)
+          part = std::conj(part);
+      // In the conjugate wave all turns the other way.
+      const Complex z = conjugate ? std::conj(per_step(m)) : per_step(m);
+      for (const ModesByShapes::Mode &mode : modes->by_diameter[k])
+      {
+        const double omega = mode.frequency;
+        const Complex at_rest = mode.static_motion(force), // times omega, like the next
+            motion = at_rest * omega * omega *
+                     dynamics.scheme.response(z, dt, omega, dynamics.loss_factor),
+                      velocity = motion * dynamics.scheme.velocity(z, dt);
+        // Forces at the middle of steps, against the motions in the steps.
+        power.taken += n_sectors * multiplicity(m, n_instants) *
+                       (std::conj(at_rest * 0.5 * (1. + 1. / z)) * (1. - 1. / z) *
+                        (motion - at_rest))
+                           .real() / dt;
+        power.damped += n_sectors * multiplicity(m, n_instants) * dynamics.loss_factor / omega *
+                        std::norm(velocity);
+      }
+    }
+    return power;
+  }
+
+  MarchedModes::MarchedModes(const RingModes &modes, const unsigned int n_sectors,
+                             const RingDynamics &dynamics)
+      : modes(std::make_shared<const ModesByShapes>(modes)), n_sectors(n_sectors),
+        dynamics(dynamics)
+  {
+  }
+
+  MarchedModes::ByMode MarchedModes::modal_forces(const std::vector<PointVector> &forces) const
+  {
+    ByMode result(modes->by_diameter.size());
+    for (unsigned int k = 0; k < result.size(); ++k)
+      if (!modes->by_diameter[k].empty())
+      {
+        // Sector j of a wave has the phase -k j alpha.
+        const std::vector<Complex> force =
+            modes->wave_on_shapes(forces, n_sectors, (n_sectors - k) % n_sectors);
+        for (const ModesByShapes::Mode &mode : modes->by_diameter[k])
+          result[k].push_back(mode.frequency * mode.static_motion(force));
+      }
+    return result;
+  }
+
+  void MarchedModes::rest(const std::vector<PointVector> &forces)
+  {
+    earlier = modal_forces(forces);
+    states.clear();
+    for (unsigned int k = 0; k < earlier.size(); ++k)
+    {
+      states.emplace_back();
+      for (unsigned int r = 0; r < earlier[k].size(); ++r)
+        states[k].push_back(
+            {earlier[k][r] / std::pow(modes->by_diameter[k][r].frequency, 2), 0., 0.});
+    }
+  }
+
+  RingCompliance MarchedModes::compliance(const double dt) const
+  {
+    const unsigned int n_shapes = modes->shapes.n();
+    std::vector<std::vector<Complex>> waves(n_sectors / 2 + 1,
+                                            std::vector<Complex>(n_shapes * n_shapes));
+    for (unsigned int k = 0; k < waves.size(); ++k)
+      for (const ModesByShapes::Mode &mode : modes->by_diameter[k])
+        mode.add(std::pow(mode.frequency, 2) * dynamics.scheme.response_in_step(
+                                                   dt, mode.frequency, dynamics.loss_factor) -
+                     1.,
+                 true, waves[k]); // the ring's waves are exp(+i k j alpha)
+    return RingCompliance(n_sectors, modes->shapes, waves);
+  }
+
+  std::vector<PointVector> MarchedModes::free_motion(const double dt) const
+  {
+    const unsigned int n_nodes = modes->shapes.m() / 3;
+    std::vector<PointVector> motion(n_sectors * n_nodes);
+    for (unsigned int k = 0; k < states.size(); ++k)
+    {
+      std::vector<Complex> of_shapes(modes->shapes.n());
+      for (unsigned int r = 0; r < states[k].size(); ++r)
+      {
+        const ModesByShapes::Mode &mode = modes->by_diameter[k][r];
+        const Complex displacement      = without_force(dynamics.scheme, states[k][r], dt,
+                                                        mode.frequency, dynamics.loss_factor)
+                                         .displacement;
+        for (unsigned int i = 0; i < of_shapes.size(); ++i)
+          of_shapes[i] += mode.frequency * displacement * mode.shares[i];
+      }
+      if (states[k].empty())
+        continue;
+      std::vector<Complex> of_nodes(modes->shapes.m());
+      for (unsigned int row = 0; row < of_nodes.size(); ++row)
+        for (unsigned int i = 0; i < of_shapes.size(); ++i)
+          of_nodes[row] += modes->shapes(row, i) * of_shapes[i];
+      for (unsigned int j = 0; j < n_sectors; ++j)
+      {
+        const Complex phase = std::polar(multiplicity(k, n_sectors),
+                                         -2. * numbers::PI * (k * j % n_sectors) / n_sectors);
+        for (unsigned int row = 0; row < of_nodes.size(); ++row)
+          motion[j * n_nodes + row / 3][row % 3] += (phase * of_nodes[row]).real();
+      }
+    }
+    return motion;
+  }
+
+  ModalPower MarchedModes::step(const std::vector<PointVector> &forces, const double dt)
+  {
+    const ByMode now = modal_forces(forces);
+    ModalPower power;
+    for (unsigned int k = 0; k < states.size(); ++k)
+      for (unsigned int r = 0; r < states[k].size(); ++r)
+      {
+        const double omega    = modes->by_diameter[k][r].frequency,
+                     weight   = n_sectors * multiplicity(k, n_sectors);
+        const ModalState from = states[k][r];
+        ModalState &state     = states[k][r];
+        state = without_force(dynamics.scheme, from, dt, omega, dynamics.loss_factor);
+        add_force(dynamics.scheme, now[k][r], dt, omega, dynamics.loss_factor, state);
+        const Complex moved = state.displacement - from.displacement -
+                              (now[k][r] - earlier[k][r]) / (omega * omega);
+        power.taken +=
+            weight / dt * (std::conj(0.5 * (now[k][r] + earlier[k][r])) * moved).real();
+        power.damped += weight * dynamics.loss_factor * omega *
+                        std::norm(0.5 * (state.velocity + from.velocity));
+      }
+    earlier = now;
+    return power;
+  }
+} // namespace ringmotor
