@@ -38,11 +38,15 @@ namespace ringmotor
     return dt * (1. - gamma + gamma * z) * (z - 1.) / by_acceleration(*this, z, dt);
   }
 
+  Complex InertiaScheme::acceleration(const Complex &z, const double dt) const
+  {
+    return (z - 1.) * (z - 1.) / by_acceleration(*this, z, dt);
+  }
+
   Complex InertiaScheme::response(const Complex &z, const double dt, const double frequency,
                                   const double loss_factor) const
   {
-    const Complex acceleration = (z - 1.) * (z - 1.) / by_acceleration(*this, z, dt);
-    return 1. / ((1. - alpha + alpha / z) * acceleration +
+    return 1. / ((1. - alpha + alpha / z) * acceleration(z, dt) +
                  loss_factor * frequency * velocity(z, dt) + frequency * frequency);
   }
 

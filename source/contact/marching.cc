@@ -23,6 +23,35 @@ namespace ringmotor
     memory.resize(n_points);
   }
 
+  MarchingDriver::MarchingDriver(const CondensedMotor &motor, const Friction &friction,
+                                 const OperatingState &steady)
+      : motor(motor), friction(friction), warp(), history(motor, warp)
+  {
+    const RingContact &contact  = *steady.contact;
+    const unsigned int n_points = motor.n_teeth * motor.nodes.size();
+    AssertThrow(contact.n_repeats() == 1, dealii::ExcMessage("all teeth must differ"));
+    const auto first_moment = [&](auto values)
+    {
+      values.resize(n_points);
+      return values;
+    };
+    const ContactState &state = steady.solution.state;
+    positions                 = first_moment(contact.positions(state));
+    memory                    = first_moment(next_memory(steady.solution, steady.memory));
+    StepEnd start{0.,
+                  contact.time_step(),
+                  contact.speed(state),
+                  {first_moment(state.force), state.rigid},
+                  first_moment(steady.solution.motion)};
+    start.state.rigid.resize(contact.n_rigid_motions());
+    if (!motor.rotor_modes.empty())
+    {
+      modes.emplace(motor.rotor_modes, motor.n_teeth, motor.rotor_dynamics);
+      modes->set(contact.modal_states(state), start.state.force);
+    }
+    history.add(std::move(start));
+  }
+
   OperatingState MarchingDriver::step(const RotorLoad &load, const double length)
   {
     const auto contact = std::make_shared<const RingContact>(motor, load, next_step(length), warp);

@@ -164,6 +164,13 @@ namespace ringmotor
     return dynamics ? dynamics->inertia.power(by_place(state.force)) : ModalPower();
   }
 
+  std::vector<std::vector<ModalState>>
+  RingContact::modal_states(const ContactState &state) const
+  {
+    Assert(dynamics, ExcMessage("a steady state with inertia"));
+    return dynamics->inertia.states(by_place(state.force));
+  }
+
   void RingContact::add_motions(const std::vector<PointVector> &force,
                                 std::vector<PointVector> &motion) const
   {

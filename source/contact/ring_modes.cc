@@ -61,15 +61,20 @@ namespace ringmotor
         return sum;
       }
 
+      /** Motion against that at rest, where each step multiplies it by @p z. */
+      Complex amplification(const RingDynamics &dynamics, const Complex &z, const double dt) const
+      {
+        return frequency * frequency *
+               dynamics.scheme.response(z, dt, frequency, dynamics.loss_factor);
+      }
+
       /** Adds @p factor motion motion^H / omega^2, by shapes, by rows. */
-      void add(const Complex &factor, const bool conjugate, std::vector<Complex> &matrix) const
+      void add(const Complex &factor, std::vector<Complex> &matrix) const
       {
         const std::size_t n = shares.size();
-        const auto share    = [&](const std::size_t i)
-        { return conjugate ? std::conj(shares[i]) : shares[i]; };
         for (std::size_t i = 0; i < n; ++i)
           for (std::size_t j = 0; j < n; ++j)
-            matrix[i * n + j] += factor * share(i) * std::conj(share(j));
+            matrix[i * n + j] += factor * shares[i] * std::conj(shares[j]);
       }
     };
 
@@ -119,15 +124,22 @@ namespace ringmotor
   {
   }
 
-  SteadyInertia::Diameter SteadyInertia::diameter(const unsigned int m) const
+  SteadyInertia::Wave SteadyInertia::wave(const unsigned int m) const
   {
     const unsigned int around = static_cast<std::size_t>(n_waves) * m % n_sectors;
-    return {std::min(around, n_sectors - around), 2 * around > n_sectors};
+    const bool conjugate      = 2 * around > n_sectors;
+    return {conjugate ? n_sectors - around : around, conjugate,
+            std::polar(1., (conjugate ? -1. : 1.) * m * angle)};
   }
 
-  Complex SteadyInertia::per_step(const unsigned int m) const
+  std::vector<Complex> SteadyInertia::on_shapes(const std::vector<PointVector> &forces,
+                                                const unsigned int m) const
   {
-    return std::polar(1., m * angle);
+    std::vector<Complex> of_wave = modes->wave_on_shapes(forces, n_instants, m);
+    if (wave(m).conjugate)
+      for (Complex &force : of_wave)
+        force = std::conj(force);
+    return of_wave;
   }
 
   RingCompliance SteadyInertia::compliance() const
@@ -137,16 +149,42 @@ namespace ringmotor
                                             std::vector<Complex>(n_shapes * n_shapes));
     for (unsigned int m = 1; m < waves.size(); ++m)
     {
-      const auto [k, conjugate] = diameter(m);
-      for (const ModesByShapes::Mode &mode : modes->by_diameter[k])
-      {
-        const Complex amplification =
-            std::pow(mode.frequency, 2) *
-            dynamics.scheme.response(per_step(m), dt, mode.frequency, dynamics.loss_factor);
-        mode.add(amplification - 1., conjugate, waves[m]);
-      }
+      const Wave around = wave(m);
+      for (const ModesByShapes::Mode &mode : modes->by_diameter[around.k])
+        mode.add(mode.amplification(dynamics, around.z, dt) - 1., waves[m]);
+      if (around.conjugate)
+        for (Complex &entry : waves[m])
+          entry = std::conj(entry);
     }
     return RingCompliance(n_instants, modes->shapes, waves);
+  }
+
+  std::vector<std::vector<ModalState>>
+  SteadyInertia::states(const std::vector<PointVector> &forces) const
+  {
+    std::vector<std::vector<ModalState>> states;
+    for (const auto &of_diameter : modes->by_diameter)
+      states.emplace_back(of_diameter.size());
+    for (unsigned int m = 0; 2 * m <= n_instants; ++m)
+    {
+      const Wave around = wave(m);
+      if (modes->by_diameter[around.k].empty())
+        continue;
+      const std::vector<Complex> force = on_shapes(forces, m);
+      // Waves that are their own conjugates in time, or around the ring.
+      const double weight = multiplicity(m, n_instants) / multiplicity(around.k, n_sectors);
+      for (unsigned int r = 0; r < states[around.k].size(); ++r)
+      {
+        const ModesByShapes::Mode &mode = modes->by_diameter[around.k][r];
+        const Complex displacement      = weight / mode.frequency * mode.static_motion(force) *
+                                     mode.amplification(dynamics, around.z, dt);
+        ModalState &state = states[around.k][r];
+        state.displacement += displacement;
+        state.velocity += dynamics.scheme.velocity(around.z, dt) * displacement;
+        state.acceleration += dynamics.scheme.acceleration(around.z, dt) * displacement;
+      }
+    }
+    return states;
   }
 
   ModalPower SteadyInertia::power(const std::vector<PointVector> &forces) const
@@ -154,29 +192,21 @@ namespace ringmotor
     ModalPower power;
     for (unsigned int m = 1; 2 * m < n_instants; ++m) // the last one does no work in steps
     {
-      const auto [k, conjugate] = diameter(m);
-      if (modes->by_diameter[k].empty())
+      const Wave around = wave(m);
+      if (modes->by_diameter[around.k].empty())
         continue;
-      std::vector<Complex> force = modes->wave_on_shapes(forces, n_instants, m);
-      if (conjugate)
-        for (Complex &part : force)
-          part = std::conj(part);
-      // In the conjugate wave all turns the other way.
-      const Complex z = conjugate ? std::conj(per_step(m)) : per_step(m);
-      for (const ModesByShapes::Mode &mode : modes->by_diameter[k])
+      const std::vector<Complex> force = on_shapes(forces, m);
+      const double weight              = n_sectors * multiplicity(m, n_instants);
+      for (const ModesByShapes::Mode &mode : modes->by_diameter[around.k])
       {
-        const double omega = mode.frequency;
-        const Complex at_rest = mode.static_motion(force), // times omega, like the next
-            motion = at_rest * omega * omega *
-                     dynamics.scheme.response(z, dt, omega, dynamics.loss_factor),
-                      velocity = motion * dynamics.scheme.velocity(z, dt);
+        const Complex at_rest = mode.static_motion(force), // times the frequency, like the next
+            motion            = at_rest * mode.amplification(dynamics, around.z, dt),
+                      velocity = motion * dynamics.scheme.velocity(around.z, dt);
         // Forces at the middle of steps, against the motions in the steps.
-        power.taken += n_sectors * multiplicity(m, n_instants) *
-                       (std::conj(at_rest * 0.5 * (1. + 1. / z)) * (1. - 1. / z) *
-                        (motion - at_rest))
-                           .real() / dt;
-        power.damped += n_sectors * multiplicity(m, n_instants) * dynamics.loss_factor / omega *
-                        std::norm(velocity);
+        const Complex middle = 0.5 * (1. + 1. / around.z) * at_rest,
+                      moved  = (1. - 1. / around.z) * (motion - at_rest);
+        power.taken += weight * (std::conj(middle) * moved).real() / dt;
+        power.damped += weight * dynamics.loss_factor / mode.frequency * std::norm(velocity);
       }
     }
     return power;
@@ -217,17 +247,28 @@ namespace ringmotor
     }
   }
 
+  void MarchedModes::set(std::vector<std::vector<ModalState>> new_states,
+                         const std::vector<PointVector> &forces)
+  {
+    states  = std::move(new_states);
+    earlier = modal_forces(forces);
+  }
+
   RingCompliance MarchedModes::compliance(const double dt) const
   {
     const unsigned int n_shapes = modes->shapes.n();
     std::vector<std::vector<Complex>> waves(n_sectors / 2 + 1,
                                             std::vector<Complex>(n_shapes * n_shapes));
     for (unsigned int k = 0; k < waves.size(); ++k)
+    {
       for (const ModesByShapes::Mode &mode : modes->by_diameter[k])
         mode.add(std::pow(mode.frequency, 2) * dynamics.scheme.response_in_step(
                                                    dt, mode.frequency, dynamics.loss_factor) -
                      1.,
-                 true, waves[k]); // the ring's waves are exp(+i k j alpha)
+                 waves[k]);
+      for (Complex &entry : waves[k]) // the ring compliance's waves are exp(+i k j alpha)
+        entry = std::conj(entry);
+    }
     return RingCompliance(n_sectors, modes->shapes, waves);
   }
 

@@ -32,8 +32,9 @@ namespace ringmotor
     std::complex<double> response(const std::complex<double> &z, const double dt,
                                   const double frequency, const double loss_factor) const;
 
-    /** Velocity by displacement in such a motion, 1/s. */
+    /** Velocity (1/s) and acceleration (1/s^2) by displacement in such a motion. */
     std::complex<double> velocity(const std::complex<double> &z, const double dt) const;
+    std::complex<double> acceleration(const std::complex<double> &z, const double dt) const;
 
     /** Displacement at the end of a step by the force there, s^2. */
     double response_in_step(const double dt, const double frequency,

@@ -8,7 +8,7 @@ namespace ringmotor
 {
   /**
    * Marches a motor through time in implicit steps, from a rotor that lies without friction on the
-   * teeth as they stand at the time 0. For rings that are not uniform, for the start, and for steps
+   * teeth as they stand at the time 0, or from a steady state. For rings that are not uniform, for the start, and for steps
    * of any length.
    */
   class MarchingDriver
@@ -17,6 +17,11 @@ namespace ringmotor
     /** @p motor must outlive this object and all its states. */
     MarchingDriver(const CondensedMotor &motor, const Friction &friction, const Warp &warp,
                    const double preload);
+
+    /** Goes on from the first moment of a steady state, with steps of its length. All teeth must
+     * differ: n and N coprime. */
+    MarchingDriver(const CondensedMotor &motor, const Friction &friction,
+                   const OperatingState &steady);
 
     /** Goes on by one step (s) under a load. @throws ComputationError */
     OperatingState step(const RotorLoad &load, const double length);

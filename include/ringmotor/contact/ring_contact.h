@@ -159,8 +159,10 @@ namespace ringmotor
      * rise. */
     double stored_energy(const ContactState &state) const;
 
-    /** What inertia and damping of the rotor take in the steady state. */
+    /** What inertia and damping of the rotor take in the steady state, and its modes at the first
+     * moment. */
     ModalPower modal_power(const ContactState &state) const;
+    std::vector<std::vector<ModalState>> modal_states(const ContactState &state) const;
 
     /** A state from which the solver can start: no forces, the rotor so low that a small share of
      * the points would touch. */

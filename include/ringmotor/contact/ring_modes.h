@@ -74,18 +74,24 @@ namespace ringmotor
     /** Motions of the instants by forces at the instants. */
     RingCompliance compliance() const;
 
+    /** The modes at the first instant, by nodal diameter, under @p forces, by instant and node. */
+    std::vector<std::vector<ModalState>> states(const std::vector<PointVector> &forces) const;
+
     /** Of the whole ring under @p forces, by instant and node. */
     ModalPower power(const std::vector<PointVector> &forces) const;
 
   private:
-    /** Around the ring, and whether the wave travels the other way. */
-    struct Diameter
+    /** A wave of the history around the ring. */
+    struct Wave
     {
-      unsigned int k;
-      bool conjugate;
+      unsigned int k;         ///< nodal diameter
+      bool conjugate;         ///< travels the other way
+      std::complex<double> z; ///< of it, or of its conjugate, which the modes know, in a step
     };
-    Diameter diameter(const unsigned int m) const;
-    std::complex<double> per_step(const unsigned int m) const;
+    Wave wave(const unsigned int m) const;
+    /** The forces of a wave, or of its conjugate, on the shapes of modes. */
+    std::vector<std::complex<double>> on_shapes(const std::vector<PointVector> &forces,
+                                                const unsigned int m) const;
 
     const std::shared_ptr<const ModesByShapes> modes;
     const unsigned int n_waves, n_sectors, n_instants;
@@ -103,6 +109,8 @@ namespace ringmotor
 
     /** At rest under @p forces, by sector and node. */
     void rest(const std::vector<PointVector> &forces);
+    /** In the midst of a motion. */
+    void set(std::vector<std::vector<ModalState>> states, const std::vector<PointVector> &forces);
 
     /** What they add to the static compliance within a step @p dt (s). */
     RingCompliance compliance(const double dt) const;
