@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/contact/rotor_modes.h>
 #include <ringmotor/output/contact_files.h>
 #include <ringmotor/output/contact_h5.h>
 #include <ringmotor/output/contact_keep.h>
@@ -73,6 +74,7 @@ namespace ringmotor
       Log log;
       Phases phases;
       const StatorWave wave;
+      std::optional<RotorVibration> vibration; ///< of a rotor with inertia, on all meshes
       std::optional<ContactKeep> keep; ///< of run(); a study measures what it costs without
       const std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
       double seconds_per_effort = 0.; ///< at the last point, see effort_of()
@@ -155,9 +157,14 @@ namespace ringmotor
     CondensedMotor ContactProgram::condense(const unsigned int level)
     {
       const auto scope = phases.measure("condensation, interface mesh " + std::to_string(level));
-      CondensedMotor motor =
-          keep ? keep->motor(parameters, level)
-               : condense_motor(parameters, wave, ContactDiscretisation::level(level));
+      const auto condense = [&]
+      {
+        if (!vibration && parameters.effects.rotor_inertia != EffectChoice::off)
+          vibration.emplace(parameters, wave.angular_frequency);
+        return condense_motor(parameters, wave, ContactDiscretisation::level(level),
+                              vibration ? &*vibration : nullptr);
+      };
+      CondensedMotor motor = keep ? keep->motor(parameters, level, condense) : condense();
       log.line("interface mesh " + std::to_string(level) + ": " +
                std::to_string(motor.nodes.size()) + " contact points on a tooth, " +
                std::to_string(motor.n_dofs) + " dofs condensed");
@@ -174,7 +181,8 @@ namespace ringmotor
           "operating points, interface mesh " + std::to_string(setting.level) + ", step " +
           (setting.n_joined > 1 ? std::to_string(setting.n_joined)
                                 : "1/" + std::to_string(setting.n_parts)) +
-          (setting.wave_factor == 1. ? "" : ", wave changed"));
+          (setting.wave_factor == 1. ? "" : ", wave changed") +
+          (setting.has_coarse_modes ? ", coarse modes" : ""));
       tell_price(motor, setting, requests.size());
       unsigned int n_found        = 0;
       const double seconds_before = seconds();

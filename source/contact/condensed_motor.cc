@@ -226,8 +226,22 @@ namespace ringmotor
     }
   } // namespace
 
+  namespace
+  {
+    void add_inertia(CondensedMotor &motor, const ContactSurface &tooth_top, const double lip_turn,
+                     const Parameters &parameters, const RotorVibration &vibration)
+    {
+      motor.rotor_modes    = vibration.modes().at(tooth_top, lip_turn);
+      motor.coarse_modes   = vibration.coarse_modes().at(tooth_top, lip_turn);
+      const bool is_damped = parameters.effects.damping != EffectChoice::off;
+      motor.rotor_dynamics = {is_damped ? parameters.materials.rotor_metal.loss_factor : 0.,
+                              InertiaScheme::second_order(parameters.time.spectral_radius)};
+    }
+  } // namespace
+
   CondensedMotor condense_motor(const Parameters &all_parameters, const StatorWave &wave,
-                                const ContactDiscretisation &discretisation)
+                                const ContactDiscretisation &discretisation,
+                                const RotorVibration *vibration)
   {
     const Parameters parameters = relevant_for_condensation(all_parameters);
     const CondensedTooth tooth  = condense_tooth(parameters, wave, discretisation);
@@ -248,11 +262,8 @@ namespace ringmotor
       motor.folded = motor.compliance.folded(motor.n_repeats());
     motor.constants = constants_for(motor.compliance);
     if (parameters.effects.rotor_inertia != EffectChoice::off)
-    {
-      motor.rotor_modes = rotor_modes(parameters, tooth.surface.surface, wave, discretisation);
-      motor.rotor_dynamics = {parameters.materials.rotor_metal.loss_factor,
-                              InertiaScheme::second_order(0.8)};
-    }
+      add_inertia(motor, tooth.surface.surface, discretisation.lip_turn, parameters,
+                  vibration ? *vibration : RotorVibration(parameters, wave.angular_frequency));
     return motor;
   }
 } // namespace ringmotor

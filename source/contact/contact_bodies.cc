@@ -56,16 +56,6 @@ namespace ringmotor
     ContactDiscretisation discretisation;
     discretisation.tooth = {1 + level, std::max(1u, level)};
     discretisation.lip   = {1 + level, 1 + level};
-    discretisation.modes_level = level;
-    discretisation.modes_up_to = 7. * std::pow(1.5, level);
-    return discretisation;
-  }
-
-  ContactDiscretisation ContactDiscretisation::for_modes() const
-  {
-    ContactDiscretisation discretisation = *this;
-    discretisation.lip                   = {1, 1};
-    discretisation.rotor_level           = modes_level;
     return discretisation;
   }
 

@@ -76,9 +76,13 @@ namespace ringmotor
     StepEnd end{time() + length, length, contact->speed(solution.state), solution.state, solution.motion};
     end.state.rigid.resize(contact->n_rigid() - (load.torque ? 1 : 0));
     history.add(std::move(end));
-    const ModalPower power =
-        modes ? modes->step(solution.state.force, length) : ModalPower();
-    return {contact, std::move(solution), std::move(limits), power};
+    OperatingState state{contact, std::move(solution), std::move(limits)};
+    if (modes)
+    {
+      state.modal_power  = modes->step(state.solution.state.force, length);
+      state.modal_motion = modes->motion();
+    }
+    return state;
   }
 
   TimeStep MarchingDriver::next_step(const double length)

@@ -151,12 +151,20 @@ namespace ringmotor
     return position;
   }
 
-  std::vector<PointVector> RingContact::by_place(const std::vector<PointVector> &force) const
+  std::vector<PointVector> RingContact::by_place(const std::vector<PointVector> &of_points) const
   {
-    std::vector<PointVector> forces(force.size());
-    for (unsigned int point = 0; point < force.size(); ++point)
-      forces[place[point / n_nodes] * n_nodes + point % n_nodes] = force[point];
-    return forces;
+    std::vector<PointVector> of_places(of_points.size());
+    for (unsigned int point = 0; point < of_points.size(); ++point)
+      of_places[place[point / n_nodes] * n_nodes + point % n_nodes] = of_points[point];
+    return of_places;
+  }
+
+  std::vector<PointVector> RingContact::by_point(const std::vector<PointVector> &of_places) const
+  {
+    std::vector<PointVector> of_points(of_places.size());
+    for (unsigned int point = 0; point < of_points.size(); ++point)
+      of_points[point] = of_places[place[point / n_nodes] * n_nodes + point % n_nodes];
+    return of_points;
   }
 
   ModalPower RingContact::modal_power(const ContactState &state) const
@@ -164,11 +172,16 @@ namespace ringmotor
     return dynamics ? dynamics->inertia.power(by_place(state.force)) : ModalPower();
   }
 
-  std::vector<std::vector<ModalState>>
-  RingContact::modal_states(const ContactState &state) const
+  std::vector<PointVector> RingContact::modal_motion(const ContactState &state) const
   {
-    Assert(dynamics, ExcMessage("a steady state with inertia"));
-    return dynamics->inertia.states(by_place(state.force));
+    return dynamics ? by_point(dynamics->inertia.motion(by_place(state.force)))
+                    : std::vector<PointVector>();
+  }
+
+  std::vector<std::vector<ModalState>> RingContact::modal_states(const ContactState &state) const
+  {
+    return dynamics ? dynamics->inertia.states(by_place(state.force))
+                    : std::vector<std::vector<ModalState>>();
   }
 
   void RingContact::add_motions(const std::vector<PointVector> &force,
@@ -180,10 +193,9 @@ namespace ringmotor
       return;
     }
     const std::vector<PointVector> forces = by_place(force);
-    std::vector<PointVector> moved(force.size());
+    std::vector<PointVector> moved        = by_place(motion);
     compliance->add_motions(&forces[0][0], &moved[0][0]);
-    for (unsigned int point = 0; point < motion.size(); ++point)
-      motion[point] += moved[place[point / n_nodes] * n_nodes + point % n_nodes];
+    motion = by_point(moved);
   }
 
   std::vector<PointVector> RingContact::positions(const ContactState &state) const

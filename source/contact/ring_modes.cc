@@ -12,7 +12,13 @@ namespace ringmotor
   namespace
   {
     using Complex = std::complex<double>;
-  }
+
+    /** How often a wave of real numbers counts: with its conjugate, unless it is that itself. */
+    double multiplicity(const unsigned int m, const unsigned int n)
+    {
+      return m == 0 || 2 * m == n ? 1. : 2.;
+    }
+  } // namespace
 
   /** Modes in terms of a few shapes of a sector's nodes, which are enough for all of them. */
   class ModesByShapes
@@ -102,18 +108,34 @@ namespace ringmotor
       return result;
     }
 
+    /** Adds the motions of a wave exp(i m angle j) over j, of which the amplitudes of all modes with
+     * its nodal diameter are given. */
+    void add_motion(const unsigned int k, const std::vector<Complex> &amplitudes,
+                    const bool conjugate, const unsigned int m, const unsigned int n_sectors,
+                    std::vector<PointVector> &motion) const
+    {
+      const unsigned int n_nodes = shapes.m() / 3;
+      std::vector<Complex> of_shapes(shapes.n()), of_nodes(shapes.m());
+      for (unsigned int r = 0; r < amplitudes.size(); ++r)
+        for (unsigned int i = 0; i < of_shapes.size(); ++i)
+          of_shapes[i] += by_diameter[k][r].frequency * amplitudes[r] * by_diameter[k][r].shares[i];
+      for (unsigned int row = 0; row < of_nodes.size(); ++row)
+        for (unsigned int i = 0; i < of_shapes.size(); ++i)
+          of_nodes[row] += shapes(row, i) * of_shapes[i];
+      for (unsigned int j = 0; j < n_sectors; ++j)
+      {
+        const double angle = 2. * numbers::PI *
+                             (static_cast<std::size_t>(m) * j % n_sectors) / n_sectors;
+        const Complex phase =
+            std::polar(multiplicity(m, n_sectors), conjugate ? -angle : angle);
+        for (unsigned int row = 0; row < of_nodes.size(); ++row)
+          motion[j * n_nodes + row / 3][row % 3] += (phase * of_nodes[row]).real();
+      }
+    }
+
     FullMatrix<double> shapes; ///< orthonormal columns, a row for each component of a node
     std::vector<std::vector<Mode>> by_diameter;
   };
-
-  namespace
-  {
-    /** How often a wave of real numbers counts: with its conjugate, unless it is that itself. */
-    double multiplicity(const unsigned int m, const unsigned int n)
-    {
-      return m == 0 || 2 * m == n ? 1. : 2.;
-    }
-  } // namespace
 
   SteadyInertia::SteadyInertia(const RingModes &modes, const unsigned int n_waves,
                                const unsigned int n_sectors, const double period,
@@ -157,6 +179,24 @@ namespace ringmotor
           entry = std::conj(entry);
     }
     return RingCompliance(n_instants, modes->shapes, waves);
+  }
+
+  std::vector<PointVector> SteadyInertia::motion(const std::vector<PointVector> &forces) const
+  {
+    std::vector<PointVector> motion(forces.size());
+    for (unsigned int m = 0; 2 * m <= n_instants; ++m)
+    {
+      const Wave around = wave(m);
+      if (modes->by_diameter[around.k].empty())
+        continue;
+      const std::vector<Complex> force = on_shapes(forces, m);
+      std::vector<Complex> amplitudes;
+      for (const ModesByShapes::Mode &mode : modes->by_diameter[around.k])
+        amplitudes.push_back(mode.static_motion(force) *
+                             mode.amplification(dynamics, around.z, dt) / mode.frequency);
+      modes->add_motion(around.k, amplitudes, around.conjugate, m, n_instants, motion);
+    }
+    return motion;
   }
 
   std::vector<std::vector<ModalState>>
@@ -206,7 +246,7 @@ namespace ringmotor
         const Complex middle = 0.5 * (1. + 1. / around.z) * at_rest,
                       moved  = (1. - 1. / around.z) * (motion - at_rest);
         power.taken += weight * (std::conj(middle) * moved).real() / dt;
-        power.damped += weight * dynamics.loss_factor / mode.frequency * std::norm(velocity);
+        power.damped_by_factor += weight / mode.frequency * std::norm(velocity);
       }
     }
     return power;
@@ -272,37 +312,34 @@ namespace ringmotor
     return RingCompliance(n_sectors, modes->shapes, waves);
   }
 
+  std::vector<PointVector>
+  MarchedModes::motion_of(const std::vector<std::vector<ModalState>> &of_modes) const
+  {
+    std::vector<PointVector> motion(n_sectors * modes->shapes.m() / 3);
+    for (unsigned int k = 0; k < of_modes.size(); ++k)
+      if (!of_modes[k].empty())
+      {
+        std::vector<Complex> amplitudes;
+        for (const ModalState &state : of_modes[k])
+          amplitudes.push_back(state.displacement);
+        modes->add_motion(k, amplitudes, true, k, n_sectors, motion); // exp(-i k j alpha)
+      }
+    return motion;
+  }
+
+  std::vector<PointVector> MarchedModes::motion() const
+  {
+    return motion_of(states);
+  }
+
   std::vector<PointVector> MarchedModes::free_motion(const double dt) const
   {
-    const unsigned int n_nodes = modes->shapes.m() / 3;
-    std::vector<PointVector> motion(n_sectors * n_nodes);
-    for (unsigned int k = 0; k < states.size(); ++k)
-    {
-      std::vector<Complex> of_shapes(modes->shapes.n());
-      for (unsigned int r = 0; r < states[k].size(); ++r)
-      {
-        const ModesByShapes::Mode &mode = modes->by_diameter[k][r];
-        const Complex displacement      = without_force(dynamics.scheme, states[k][r], dt,
-                                                        mode.frequency, dynamics.loss_factor)
-                                         .displacement;
-        for (unsigned int i = 0; i < of_shapes.size(); ++i)
-          of_shapes[i] += mode.frequency * displacement * mode.shares[i];
-      }
-      if (states[k].empty())
-        continue;
-      std::vector<Complex> of_nodes(modes->shapes.m());
-      for (unsigned int row = 0; row < of_nodes.size(); ++row)
-        for (unsigned int i = 0; i < of_shapes.size(); ++i)
-          of_nodes[row] += modes->shapes(row, i) * of_shapes[i];
-      for (unsigned int j = 0; j < n_sectors; ++j)
-      {
-        const Complex phase = std::polar(multiplicity(k, n_sectors),
-                                         -2. * numbers::PI * (k * j % n_sectors) / n_sectors);
-        for (unsigned int row = 0; row < of_nodes.size(); ++row)
-          motion[j * n_nodes + row / 3][row % 3] += (phase * of_nodes[row]).real();
-      }
-    }
-    return motion;
+    std::vector<std::vector<ModalState>> ends = states;
+    for (unsigned int k = 0; k < ends.size(); ++k)
+      for (unsigned int r = 0; r < ends[k].size(); ++r)
+        ends[k][r] = without_force(dynamics.scheme, states[k][r], dt,
+                                   modes->by_diameter[k][r].frequency, dynamics.loss_factor);
+    return motion_of(ends);
   }
 
   ModalPower MarchedModes::step(const std::vector<PointVector> &forces, const double dt)
@@ -322,8 +359,8 @@ namespace ringmotor
                               (now[k][r] - earlier[k][r]) / (omega * omega);
         power.taken +=
             weight / dt * (std::conj(0.5 * (now[k][r] + earlier[k][r])) * moved).real();
-        power.damped += weight * dynamics.loss_factor * omega *
-                        std::norm(0.5 * (state.velocity + from.velocity));
+        power.damped_by_factor +=
+            weight * omega * std::norm(0.5 * (state.velocity + from.velocity));
       }
     earlier = now;
     return power;

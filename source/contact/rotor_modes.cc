@@ -30,11 +30,12 @@ namespace ringmotor
     }
 
     /** Nodal diameters that the harmonics of the wave have. */
-    std::set<unsigned int> nodal_diameters(const Motor &motor, const bool is_warped,
-                                           const double modes_up_to)
+    std::set<unsigned int> nodal_diameters(const Parameters &parameters,
+                                           const unsigned int n_harmonics)
     {
+      const Motor &motor   = parameters.motor;
+      const bool is_warped = ringmotor::is_warped(parameters);
       std::set<unsigned int> diameters;
-      const auto n_harmonics = static_cast<unsigned int>(2. * modes_up_to);
       for (unsigned int m = 1; m <= (is_warped ? motor.n_teeth : n_harmonics); ++m)
       {
         const unsigned int around = (is_warped ? m : m * motor.n_waves) % motor.n_teeth;
@@ -43,6 +44,14 @@ namespace ringmotor
       diameters.erase(0);
       diameters.erase(1);
       return diameters;
+    }
+
+    ContactDiscretisation mesh_for_modes(const unsigned int level)
+    {
+      ContactDiscretisation discretisation;
+      discretisation.lip         = {1, 1}; // modes move the lip smoothly
+      discretisation.rotor_level = level;
+      return discretisation;
     }
   } // namespace
 
@@ -65,35 +74,45 @@ namespace ringmotor
     return motions;
   }
 
-  RingModes rotor_modes(const Parameters &parameters, const ContactSurface &tooth_top,
-                        const StatorWave &wave, const ContactDiscretisation &discretisation)
+  LipModes::LipModes(const Parameters &parameters, const unsigned int level, const double up_to,
+                     const unsigned int n_harmonics)
+      : n_teeth(parameters.motor.n_teeth), modes(n_teeth / 2 + 1)
   {
-    const unsigned int n_teeth = parameters.motor.n_teeth;
-    const double pitch         = 2. * numbers::PI / n_teeth;
-    const RotorBody body(parameters, discretisation.for_modes());
-    const MortarCoupling mortar =
-        couple(tooth_top, body.whole_lip.surface, pitch, discretisation.lip_turn);
+    const RotorBody body(parameters, mesh_for_modes(level));
+    lip = body.whole_lip;
     const std::vector<LinearForm> displacements = displacement_forms(body.lip);
-    const bool gives_way_along =
-        parameters.effects.rotor_tangential_compliance != EffectChoice::off;
-
     ModeSolver solver(body.sector);
-    RingModes modes(n_teeth / 2 + 1);
-    for (const unsigned int k :
-         nodal_diameters(parameters.motor, is_warped(parameters), discretisation.modes_up_to))
-      for (const Mode &mode :
-           solver.below(k, std::pow(discretisation.modes_up_to * wave.angular_frequency, 2)))
+    for (const unsigned int k : nodal_diameters(parameters, n_harmonics))
+      for (const Mode &mode : solver.below(k, std::pow(up_to, 2)))
+        modes[k].push_back(
+            {std::sqrt(mode.eigenvalue), on_surface(body.sector, displacements, mode)});
+    if (parameters.effects.rotor_tangential_compliance == EffectChoice::off)
+      for (auto &of_diameter : modes)
+        for (LipMode &mode : of_diameter)
+          for (std::size_t i = 0; i < mode.motion.size(); ++i)
+            if (i % 3 != 0)
+              mode.motion[i] = 0.;
+  }
+
+  RingModes LipModes::at(const ContactSurface &tooth_top, const double lip_turn) const
+  {
+    const double pitch          = 2. * numbers::PI / n_teeth;
+    const MortarCoupling mortar = couple(tooth_top, lip.surface, pitch, lip_turn);
+    RingModes at_nodes(modes.size());
+    for (unsigned int k = 0; k < modes.size(); ++k)
+      for (const LipMode &mode : modes[k])
       {
-        RingMode ring_mode{
-            std::sqrt(mode.eigenvalue),
-            at_contact_points(on_surface(body.sector, displacements, mode), body.whole_lip.origin,
-                              mortar, k * pitch)};
-        for (std::array<Complex, 3> &motion : ring_mode.motion)
-          for (unsigned int c = 0; c < 3; ++c)
-            // Two halves make a sector.
-            motion[c] *= c == 0 || gives_way_along ? std::sqrt(0.5) : 0.;
-        modes[k].push_back(std::move(ring_mode));
+        at_nodes[k].push_back({mode.angular_frequency,
+                               at_contact_points(mode.motion, lip.origin, mortar, k * pitch)});
+        for (std::array<Complex, 3> &motion : at_nodes[k].back().motion)
+          for (Complex &component : motion)
+            component *= std::sqrt(0.5); // two halves make a sector
       }
-    return modes;
+    return at_nodes;
+  }
+
+  RotorVibration::RotorVibration(const Parameters &parameters, const double frequency)
+      : fine(parameters, 2, 10. * frequency, 16), coarse(parameters, 1, 7. * frequency, 11)
+  {
   }
 } // namespace ringmotor

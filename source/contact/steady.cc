@@ -142,8 +142,10 @@ namespace ringmotor
       from.motion.clear();
       if (update.settled(travelled(*contact, solution), solution.status, from.memory))
       {
-        const ModalPower power = contact->modal_power(solution.state);
-        return {contact, std::move(solution), std::move(from.memory), power};
+        OperatingState state{contact, std::move(solution), std::move(from.memory)};
+        state.modal_power  = contact->modal_power(state.solution.state);
+        state.modal_motion = contact->modal_motion(state.solution.state);
+        return state;
       }
     }
     throw ComputationError("the memory of the friction law did not settle in " +
@@ -212,10 +214,6 @@ namespace ringmotor
       const OperatingState state = find(load, from, std::make_shared<const SteadyDynamics>(motor, step, stage));
       from = {state.solution.state, state.solution.motion, travelled(*state.contact, state.solution),
               load.speed};
-      if (getenv("TRACE"))
-        std::fprintf(stderr, "stage %g: %u iterations, %s; torque %g\n", stage.loss_factor,
-                     state.solution.n_iterations, state.solution.how.c_str(),
-                     state.contact->torque(state.solution.state));
     }
     return from;
   }

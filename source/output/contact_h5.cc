@@ -33,6 +33,7 @@ namespace ringmotor
               {"closing_work_W", &result.closing_work},
               {"teeth_in_contact_per_wave", &result.teeth_in_contact},
               {"stick_fraction", &result.stick_fraction},
+              {"modal_power_W", &point.result.modal_power},
               {"rotor_power_per_loss_factor_W", &point.rotor_power}};
     }
 

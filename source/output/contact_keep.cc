@@ -124,7 +124,8 @@ namespace ringmotor
     Utilities::MPI::broadcast(communicator, 0); // no rank goes on before the folders are there
   }
 
-  CondensedMotor ContactKeep::motor(const Parameters &parameters, const unsigned int level)
+  CondensedMotor ContactKeep::motor(const Parameters &parameters, const unsigned int level,
+                                    const std::function<CondensedMotor()> &condense)
   {
     const std::string name = "interface_mesh_" + std::to_string(level), path = motors + name;
     const bool is_first   = Utilities::MPI::this_mpi_process(communicator) == 0;
@@ -141,7 +142,7 @@ namespace ringmotor
     }
     if (!kept.problem.empty())
       log.line("kept condensation " + path + " " + kept.problem + ": computed anew");
-    CondensedMotor motor = condense_motor(parameters, wave, ContactDiscretisation::level(level));
+    CondensedMotor motor = condense();
     if (is_first)
       write_kept_file(path, key, to_bytes(motor));
     return motor;
@@ -157,6 +158,7 @@ namespace ringmotor
     key << std::setprecision(std::numeric_limits<double>::max_digits10)
         << points_key(parameters, wave, setting.level) << "step " << setting.n_joined << "/"
         << setting.n_parts << "\nwave times " << setting.wave_factor << "\n"
+        << (setting.has_coarse_modes ? "coarse modes\n" : "")
         << (setting.tells_window ? "with its window\n" : "");
     Points memory(points_folder, key.str(), counts);
     return find_points(parameters, motor, setting, requests, communicator, after_point, &memory,

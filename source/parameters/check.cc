@@ -201,7 +201,6 @@ namespace ringmotor
     {
       const std::vector<std::pair<std::string, EffectChoice>> missing{
           {"Tooth inertia", effects.tooth_inertia},
-          {"Damping", effects.damping},
           {"Stator back-reaction", effects.stator_back_reaction},
           {"Spin convection", effects.spin_convection},
           {"Felt support", effects.felt_support}};
@@ -209,6 +208,9 @@ namespace ringmotor
         if (choice != EffectChoice::off)
           throw UserError("Effects/" + name + " = " + (choice == EffectChoice::on ? "on" : "auto") +
                           " is not available in this version; allowed: off");
+      if (effects.damping == EffectChoice::on && effects.rotor_inertia == EffectChoice::off)
+        throw UserError("Effects/Damping = on is available with Effects/Rotor inertia = on | auto "
+                        "only; allowed: off | auto");
       if (effects.friction_lining == EffectChoice::automatic)
         throw UserError("Effects/Friction lining = auto is not available in this version; "
                         "allowed: off | on");

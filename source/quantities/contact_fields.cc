@@ -12,6 +12,7 @@ namespace ringmotor
     reserve(motion);
     reserve(tooth);
     reserve(rotor);
+    reserve(modal);
     reserve(rigid);
     reserve(status);
   }
@@ -27,6 +28,7 @@ namespace ringmotor
     append(motion, later.motion);
     append(tooth, later.tooth);
     append(rotor, later.rotor);
+    append(modal, later.modal);
     append(rigid, later.rigid);
     append(status, later.status);
     n_teeth   = later.n_teeth;
@@ -47,6 +49,7 @@ namespace ringmotor
     fields.motion                    = solution.motion;
     fields.tooth                     = contact.tooth_motion(solution.state);
     fields.rotor                     = contact.rotor_motion(solution.state);
+    fields.modal                     = state.modal_motion;
     const std::vector<double> &rigid = solution.state.rigid; // a turn may follow
     const std::size_t size           = contact.n_times() * contact.n_rigid_motions();
     fields.rigid.assign(rigid.begin(), rigid.begin() + size);

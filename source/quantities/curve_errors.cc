@@ -40,6 +40,8 @@ namespace ringmotor
     // Of first order, C / n with n steps per pitch: C follows from two of them.
     errors.time = change(point, point_of(other, request));
     errors.time *= other.n_steps() / std::abs(other.n_steps() - own.n_steps());
+    if (has_inertia())
+      errors.modes = change(point_of(plain, request), point_of(coarse_modes(), request));
     errors.wave = change(point_of(plain, request), point_of(changed_wave(), request));
     // What a window given by the user misses does not depend on the steps.
     errors.window = parameters.time.n_steps ? point_of(plain, request).window : point.window;
@@ -63,6 +65,18 @@ namespace ringmotor
   {
     const CurveSetting plain = steps.plain(reached_level);
     return plain == CurveSetting{reached_level, n_parts[request]} ? plain.halved() : plain;
+  }
+
+  CurveSetting CurveSearch::coarse_modes() const
+  {
+    CurveSetting setting     = steps.plain(reached_level);
+    setting.has_coarse_modes = true;
+    return setting;
+  }
+
+  bool CurveSearch::has_inertia() const
+  {
+    return parameters.effects.rotor_inertia != EffectChoice::off;
   }
 
   double CurveSearch::worst_error() const

@@ -24,14 +24,17 @@ namespace ringmotor
       return std::ceil(factor * n_parts);
     }
 
-    /** The same motor with a wave that moves its surface faster, but not higher. */
-    CondensedMotor with_faster_wave(const CondensedMotor &motor, const double factor)
+    /** The same motor with a wave that moves its surface faster, but not higher, or with coarse
+     * modes of its rotor. */
+    CondensedMotor changed(const CondensedMotor &motor, const CurveSetting &setting)
     {
-      CondensedMotor faster = motor;
-      for (CondensedMotor::Node &node : faster.nodes)
+      CondensedMotor other = motor;
+      for (CondensedMotor::Node &node : other.nodes)
         for (const unsigned int c : {1u, 2u})
-          node.free_motion[c] *= factor;
-      return faster;
+          node.free_motion[c] *= setting.wave_factor;
+      if (setting.has_coarse_modes)
+        other.rotor_modes = other.coarse_modes;
+      return other;
     }
 
     std::string short_text(const double number)
@@ -197,11 +200,11 @@ namespace ringmotor
     for (const unsigned int request : missing)
       asked.push_back(requests[request]);
     const CondensedMotor &motor = motor_of(setting.level);
+    const bool is_changed       = setting.wave_factor != 1. || setting.has_coarse_modes;
     std::vector<CurvePoint> points =
-        setting.wave_factor == 1.
-            ? sources.points(parameters, motor, setting, asked, starts)
-            : sources.points(parameters, with_faster_wave(motor, setting.wave_factor), setting,
-                             asked, starts);
+        is_changed
+            ? sources.points(parameters, changed(motor, setting), setting, asked, starts)
+            : sources.points(parameters, motor, setting, asked, starts);
     for (unsigned int i = 0; i < missing.size(); ++i)
       known[setting][missing[i]] = std::move(points[i]);
   }
@@ -344,6 +347,8 @@ namespace ringmotor
     // Together as far as possible: ranks share them.
     find_on_both_meshes();
     find_points_of(changed_wave(), all_requests());
+    if (has_inertia())
+      find_points_of(coarse_modes(), all_requests());
     find_with_own_steps();
     results.clear();
     for (const unsigned int i : all_requests())

@@ -25,14 +25,15 @@ namespace ringmotor
       return motor.n_teeth / std::gcd(motor.n_waves, motor.n_teeth);
     }
 
-    constexpr unsigned int few_steps = 40, many_steps = 80; // in a period
-    constexpr unsigned int few_marched_steps = 30;          // each of them costs
-  }                                                         // namespace
+    constexpr unsigned int few_marched_steps = 30; // in a period; each of them costs
+  }                                                // namespace
 
   StepChoice::StepChoice(const Parameters &parameters, const double period)
       : is_marched(ringmotor::is_marched(parameters)),
         is_fixed(parameters.accuracy.mode == AccuracyMode::fixed),
         n_snapshots(parameters.time.n_snapshots),
+        // A rotor with inertia vibrates several times in a period.
+        few_steps(parameters.effects.rotor_inertia == EffectChoice::off ? 40 : 80),
         n_undivided(is_marched ? period / parameters.time.time_step
                                : teeth_that_differ(parameters.motor))
   {
@@ -63,7 +64,7 @@ namespace ringmotor
     if (is_fixed)
       return n_snapshots;
     const CurveSetting plain_steps = plain(0);
-    return std::max({plain_steps.n_joined > 1 ? 1 : plain_steps.n_parts + 1, parts_for(many_steps),
+    return std::max({plain_steps.n_joined > 1 ? 1 : plain_steps.n_parts + 1, parts_for(2 * few_steps),
                      n_snapshots});
   }
 

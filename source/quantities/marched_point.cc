@@ -139,7 +139,8 @@ namespace ringmotor
     {
       return {of_torque ? span.mean.speed : 0., of_torque ? 0. : span.mean.torque,
               span.mean.friction_loss(),
-              power_per_loss_factor(energies_of(span), motor.angular_frequency)};
+              power_per_loss_factor(energies_of(span), motor.angular_frequency) +
+                  span.mean.modal_damping};
     }
 
     MarchedSpan Settling::settle(MarchedRun &run)
@@ -212,7 +213,8 @@ namespace ringmotor
       point.result         = span.mean;
       point.rotor_energies = settling.energies_of(span);
       point.fields         = std::move(span.fields);
-      point.rotor_power    = power_per_loss_factor(point.rotor_energies, angular_frequency);
+      point.rotor_power = power_per_loss_factor(point.rotor_energies, angular_frequency) +
+                          point.result.modal_damping;
       return point;
     }
 

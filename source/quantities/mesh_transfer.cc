@@ -86,6 +86,7 @@ namespace ringmotor
     ContactFields result        = known;
     result.tooth.clear();
     result.rotor.clear();
+    result.modal.clear();
     result.force.assign(n_blocks * n_to, PointVector());
     result.motion.clear();
     result.status.clear();

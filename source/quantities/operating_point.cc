@@ -34,7 +34,7 @@ namespace ringmotor
       point.speed  = contact.speed(solution.state);
       point.torque = contact.torque(solution.state);
       point.modal_power   = state.modal_power.taken;
-      point.rotor_damping = state.modal_power.damped;
+      point.modal_damping = state.modal_power.damped_by_factor;
       // Sums over the points of all moments become powers of the whole ring.
       const double per_second = contact.n_repeats() / (contact.n_times() * contact.time_step());
       double pressed = 0., stuck = 0.;
@@ -119,7 +119,7 @@ namespace ringmotor
          {&OperatingPoint::speed, &OperatingPoint::torque, &OperatingPoint::tangential_loss,
           &OperatingPoint::radial_loss, &OperatingPoint::input_power, &OperatingPoint::output_work,
           &OperatingPoint::stored_power, &OperatingPoint::modal_power,
-          &OperatingPoint::rotor_damping, &OperatingPoint::gross_power,
+          &OperatingPoint::modal_damping, &OperatingPoint::gross_power,
           &OperatingPoint::closing_work, &OperatingPoint::teeth_in_contact,
           &OperatingPoint::stick_fraction})
       for (std::size_t i = 0; i < points.size(); ++i)

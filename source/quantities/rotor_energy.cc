@@ -80,10 +80,12 @@ namespace ringmotor
         const std::size_t first = moment * n_teeth * n_nodes;
         const auto part         = [&](const std::vector<PointVector> &vectors)
         { return wave_part(vectors.data() + first, n_teeth, n_nodes, nodes, q); };
-        const std::vector<Complex> force = part(fields.force), motion = part(fields.rotor);
+        const std::vector<Complex> force = part(fields.force), motion = part(fields.rotor),
+                                   modal = fields.modal.empty() ? std::vector<Complex>(force.size())
+                                                                : part(fields.modal);
         double work = 0.;
         for (std::size_t i = 0; i < force.size(); ++i)
-          work += (std::conj(force[i]) * motion[i]).real();
+          work += (std::conj(force[i]) * (motion[i] - modal[i])).real();
         energies[m] += 0.5 * pattern.n_teeth * work / (n_moments - first_moment);
       }
     }

@@ -31,6 +31,7 @@ namespace ringmotor
   {
     static const std::vector<std::pair<std::string, PointError PointErrors::*>> members{
         {"meshes of bodies and interface", &PointErrors::mesh},
+        {"modes of the rotor", &PointErrors::modes},
         {"time step", &PointErrors::time},
         {"averaging window", &PointErrors::window},
         {by_wave, &PointErrors::wave},
@@ -111,7 +112,9 @@ namespace ringmotor
                             known->result.speed);
         return *known;
       }
-    if (start && !is_marched(parameters))
+    // With inertia the neighbour on the curve is nearer than the same point with other steps.
+    const bool has_neighbour = !motor.rotor_modes.empty() && steady.has_state();
+    if (start && !is_marched(parameters) && !has_neighbour)
       steady.go_on_from(load_of(parameters.loading, request), solution_of(*start),
                         start->result.speed);
     const auto begin = std::chrono::steady_clock::now();
@@ -133,7 +136,8 @@ namespace ringmotor
     point.add_certificate(state.solution);
     point.fields         = fields_of(state, 0.);
     point.rotor_energies = rotor_energies(point.fields, {motor.n_waves, motor.n_teeth, 0});
-    point.rotor_power    = power_per_loss_factor(point.rotor_energies, motor.angular_frequency);
+    point.rotor_power    = power_per_loss_factor(point.rotor_energies, motor.angular_frequency) +
+                        point.result.modal_damping;
     return point;
   }
 

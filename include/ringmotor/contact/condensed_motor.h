@@ -67,6 +67,7 @@ namespace ringmotor
     std::vector<Node> nodes;
     std::vector<LooseMotion> loose_motions;
     RingModes rotor_modes;     ///< empty if the rotor has no inertia
+    RingModes coarse_modes;    ///< the same on a coarser mesh, and fewer: tell the error
     RingDynamics rotor_dynamics;
     RingCompliance compliance; ///< of rotor and teeth, relative motion of rotor against stator
     RingCompliance folded;     ///< the same of the part that repeats itself; empty if nothing does
@@ -94,15 +95,20 @@ namespace ringmotor
     {
       archive &n_teeth &n_waves &angular_frequency &nodes &loose_motions &compliance &folded;
       archive &constants.normal &constants.tangential &tooth_compliance &faces &degree &n_dofs;
-      archive &tooth_inertia_indicator &rotor_modes &rotor_dynamics;
+      archive &tooth_inertia_indicator &rotor_modes &coarse_modes &rotor_dynamics;
     }
   };
+
+  class RotorVibration;
 
   /**
    * Condenses teeth and rotor of a motor to their contact points. Looks at
    * relevant_for_condensation() of the parameters only.
+   * @param vibration of a rotor with inertia, which is the same for all discretisations; without
+   * it, it is computed
    * @throws UserError if the lip misses the teeth
    */
   CondensedMotor condense_motor(const Parameters &parameters, const StatorWave &wave,
-                                const ContactDiscretisation &discretisation);
+                                const ContactDiscretisation &discretisation,
+                                const RotorVibration *vibration = nullptr);
 } // namespace ringmotor

@@ -23,17 +23,10 @@ namespace ringmotor
     InterfaceGrading tooth{2, 1};
     InterfaceGrading lip{2, 2};
     unsigned int rotor_level = 0;
-    /** Of a rotor with inertia: the mesh for its modes, and up to how many times the wave's
-     * frequency they are taken. */
-    unsigned int modes_level = 0;
-    double modes_up_to       = 10.;
     double lip_turn          = 0.; ///< rad, of the lip's mesh against that of the teeth
 
     /** Discretisations 0, 1, 2, ... of a sequence in which all get finer. */
     static ContactDiscretisation level(const unsigned int level);
-
-    /** The rotor's for its modes, which its lip moves in smoothly. */
-    ContactDiscretisation for_modes() const;
   };
 
   /** A tooth, cut off the base at its foot, in finite elements. */

@@ -159,9 +159,10 @@ namespace ringmotor
      * rise. */
     double stored_energy(const ContactState &state) const;
 
-    /** What inertia and damping of the rotor take in the steady state, and its modes at the first
-     * moment. */
+    /** What inertia and damping of the rotor take in the steady state, the motions of all points in
+     * its modes (m), and these modes at the first moment. Without inertia there is nothing. */
     ModalPower modal_power(const ContactState &state) const;
+    std::vector<PointVector> modal_motion(const ContactState &state) const;
     std::vector<std::vector<ModalState>> modal_states(const ContactState &state) const;
 
     /** A state from which the solver can start: no forces, the rotor so low that a small share of
@@ -182,8 +183,9 @@ namespace ringmotor
       const unsigned int n = compliance->n_sectors();
       return place.empty() ? (n + moved - loaded) % n : (n + place[moved] - place[loaded]) % n;
     }
-    /** Forces by instant and node. */
-    std::vector<PointVector> by_place(const std::vector<PointVector> &force) const;
+    /** Vectors by instant and node from those by point, and back. */
+    std::vector<PointVector> by_place(const std::vector<PointVector> &of_points) const;
+    std::vector<PointVector> by_point(const std::vector<PointVector> &of_places) const;
     /** Adds the motions of all points by forces. */
     void add_motions(const std::vector<PointVector> &force,
                      std::vector<PointVector> &motion) const;

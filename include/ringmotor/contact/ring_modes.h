@@ -50,8 +50,9 @@ namespace ringmotor
   /** What the modes of a ring take from the forces on it, W. */
   struct ModalPower
   {
-    double taken  = 0.; ///< beyond what their static motions store: kinetic energy and losses
-    double damped = 0.; ///< lost by damping; the rest of a steady state's is lost by the scheme
+    double taken = 0.; ///< beyond what their static motions store: kinetic energy and losses
+    double damped_by_factor = 0.; ///< lost by damping, by the loss factor; the rest of what a
+                                  ///< steady state takes is lost by the scheme
   };
 
   class ModesByShapes;
@@ -73,6 +74,9 @@ namespace ringmotor
 
     /** Motions of the instants by forces at the instants. */
     RingCompliance compliance() const;
+
+    /** Motions in the modes, by instant and node, under @p forces, likewise. */
+    std::vector<PointVector> motion(const std::vector<PointVector> &forces) const;
 
     /** The modes at the first instant, by nodal diameter, under @p forces, by instant and node. */
     std::vector<std::vector<ModalState>> states(const std::vector<PointVector> &forces) const;
@@ -114,7 +118,9 @@ namespace ringmotor
 
     /** What they add to the static compliance within a step @p dt (s). */
     RingCompliance compliance(const double dt) const;
-    /** Motions of all nodes at the end of a step @p dt without forces there. */
+    /** Motions of all nodes in the modes now. */
+    std::vector<PointVector> motion() const;
+    /** The same at the end of a step @p dt without forces there. */
     std::vector<PointVector> free_motion(const double dt) const;
     /** Goes on by a step @p dt, with @p forces at its end. @return the mean over the step */
     ModalPower step(const std::vector<PointVector> &forces, const double dt);
@@ -123,6 +129,7 @@ namespace ringmotor
     /** By nodal diameter and mode. */
     using ByMode = std::vector<std::vector<std::complex<double>>>;
     ByMode modal_forces(const std::vector<PointVector> &forces) const;
+    std::vector<PointVector> motion_of(const std::vector<std::vector<ModalState>> &of_modes) const;
 
     const std::shared_ptr<const ModesByShapes> modes;
     const unsigned int n_sectors;

@@ -13,14 +13,47 @@ namespace ringmotor
                     const MortarCoupling &mortar, const double turn);
 
   /**
-   * The modes of the rotor as the contact points of @p tooth_top see them, with two nodal diameters
-   * and more, up to the highest frequency that @p discretisation says. With fewer the rotor moves
-   * as a whole, too: there it follows its loads at once, which in a uniform ring change no faster
-   * than the modes that are left out.
+   * The modes of the rotor on a mesh of their own, with two nodal diameters and more. With fewer the
+   * rotor moves as a whole, too: there it follows its loads at once, which in a uniform ring change
+   * no faster than the modes that are left out.
    *
-   * Nodal diameters of which the wave has harmonics up to twice that frequency only; of a warped
-   * ring, all.
+   * Nodal diameters of which the wave has harmonics up to 1.6 times the highest frequency only; of a
+   * warped ring, all.
    */
-  RingModes rotor_modes(const Parameters &parameters, const ContactSurface &tooth_top,
-                        const StatorWave &wave, const ContactDiscretisation &discretisation);
+  class LipModes
+  {
+  public:
+    /** @param level of the mesh; @param up_to rad/s, highest frequency; @param n_harmonics of the
+     * wave that may matter */
+    LipModes(const Parameters &parameters, const unsigned int level, const double up_to,
+             const unsigned int n_harmonics);
+
+    /** As the contact points on @p tooth_top see them. @param lip_turn see ContactDiscretisation */
+    RingModes at(const ContactSurface &tooth_top, const double lip_turn) const;
+
+  private:
+    struct LipMode
+    {
+      double angular_frequency;
+      std::vector<double> motion; ///< of the half sector's lip, real field, then imaginary one
+    };
+
+    const unsigned int n_teeth;
+    SectorSurface lip;
+    std::vector<std::vector<LipMode>> modes; ///< by nodal diameter
+  };
+
+  /** The modes of the rotor, and the same on a coarser mesh and up to a lower frequency. */
+  class RotorVibration
+  {
+  public:
+    /** @param frequency rad/s, of the wave */
+    RotorVibration(const Parameters &parameters, const double frequency);
+
+    const LipModes &modes() const { return fine; }
+    const LipModes &coarse_modes() const { return coarse; }
+
+  private:
+    const LipModes fine, coarse;
+  };
 } // namespace ringmotor

@@ -16,6 +16,7 @@ namespace ringmotor
     ContactSolution solution;
     std::vector<FrictionMemory> memory; ///< of each point, at the begin of its step
     ModalPower modal_power{};           ///< of a rotor with inertia
+    std::vector<PointVector> modal_motion{}; ///< m, of it at all points, in its modes
   };
 
   /**
@@ -34,6 +35,9 @@ namespace ringmotor
      * @throws ComputationError if no state is found; the message says what was tried
      */
     OperatingState at(const RotorLoad &load);
+
+    /** Whether there is a state from which the next one is looked for. */
+    bool has_state() const { return next.has_value(); }
 
     /** Takes a known state, in which the rotor turns with @p speed (rad/s), as that from which the
      * next one is to be found. Where it has other moments, those between follow from them. Of

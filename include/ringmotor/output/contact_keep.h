@@ -37,7 +37,8 @@ namespace ringmotor
                 MPI_Comm communicator);
 
     /** The condensed motor with ContactDiscretisation::level(): read or computed. */
-    CondensedMotor motor(const Parameters &parameters, const unsigned int level);
+    CondensedMotor motor(const Parameters &parameters, const unsigned int level,
+                         const std::function<CondensedMotor()> &condense);
 
     /** find_points(): what is not there yet is computed and kept at once. */
     std::vector<CurvePoint> points(

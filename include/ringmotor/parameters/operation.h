@@ -118,6 +118,9 @@ namespace ringmotor
     /** Interleaved snapshots of the steady scheme, parts of each step of the marching scheme. */
     unsigned int n_snapshots = 1;
 
+    /** Of a rotor with inertia, see InertiaScheme::second_order(). */
+    double spectral_radius = 0.8;
+
     /** Declares the entries; reading them changes the members. */
     void declare(dealii::ParameterHandler &prm);
   };

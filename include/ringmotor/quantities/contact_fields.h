@@ -16,6 +16,7 @@ namespace ringmotor
     std::vector<PointVector> force;        ///< N, on the rotor
     std::vector<PointVector> motion;       ///< m, gap and slip in the step
     std::vector<PointVector> tooth, rotor; ///< m, displacements; the rotor's without its turn
+    std::vector<PointVector> modal;        ///< m, of the rotor, in its modes, if it has inertia
     std::vector<double> rigid;             ///< motions of the rotor by moment, see RingContact
     std::vector<unsigned char> status;     ///< see PointStatus
     double turn = 0.; ///< rad, of the rotor in the last step, if the torque was given
@@ -28,7 +29,7 @@ namespace ringmotor
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &times &n_teeth &time_step &force &motion &tooth &rotor &rigid &turn &status;
+      archive &times &n_teeth &time_step &force &motion &tooth &rotor &modal &rigid &turn &status;
     }
   };
 

@@ -135,6 +135,8 @@ namespace ringmotor
     /** With which steps those of a point are compared. */
     CurveSetting compared_step(const unsigned int request) const;
     CurveSetting changed_wave() const;
+    CurveSetting coarse_modes() const;
+    bool has_inertia() const;
     /** Loads a rotor that nearly sticks at rest, to see whether it stands still. */
     void find_held_torque();
     /** Whether nearly all points stick at stall. */

@@ -20,14 +20,17 @@ namespace ringmotor
     unsigned int n_joined = 1;
     /** Factor of the speed of the stator's surface, by which its error is felt. */
     double wave_factor = 1.;
+    /** Whether a rotor with inertia vibrates in its coarse modes, by which their error is felt. */
+    bool has_coarse_modes = false;
     /** Whether a marched point has to tell what the steps miss that `Time` averages over. Not
      * compared: a point that tells it will do for one that need not. */
     bool tells_window = false;
 
     bool operator<(const CurveSetting &other) const
     {
-      return std::tie(level, n_parts, n_joined, wave_factor) <
-             std::tie(other.level, other.n_parts, other.n_joined, other.wave_factor);
+      return std::tie(level, n_parts, n_joined, wave_factor, has_coarse_modes) <
+             std::tie(other.level, other.n_parts, other.n_joined, other.wave_factor,
+                      other.has_coarse_modes);
     }
 
     bool operator==(const CurveSetting &other) const
@@ -67,6 +70,7 @@ namespace ringmotor
 
     const bool is_marched, is_fixed;
     const unsigned int n_snapshots;
+    const unsigned int few_steps; ///< in a period of the steady state
     const double n_undivided; ///< steps in a period, neither divided nor joined
   };
 } // namespace ringmotor

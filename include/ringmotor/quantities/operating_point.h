@@ -17,7 +17,7 @@ namespace ringmotor
     double output_work  = 0.; ///< output_power(), step by step with these means of the torque
     double stored_power = 0.; ///< by which stored energy grows, see RingContact::stored_energy()
     double modal_power  = 0.; ///< that the rotor's inertia and damping take
-    double rotor_damping = 0.; ///< of it, lost by damping; in numbers, the time step takes the rest
+    double modal_damping = 0.; ///< by damping alone, by the loss factor
     double gross_power  = 0.; ///< the input power, all of its parts taken positive
     double closing_work = 0.; ///< of pressure on gaps that close or open in a step; in numbers only
 
@@ -36,7 +36,7 @@ namespace ringmotor
     void serialize(Archive &archive, const unsigned int)
     {
       archive &speed &torque &tangential_loss &radial_loss &input_power &output_work;
-      archive &modal_power &rotor_damping &gross_power &stored_power &closing_work &teeth_in_contact &stick_fraction;
+      archive &modal_power &modal_damping &gross_power &stored_power &closing_work &teeth_in_contact &stick_fraction;
     }
   };
 

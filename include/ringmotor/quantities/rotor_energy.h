@@ -20,7 +20,8 @@ namespace ringmotor
   /**
    * Strain energy (J) of the rotor, of the whole ring, by the multiple of the wave's frequency at
    * which it changes, mean over moments: half the work of contact forces on the rotor's
-   * displacements, part by part around the ring. What stands still (0) is left out.
+   * displacements, part by part around the ring. What stands still (0) is left out, and so are the
+   * modes of a rotor with inertia, see OperatingPoint::modal_damping.
    * @param first_moment from which the mean is taken
    */
   std::vector<double> rotor_energies(const ContactFields &fields, const RingPattern &pattern,

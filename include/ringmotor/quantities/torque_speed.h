@@ -65,6 +65,7 @@ namespace ringmotor
   struct PointErrors
   {
     PointError mesh;    ///< meshes of bodies and interface
+    PointError modes;   ///< of a rotor with inertia: their mesh and their number
     PointError time;    ///< time step
     PointError window;  ///< see CurvePoint::window
     PointError wave;    ///< the stator's wave, as the program `stator` knows it
@@ -81,7 +82,7 @@ namespace ringmotor
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &mesh &time &window &wave &algebra;
+      archive &mesh &modes &time &window &wave &algebra;
     }
   };
 
