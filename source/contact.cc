@@ -68,14 +68,19 @@ namespace ringmotor
       void write_fields();
       Summary make_summary() const;
 
-      const Parameters &parameters;
+      /** Switches effects on or off that are `auto`, by what they do. */
+      Parameters with_effects_chosen();
+
+      const Parameters &given;
       const std::string folder; ///< of the results, ends in a slash
       const bool speaks;
       Log log;
       Phases phases;
       const StatorWave wave;
+      InertiaEffect inertia; ///< if `auto` has to find it out
+      const Parameters parameters;
       std::optional<RotorVibration> vibration; ///< of a rotor with inertia, on all meshes
-      std::optional<ContactKeep> keep; ///< of run(); a study measures what it costs without
+      std::optional<ContactKeep> keep;         ///< of run(); a study measures what it costs without
       const std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
       double seconds_per_effort = 0.; ///< at the last point, see effort_of()
       CurveSearch search;
@@ -105,21 +110,40 @@ namespace ringmotor
     }
 
     ContactProgram::ContactProgram(const Parameters &parameters)
-        : parameters(parameters), folder(results_folder("contact", parameters)),
+        : given(parameters), folder(results_folder("contact", parameters)),
           speaks(Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0), log(speaks),
           wave(read_stator_wave(parameters.output.directory + "/stator/modes.h5", parameters)),
-          search(parameters, wave.relative_error, 2. * numbers::PI / wave.angular_frequency,
+          parameters(with_effects_chosen()),
+          search(this->parameters, wave.relative_error, 2. * numbers::PI / wave.angular_frequency,
                  {[this](const unsigned int level) { return condense(level); },
                   [this](const Parameters &of_points, const CondensedMotor &motor,
                          const CurveSetting &setting, const std::vector<PointRequest> &requests,
                          const std::vector<CurvePoint> &starts)
-                  { return find(of_points, motor, setting, requests, starts); }})
+                  { return find(of_points, motor, setting, requests, starts); }},
+                 this->parameters.effects.rotor_inertia == EffectChoice::off ? inertia
+                                                                             : InertiaEffect())
     {
       for (const std::string &warning : check_for_contact(parameters))
         log.line("warning: " + warning);
       check_time_step(parameters, wave);
       if (speaks)
         prepare_directory(folder);
+    }
+
+    Parameters ContactProgram::with_effects_chosen()
+    {
+      Parameters chosen = given;
+      if (given.effects.rotor_inertia != EffectChoice::automatic)
+        return chosen;
+      constexpr double share       = 1. / 3.; // of the target
+      const auto scope             = phases.measure("indicator of the rotor's inertia");
+      inertia                      = inertia_effect(given, wave);
+      const bool is_on             = inertia.relative > share * given.accuracy.contact_target;
+      chosen.effects.rotor_inertia = is_on ? EffectChoice::on : EffectChoice::off;
+      log.line("Effects/Rotor inertia = auto: " + std::string(is_on ? "on" : "off") +
+               "; it changes speeds and torques by " + text(100. * inertia.relative, 1) +
+               " %, found in " + text(inertia.seconds, 1) + " s");
+      return chosen;
     }
 
     void ContactProgram::run(const bool resumes)
@@ -148,7 +172,7 @@ namespace ringmotor
         log.line(describe_cheapest(rungs, tolerance, setting_text));
       if (speaks)
       {
-        write_used_prm(folder + "study.prm", "contact", parameters);
+        write_used_prm(folder + "study.prm", "contact", given);
         write_contact_study(folder + "study.csv", rungs);
       }
       log.line("study in " + folder + "study.csv");
@@ -156,7 +180,7 @@ namespace ringmotor
 
     CondensedMotor ContactProgram::condense(const unsigned int level)
     {
-      const auto scope = phases.measure("condensation, interface mesh " + std::to_string(level));
+      const auto scope    = phases.measure("condensation, interface mesh " + std::to_string(level));
       const auto condense = [&]
       {
         if (!vibration && parameters.effects.rotor_inertia != EffectChoice::off)
@@ -293,11 +317,11 @@ namespace ringmotor
         prepare_results(folder,
                         "used\\.prm|torque_speed\\.csv|history\\.csv|contact\\.h5|"
                         "summary\\.json|(contact|motor)\\.pvd|(contact|rotor|teeth)_[0-9]+\\.vtu");
-        write_used_prm(folder + "used.prm", "contact", parameters);
+        write_used_prm(folder + "used.prm", "contact", given);
         write_torque_speed(folder + "torque_speed.csv", search.points());
         write_history(folder + "history.csv", search.motor(), search.points(),
                       !is_marched(parameters), parameters.output.history_points);
-        write_contact_h5(folder + "contact.h5", parameters, wave, search.motor(), search.points());
+        write_contact_h5(folder + "contact.h5", given, wave, search.motor(), search.points());
       }
       if (parameters.output.vtu)
         write_fields();
@@ -316,10 +340,15 @@ namespace ringmotor
 
     Summary ContactProgram::make_summary() const
     {
-      Summary summary             = begin_summary("contact", parameters, phases);
+      Summary summary             = begin_summary("contact", given, phases);
       const CondensedMotor &motor = search.motor();
       summary.dofs                = motor.n_dofs;
       add_points(summary, search.points());
+      if (given.effects.rotor_inertia == EffectChoice::automatic)
+        summary.effects.push_back(
+            {"Rotor inertia", inertia.relative,
+             parameters.effects.rotor_inertia == EffectChoice::off ? "off" : "on", inertia.seconds,
+             0});
       summary.effects.push_back({"Tooth inertia", motor.tooth_inertia_indicator, "off", 0., 0});
       summary.effects.push_back(
           {"Spin convection",

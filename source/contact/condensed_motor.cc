@@ -187,7 +187,6 @@ namespace ringmotor
       unsigned int n_dofs;
     };
 
-
     CondensedRotor condense_rotor(const Parameters &parameters, const ContactSurface &tooth_top,
                                   const ContactDiscretisation &discretisation)
     {

@@ -73,7 +73,8 @@ namespace ringmotor
     }
     positions = contact->positions(solution.state);
     memory    = next_memory(solution, memory);
-    StepEnd end{time() + length, length, contact->speed(solution.state), solution.state, solution.motion};
+    StepEnd end{time() + length, length, contact->speed(solution.state), solution.state,
+                solution.motion};
     end.state.rigid.resize(contact->n_rigid() - (load.torque ? 1 : 0));
     history.add(std::move(end));
     OperatingState state{contact, std::move(solution), std::move(limits)};

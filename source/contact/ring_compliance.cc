@@ -346,8 +346,8 @@ namespace ringmotor
   {
     AssertDimension(a.n_sectors(), b.n_sectors());
     RingCompliance sum;
-    sum.node_count               = a.node_count;
-    const unsigned int n_first   = a.basis.n(), n_all = n_first + b.basis.n();
+    sum.node_count             = a.node_count;
+    const unsigned int n_first = a.basis.n(), n_all = n_first + b.basis.n();
     sum.basis.reinit(3 * a.node_count, n_all);
     sum.basis.fill(a.basis);
     sum.basis.fill(b.basis, 0, n_first);

@@ -23,8 +23,7 @@ namespace ringmotor
     /** s, from one moment to the next. */
     double step_of(const CondensedMotor &motor, const SteadyStep &step)
     {
-      return motor.period() * step.n_joined /
-             (motor.n_teeth / motor.n_repeats() * step.n_moments);
+      return motor.period() * step.n_joined / (motor.n_teeth / motor.n_repeats() * step.n_moments);
     }
   } // namespace
 
@@ -36,8 +35,8 @@ namespace ringmotor
     {
       const RingCompliance &at_once = motor.repeating();
       const unsigned int n_sectors  = at_once.n_sectors(),
-                         s = neighbour_of(motor.n_waves, motor.n_teeth, motor.n_repeats());
-      unsigned int n_steps = 0;
+                         s          = neighbour_of(motor.n_waves, motor.n_teeth, motor.n_repeats());
+      unsigned int n_steps          = 0;
       while (n_sectors > 1 && n_steps * s % n_sectors != 1)
         ++n_steps;
       return at_once.spread(n_sectors * step.n_moments, step.n_moments * (n_sectors - n_steps));
@@ -85,8 +84,8 @@ namespace ringmotor
       : motor(motor), load(load), fold(1), n_sectors(motor.n_teeth), n_nodes(motor.nodes.size()),
         n_moments(1), step(time_step.length), given(time_step.earlier), steady_neighbour(0),
         n_rigid_of_moment(1 + 2 * motor.loose_motions.size()),
-        compliance(time_step.compliance, time_step.compliance ? time_step.compliance.get()
-                                                              : &motor.compliance),
+        compliance(time_step.compliance,
+                   time_step.compliance ? time_step.compliance.get() : &motor.compliance),
         vibration(time_step.vibration)
   {
     place_stator(time_step.time, warp);

@@ -108,8 +108,8 @@ namespace ringmotor
       return result;
     }
 
-    /** Adds the motions of a wave exp(i m angle j) over j, of which the amplitudes of all modes with
-     * its nodal diameter are given. */
+    /** Adds the motions of a wave exp(i m angle j) over j, of which the amplitudes of all modes
+     * with its nodal diameter are given. */
     void add_motion(const unsigned int k, const std::vector<Complex> &amplitudes,
                     const bool conjugate, const unsigned int m, const unsigned int n_sectors,
                     std::vector<PointVector> &motion) const
@@ -124,10 +124,9 @@ namespace ringmotor
           of_nodes[row] += shapes(row, i) * of_shapes[i];
       for (unsigned int j = 0; j < n_sectors; ++j)
       {
-        const double angle = 2. * numbers::PI *
-                             (static_cast<std::size_t>(m) * j % n_sectors) / n_sectors;
-        const Complex phase =
-            std::polar(multiplicity(m, n_sectors), conjugate ? -angle : angle);
+        const double angle =
+            2. * numbers::PI * (static_cast<std::size_t>(m) * j % n_sectors) / n_sectors;
+        const Complex phase = std::polar(multiplicity(m, n_sectors), conjugate ? -angle : angle);
         for (unsigned int row = 0; row < of_nodes.size(); ++row)
           motion[j * n_nodes + row / 3][row % 3] += (phase * of_nodes[row]).real();
       }
@@ -239,8 +238,8 @@ namespace ringmotor
       const double weight              = n_sectors * multiplicity(m, n_instants);
       for (const ModesByShapes::Mode &mode : modes->by_diameter[around.k])
       {
-        const Complex at_rest = mode.static_motion(force), // times the frequency, like the next
-            motion            = at_rest * mode.amplification(dynamics, around.z, dt),
+        const Complex at_rest  = mode.static_motion(force), // times the frequency, like the next
+            motion             = at_rest * mode.amplification(dynamics, around.z, dt),
                       velocity = motion * dynamics.scheme.velocity(around.z, dt);
         // Forces at the middle of steps, against the motions in the steps.
         const Complex middle = 0.5 * (1. + 1. / around.z) * at_rest,
@@ -355,10 +354,9 @@ namespace ringmotor
         ModalState &state     = states[k][r];
         state = without_force(dynamics.scheme, from, dt, omega, dynamics.loss_factor);
         add_force(dynamics.scheme, now[k][r], dt, omega, dynamics.loss_factor, state);
-        const Complex moved = state.displacement - from.displacement -
-                              (now[k][r] - earlier[k][r]) / (omega * omega);
-        power.taken +=
-            weight / dt * (std::conj(0.5 * (now[k][r] + earlier[k][r])) * moved).real();
+        const Complex moved =
+            state.displacement - from.displacement - (now[k][r] - earlier[k][r]) / (omega * omega);
+        power.taken += weight / dt * (std::conj(0.5 * (now[k][r] + earlier[k][r])) * moved).real();
         power.damped_by_factor +=
             weight * omega * std::norm(0.5 * (state.velocity + from.velocity));
       }

@@ -67,8 +67,8 @@ namespace ringmotor
       std::array<Complex, 3> motion{};
       for (const MortarCoupling::Weight &weight : node.weights)
         for (unsigned int c = 0; c < 3; ++c)
-          motion[c] += weight.weight * std::polar(1., -weight.sector * turn) *
-                       rotor[weight.rotor_node][c];
+          motion[c] +=
+              weight.weight * std::polar(1., -weight.sector * turn) * rotor[weight.rotor_node][c];
       motions.push_back(motion);
     }
     return motions;
@@ -79,7 +79,7 @@ namespace ringmotor
       : n_teeth(parameters.motor.n_teeth), modes(n_teeth / 2 + 1)
   {
     const RotorBody body(parameters, mesh_for_modes(level));
-    lip = body.whole_lip;
+    lip                                         = body.whole_lip;
     const std::vector<LinearForm> displacements = displacement_forms(body.lip);
     ModeSolver solver(body.sector);
     for (const unsigned int k : nodal_diameters(parameters, n_harmonics))
@@ -111,8 +111,22 @@ namespace ringmotor
     return at_nodes;
   }
 
-  RotorVibration::RotorVibration(const Parameters &parameters, const double frequency)
-      : fine(parameters, 2, 10. * frequency, 16), coarse(parameters, 1, 7. * frequency, 11)
+  namespace
   {
+    LipModes coarse_modes_of(const Parameters &parameters, const double frequency)
+    {
+      return LipModes(parameters, 1, 8.5 * frequency, 13);
+    }
+  } // namespace
+
+  RotorVibration::RotorVibration(const Parameters &parameters, const double frequency)
+      : fine(parameters, 2, 12. * frequency, 19), coarse(coarse_modes_of(parameters, frequency))
+  {
+  }
+
+  RotorVibration RotorVibration::coarse_only(const Parameters &parameters, const double frequency)
+  {
+    const LipModes modes = coarse_modes_of(parameters, frequency);
+    return RotorVibration(modes, modes);
   }
 } // namespace ringmotor

@@ -122,7 +122,8 @@ namespace ringmotor
                                     std::shared_ptr<const SteadyDynamics> with_inertia) const
   try
   {
-    const auto contact = std::make_shared<const RingContact>(motor, load, step, std::move(with_inertia));
+    const auto contact =
+        std::make_shared<const RingContact>(motor, load, step, std::move(with_inertia));
     RowSolver solver;
     unsigned int n_iterations = 0;
     from.state.rigid.resize(contact->n_rigid());
@@ -203,17 +204,18 @@ namespace ringmotor
   SteadyDriver::Start SteadyDriver::by_damping(const RotorLoad &load, Start from) const
   {
     std::vector<RingDynamics> stages;
-    const RingDynamics &last         = motor.rotor_dynamics;
-    const InertiaScheme dissipative  = InertiaScheme::newmark(1.);
+    const RingDynamics &last        = motor.rotor_dynamics;
+    const InertiaScheme dissipative = InertiaScheme::newmark(1.);
     for (double loss_factor = 0.3; loss_factor > 1.5 * last.loss_factor && loss_factor > 1e-3;
          loss_factor *= std::sqrt(0.1))
       stages.push_back({loss_factor, dissipative});
     stages.push_back({last.loss_factor, dissipative});
     for (const RingDynamics &stage : stages)
     {
-      const OperatingState state = find(load, from, std::make_shared<const SteadyDynamics>(motor, step, stage));
-      from = {state.solution.state, state.solution.motion, travelled(*state.contact, state.solution),
-              load.speed};
+      const OperatingState state =
+          find(load, from, std::make_shared<const SteadyDynamics>(motor, step, stage));
+      from = {state.solution.state, state.solution.motion,
+              travelled(*state.contact, state.solution), load.speed};
     }
     return from;
   }

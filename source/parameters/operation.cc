@@ -120,7 +120,8 @@ namespace ringmotor
         prm, "Snapshots", n_snapshots, whole_number(1, 1000),
         "Number of interleaved snapshots of the scheme \"steady\", and of parts into which each "
         "step of the scheme \"marching\" is divided; more of them mean a smaller time step.");
-    add_entry(prm, "Spectral radius", spectral_radius, number_within(0., 0.99, "a number from 0 to 0.99"),
+    add_entry(prm, "Spectral radius", spectral_radius,
+              number_within(0., 0.99, "a number from 0 to 0.99"),
               "Dissipation of the time integration of a rotor with inertia: motions much faster "
               "than the step keep this share of their amplitude from one step to the next.");
   }

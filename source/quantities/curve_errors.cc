@@ -41,10 +41,16 @@ namespace ringmotor
     errors.time = change(point, point_of(other, request));
     errors.time *= other.n_steps() / std::abs(other.n_steps() - own.n_steps());
     if (has_inertia())
+    {
+      // The error falls with the third power of the highest frequency, and the meshes' in half.
+      constexpr double of_change = 0.6;
       errors.modes = change(point_of(plain, request), point_of(coarse_modes(), request));
+      errors.modes *= of_change;
+    }
     errors.wave = change(point_of(plain, request), point_of(changed_wave(), request));
     // What a window given by the user misses does not depend on the steps.
-    errors.window = parameters.time.n_steps ? point_of(plain, request).window : point.window;
+    errors.window  = parameters.time.n_steps ? point_of(plain, request).window : point.window;
+    errors.effects = left_out.left_out_of(point);
     const OperatingPoint &result = point.result;
     const bool of_torque         = requests[request].control == Control::torque;
     errors.algebra               = {of_torque ? std::abs(result.speed) : 0.,

@@ -47,8 +47,10 @@ namespace ringmotor
   } // namespace
 
   CurveSearch::CurveSearch(const Parameters &parameters, const double wave_error,
-                           const double period, const Sources &sources)
-      : parameters(parameters), wave_error(wave_error), steps(parameters, period), sources(sources)
+                           const double period, const Sources &sources,
+                           const InertiaEffect &left_out)
+      : parameters(parameters), wave_error(wave_error), steps(parameters, period), sources(sources),
+        left_out(left_out)
   {
   }
 
@@ -202,9 +204,8 @@ namespace ringmotor
     const CondensedMotor &motor = motor_of(setting.level);
     const bool is_changed       = setting.wave_factor != 1. || setting.has_coarse_modes;
     std::vector<CurvePoint> points =
-        is_changed
-            ? sources.points(parameters, changed(motor, setting), setting, asked, starts)
-            : sources.points(parameters, motor, setting, asked, starts);
+        is_changed ? sources.points(parameters, changed(motor, setting), setting, asked, starts)
+                   : sources.points(parameters, motor, setting, asked, starts);
     for (unsigned int i = 0; i < missing.size(); ++i)
       known[setting][missing[i]] = std::move(points[i]);
   }

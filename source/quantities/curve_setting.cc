@@ -64,8 +64,8 @@ namespace ringmotor
     if (is_fixed)
       return n_snapshots;
     const CurveSetting plain_steps = plain(0);
-    return std::max({plain_steps.n_joined > 1 ? 1 : plain_steps.n_parts + 1, parts_for(2 * few_steps),
-                     n_snapshots});
+    return std::max({plain_steps.n_joined > 1 ? 1 : plain_steps.n_parts + 1,
+                     parts_for(2 * few_steps), n_snapshots});
   }
 
   unsigned int StepChoice::most_parts() const

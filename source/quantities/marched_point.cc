@@ -213,7 +213,7 @@ namespace ringmotor
       point.result         = span.mean;
       point.rotor_energies = settling.energies_of(span);
       point.fields         = std::move(span.fields);
-      point.rotor_power = power_per_loss_factor(point.rotor_energies, angular_frequency) +
+      point.rotor_power    = power_per_loss_factor(point.rotor_energies, angular_frequency) +
                           point.result.modal_damping;
       return point;
     }

@@ -31,8 +31,8 @@ namespace ringmotor
       const RingContact &contact      = *state.contact;
       const ContactSolution &solution = state.solution;
       OperatingPoint point;
-      point.speed  = contact.speed(solution.state);
-      point.torque = contact.torque(solution.state);
+      point.speed         = contact.speed(solution.state);
+      point.torque        = contact.torque(solution.state);
       point.modal_power   = state.modal_power.taken;
       point.modal_damping = state.modal_power.damped_by_factor;
       // Sums over the points of all moments become powers of the whole ring.

@@ -83,7 +83,7 @@ namespace ringmotor
         const std::vector<Complex> force = part(fields.force), motion = part(fields.rotor),
                                    modal = fields.modal.empty() ? std::vector<Complex>(force.size())
                                                                 : part(fields.modal);
-        double work = 0.;
+        double work                      = 0.;
         for (std::size_t i = 0; i < force.size(); ++i)
           work += (std::conj(force[i]) * (motion[i] - modal[i])).real();
         energies[m] += 0.5 * pattern.n_teeth * work / (n_moments - first_moment);

@@ -35,6 +35,7 @@ namespace ringmotor
         {"time step", &PointErrors::time},
         {"averaging window", &PointErrors::window},
         {by_wave, &PointErrors::wave},
+        {"effects left out", &PointErrors::effects},
         {"algebra", &PointErrors::algebra}};
     return members;
   }

@@ -164,6 +164,9 @@ namespace
       return {to_bytes(motor), said.str()};
     }
 
+    std::function<CondensedMotor()> condense = [this]
+    { return condense_motor(parameters, *wave, ContactDiscretisation::level(0)); };
+
     static std::string without_seconds(std::vector<CurvePoint> points)
     {
       for (CurvePoint &point : points)

@@ -66,8 +66,8 @@ namespace ringmotor
 
     std::vector<Node> nodes;
     std::vector<LooseMotion> loose_motions;
-    RingModes rotor_modes;     ///< empty if the rotor has no inertia
-    RingModes coarse_modes;    ///< the same on a coarser mesh, and fewer: tell the error
+    RingModes rotor_modes;  ///< empty if the rotor has no inertia
+    RingModes coarse_modes; ///< the same on a coarser mesh, and fewer: tell the error
     RingDynamics rotor_dynamics;
     RingCompliance compliance; ///< of rotor and teeth, relative motion of rotor against stator
     RingCompliance folded;     ///< the same of the part that repeats itself; empty if nothing does

@@ -8,8 +8,8 @@ namespace ringmotor
 {
   /**
    * Marches a motor through time in implicit steps, from a rotor that lies without friction on the
-   * teeth as they stand at the time 0, or from a steady state. For rings that are not uniform, for the start, and for steps
-   * of any length.
+   * teeth as they stand at the time 0, or from a steady state. For rings that are not uniform, for
+   * the start, and for steps of any length.
    */
   class MarchingDriver
   {
@@ -40,7 +40,7 @@ namespace ringmotor
     const CondensedMotor &motor;
     const Friction friction;
     const Warp warp;
-    std::optional<MarchedModes> modes; ///< of a rotor with inertia
+    std::optional<MarchedModes> modes;                ///< of a rotor with inertia
     std::shared_ptr<const RingCompliance> compliance; ///< with them, in steps of #step_length
     double step_length = 0.;
     StepHistory history;

@@ -59,8 +59,8 @@ namespace ringmotor
    * the first moment, of its s-th neighbour at the last one. With one moment a step may be longer,
    * too: J of them joined look back at the (J s)-th neighbour. The rotor turns at an even speed.
    *
-   * With inertia forces move points at all moments. Then all that counts is how long ago a tooth was
-   * where another one is: the instants of a tooth's history, P S in a period, form one ring.
+   * With inertia forces move points at all moments. Then all that counts is how long ago a tooth
+   * was where another one is: the instants of a tooth's history, P S in a period, form one ring.
    *
    * *One step* from a known state, of a ring that need not be uniform.
    *
@@ -187,8 +187,7 @@ namespace ringmotor
     std::vector<PointVector> by_place(const std::vector<PointVector> &of_points) const;
     std::vector<PointVector> by_point(const std::vector<PointVector> &of_places) const;
     /** Adds the motions of all points by forces. */
-    void add_motions(const std::vector<PointVector> &force,
-                     std::vector<PointVector> &motion) const;
+    void add_motions(const std::vector<PointVector> &force, std::vector<PointVector> &motion) const;
     double turn(const ContactState &state) const;
     /** Positions by forces and rigid motions alone, and the change of positions in a step. */
     std::vector<PointVector> positions_by(const ContactState &state) const;
@@ -230,6 +229,6 @@ namespace ringmotor
     std::vector<unsigned int> place; ///< of each block among all instants, if they form one ring
     std::vector<PointVector> stator; ///< motion of all points without contact forces
     const std::vector<PointVector> vibration; ///< of the rotor without forces, if it has inertia
-    std::vector<PointVector> rigid;  ///< motions of the points of a moment by unit rigid motions
+    std::vector<PointVector> rigid; ///< motions of the points of a moment by unit rigid motions
   };
 } // namespace ringmotor

@@ -13,12 +13,12 @@ namespace ringmotor
                     const MortarCoupling &mortar, const double turn);
 
   /**
-   * The modes of the rotor on a mesh of their own, with two nodal diameters and more. With fewer the
-   * rotor moves as a whole, too: there it follows its loads at once, which in a uniform ring change
-   * no faster than the modes that are left out.
+   * The modes of the rotor on a mesh of their own, with two nodal diameters and more. With fewer
+   * the rotor moves as a whole, too: there it follows its loads at once, which in a uniform ring
+   * change no faster than the modes that are left out.
    *
-   * Nodal diameters of which the wave has harmonics up to 1.6 times the highest frequency only; of a
-   * warped ring, all.
+   * Nodal diameters of which the wave has harmonics up to 1.6 times the highest frequency only; of
+   * a warped ring, all.
    */
   class LipModes
   {
@@ -50,10 +50,15 @@ namespace ringmotor
     /** @param frequency rad/s, of the wave */
     RotorVibration(const Parameters &parameters, const double frequency);
 
+    /** The coarse modes in place of both. */
+    static RotorVibration coarse_only(const Parameters &parameters, const double frequency);
+
     const LipModes &modes() const { return fine; }
     const LipModes &coarse_modes() const { return coarse; }
 
   private:
+    RotorVibration(const LipModes &fine, const LipModes &coarse) : fine(fine), coarse(coarse) {}
+
     const LipModes fine, coarse;
   };
 } // namespace ringmotor

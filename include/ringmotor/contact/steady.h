@@ -14,8 +14,8 @@ namespace ringmotor
   {
     std::shared_ptr<const RingContact> contact;
     ContactSolution solution;
-    std::vector<FrictionMemory> memory; ///< of each point, at the begin of its step
-    ModalPower modal_power{};           ///< of a rotor with inertia
+    std::vector<FrictionMemory> memory;      ///< of each point, at the begin of its step
+    ModalPower modal_power{};                ///< of a rotor with inertia
     std::vector<PointVector> modal_motion{}; ///< m, of it at all points, in its modes
   };
 

@@ -71,6 +71,6 @@ namespace ringmotor
     const bool is_marched, is_fixed;
     const unsigned int n_snapshots;
     const unsigned int few_steps; ///< in a period of the steady state
-    const double n_undivided; ///< steps in a period, neither divided nor joined
+    const double n_undivided;     ///< steps in a period, neither divided nor joined
   };
 } // namespace ringmotor

@@ -13,12 +13,12 @@ namespace ringmotor
     /** The power balance, in W. Work in a step is that of the means of the forces at its both ends:
      * then elastic forces give back what they took. */
     double tangential_loss = 0., radial_loss = 0.; ///< of friction, by sliding along and across
-    double input_power  = 0.; ///< of the feet, by the stator's forced motion on the contact forces
-    double output_work  = 0.; ///< output_power(), step by step with these means of the torque
-    double stored_power = 0.; ///< by which stored energy grows, see RingContact::stored_energy()
-    double modal_power  = 0.; ///< that the rotor's inertia and damping take
+    double input_power   = 0.; ///< of the feet, by the stator's forced motion on the contact forces
+    double output_work   = 0.; ///< output_power(), step by step with these means of the torque
+    double stored_power  = 0.; ///< by which stored energy grows, see RingContact::stored_energy()
+    double modal_power   = 0.; ///< that the rotor's inertia and damping take
     double modal_damping = 0.; ///< by damping alone, by the loss factor
-    double gross_power  = 0.; ///< the input power, all of its parts taken positive
+    double gross_power   = 0.; ///< the input power, all of its parts taken positive
     double closing_work = 0.; ///< of pressure on gaps that close or open in a step; in numbers only
 
     double teeth_in_contact = 0.; ///< per wave
@@ -36,7 +36,8 @@ namespace ringmotor
     void serialize(Archive &archive, const unsigned int)
     {
       archive &speed &torque &tangential_loss &radial_loss &input_power &output_work;
-      archive &modal_power &modal_damping &gross_power &stored_power &closing_work &teeth_in_contact &stick_fraction;
+      archive &modal_power &modal_damping &gross_power &stored_power &closing_work &teeth_in_contact
+          &stick_fraction;
     }
   };
 

@@ -69,6 +69,7 @@ namespace ringmotor
     PointError time;    ///< time step
     PointError window;  ///< see CurvePoint::window
     PointError wave;    ///< the stator's wave, as the program `stator` knows it
+    PointError effects; ///< left out by `auto`
     PointError algebra; ///< what the solver leaves of the laws of contact and friction
 
     static constexpr const char *by_wave = "wave of the stator"; ///< name of that cause
@@ -82,7 +83,7 @@ namespace ringmotor
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &mesh &modes &time &window &wave &algebra;
+      archive &mesh &modes &time &window &wave &effects &algebra;
     }
   };
 

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Inertia of the rotor. What is known: a mode under a harmonic force has the amplitude and phase
+// 1 / (omega^2 - Omega^2 + i eta omega Omega), through its resonance, up to the square of the step;
+// masses on springs that a travelling wave lifts without friction press with (k - m Omega^2) A; the
+// static compliance and the modes of a rotor make up what the shifted stiffness K - Omega^2 M gives
+// without modes; a steady state is where marching with the same scheme stays; what goes in comes
+// out. Speeds, friction losses and teeth in contact of a motor whose spring is as stiff as Maeno et
+// al. (1992) say theirs was: an independent model (solids of 27 nodes throughout, two mesh levels,
+// its own contact, Newmark's method with gamma = 0.6, steps of T/90, loss factor 0.01) found 84.1,
+// 80.7, 75.1 and 65.6 rpm, 94, 122, 195 and 356 mW at 0, 50, 100 and 150 mN m, and 3.8 teeth.
+
+#include "support/motor_model.h"
+#include "support/record.h"
+
+#include <ringmotor/contact/marching.h>
+#include <ringmotor/contact/rotor_modes.h>
+#include <ringmotor/quantities/torque_speed.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+
+using namespace ringmotor;
+using namespace ringmotor::tests;
+using Complex = std::complex<double>;
+
+namespace
+{
+  constexpr double rpm = M_PI / 30.;
+
+  /** Displacement by force of an oscillator under a harmonic force. */
+  Complex exact_response(const double omega, const double loss_factor, const double of_force)
+  {
+    return 1. / Complex(omega * omega - of_force * of_force, loss_factor * omega * of_force);
+  }
+
+  double error_with(const InertiaScheme &scheme, const double of_force, const double n_steps)
+  {
+    const double dt     = 2. * M_PI / of_force / n_steps;
+    const Complex exact = exact_response(1., 0.05, of_force);
+    return std::abs(scheme.response(std::polar(1., of_force * dt), dt, 1., 0.05) - exact) /
+           std::abs(exact);
+  }
+} // namespace
+
+TEST(InertiaScheme, CrossesAResonanceAsTheoryDoes)
+{
+  const InertiaScheme scheme = InertiaScheme::second_order(0.8);
+  for (const double of_force : {0.3, 0.9, 1., 1.1, 3.})
+  {
+    const double coarse = error_with(scheme, of_force, 100),
+                 fine   = error_with(scheme, of_force, 200);
+    EXPECT_LT(fine, 0.03) << of_force;
+    EXPECT_NEAR(std::log2(coarse / fine), 2., 0.1) << of_force;
+  }
+  EXPECT_NEAR(std::log2(error_with(InertiaScheme::newmark(0.6), 1., 200) /
+                        error_with(InertiaScheme::newmark(0.6), 1., 400)),
+              1., 0.1);
+}
+
+TEST(InertiaScheme, StepsSettleAtTheResponse)
+{
+  const double omega = 2., loss_factor = 0.1, of_force = 1.7, dt = 0.05;
+  for (const InertiaScheme &scheme :
+       {InertiaScheme::second_order(0.), InertiaScheme::second_order(0.8),
+        InertiaScheme::newmark(0.6)})
+  {
+    ModalState state{};
+    const unsigned int n_steps = 10000;
+    for (unsigned int step = 1; step <= n_steps; ++step)
+    {
+      state                = without_force(scheme, state, dt, omega, loss_factor);
+      const Complex before = state.displacement, force = std::polar(1., of_force * dt * step);
+      add_force(scheme, force, dt, omega, loss_factor, state);
+      EXPECT_LT(std::abs(state.displacement - before -
+                         scheme.response_in_step(dt, omega, loss_factor) * force),
+                1e-14);
+    }
+    const Complex z            = std::polar(1., of_force * dt),
+                  of_end       = std::polar(1., of_force * dt * n_steps),
+                  displacement = scheme.response(z, dt, omega, loss_factor) * of_end;
+    EXPECT_LT(std::abs(state.displacement - displacement), 1e-9 * std::abs(displacement));
+    EXPECT_LT(std::abs(state.velocity - scheme.velocity(z, dt) * displacement), 1e-8);
+    EXPECT_LT(std::abs(state.acceleration - scheme.acceleration(z, dt) * displacement), 1e-8);
+  }
+}
+
+namespace
+{
+  /** A rotor of masses on springs, one for each tooth, which a wave of the normal amplitude lifts.
+   */
+  CondensedMotor masses_on_springs(const double mass, const double frequency,
+                                   const double loss_factor)
+  {
+    constexpr double amplitude = 1e-6, soft = 1e-9;
+    CondensedMotor motor;
+    motor.n_teeth           = 20;
+    motor.n_waves           = 3;
+    motor.angular_frequency = 2. * M_PI * 30e3;
+    motor.nodes.push_back({35e-3, 0., 1e-6, {{amplitude, 0., 0.}}});
+    const double compliance = 1. / (mass * frequency * frequency);
+    dealii::FullMatrix<double> basis{dealii::IdentityMatrix(3)};
+    std::vector<Complex> wave(9);
+    wave[0] = compliance;
+    wave[4] = wave[8] = soft;
+    motor.compliance  = RingCompliance(20, basis, std::vector<std::vector<Complex>>(11, wave));
+    motor.constants   = {1. / compliance, 1. / soft};
+    motor.tooth_compliance.reinit(3, 3);
+    motor.rotor_modes.resize(11);
+    for (unsigned int k = 2; k <= 10; ++k)
+      motor.rotor_modes[k].push_back({frequency, {{{1. / std::sqrt(mass), 0., 0.}}}});
+    motor.rotor_dynamics = {loss_factor, InertiaScheme::second_order(0.9)};
+    return motor;
+  }
+} // namespace
+
+TEST(MassesOnSprings, PressAsTheyAreAccelerated)
+{
+  Friction none;
+  none.law                 = FrictionLaw::coulomb;
+  none.dynamic_coefficient = 0.;
+  const double mass        = 1e-4;
+  for (const double ratio :
+       {0.5, 0.99, 1., 1.3, 3.}) // of the wave's frequency to that of the masses
+  {
+    const double wave_frequency = 2. * M_PI * 30e3, loss_factor = 0.02;
+    const CondensedMotor motor = masses_on_springs(mass, wave_frequency / ratio, loss_factor);
+    SteadyDriver driver(motor, none, {12, 1});
+    const OperatingState state = driver.at({4000., {}, 1.});
+    // With the phase of tooth 0 at the first moment, where the wave has its crest.
+    const Complex force =
+        1e-6 * mass / exact_response(wave_frequency / ratio, loss_factor, wave_frequency);
+    const double largest = 1e-6 * mass * std::pow(wave_frequency / std::min(ratio, 1.), 2);
+    EXPECT_NEAR(state.solution.state.force[0][0] - 200., force.real(), 2e-3 * largest) << ratio;
+    // The part that lags by a quarter of a period.
+    double sum = 0.;
+    for (unsigned int tooth = 0; tooth < 20; ++tooth)
+      sum += 0.1 * (state.solution.state.force[tooth][0] - 200.) *
+             std::sin(-2. * M_PI * 3. * tooth / 20.);
+    EXPECT_NEAR(sum, -force.imag(), 2e-3 * largest) << ratio;
+    // Only damping takes power: its force times the velocity of all masses, on average.
+    const double power = 20. * 0.5 * loss_factor * mass * wave_frequency / ratio *
+                         std::pow(1e-6 * wave_frequency, 2);
+    EXPECT_NEAR(state.modal_power.damped_by_factor * loss_factor, power, 3e-3 * power) << ratio;
+    EXPECT_NEAR(state.modal_power.taken, power, 1e-2 * power) << ratio;
+    EXPECT_LT(evaluate(state).power_imbalance(), 1e-9);
+  }
+}
+
+namespace
+{
+  /** The response of a ring's contact nodes to forces with k waves on one of them. */
+  std::vector<Complex> response(const RingCompliance &ring, const unsigned int k,
+                                const unsigned int component)
+  {
+    const unsigned int n = ring.n_sectors(), width = 3 * ring.n_nodes();
+    std::vector<Complex> result(width);
+    for (const unsigned int part : {0u, 1u})
+    {
+      std::vector<double> forces(n * width, 0.), motions(n * width, 0.);
+      for (unsigned int j = 0; j < n; ++j)
+        forces[j * width + component] = std::cos(2. * M_PI * k * j / n - part * M_PI / 2.);
+      ring.add_motions(forces.data(), motions.data());
+      // Those of sector 0 by cos and sin, the real parts of exp(-i k j alpha) and i times that.
+      for (unsigned int i = 0; i < width; ++i)
+        result[i] += part == 0 ? Complex(motions[i]) : Complex(0., -motions[i]);
+    }
+    return result;
+  }
+} // namespace
+
+TEST(RotorModes, MakeUpTheDynamicCompliance)
+{
+  const Parameters parameters = reference_motor();
+  const ContactDiscretisation mesh{2, {1, 1}, {1, 1}, 0, 0.};
+  const ToothBody tooth(parameters, mesh);
+  const RotorBody body(parameters, mesh);
+  const double pitch          = 2. * M_PI / 90.;
+  const MortarCoupling mortar = couple(tooth.whole_top.surface, body.whole_lip.surface, pitch, 0.);
+  const auto ring_of          = [&](const Condensation &condensation, const bool is_static)
+  {
+    const InterfaceCompliance interface(condensation);
+    return RingCompliance(90, sector_compliance(interface, body.whole_lip.origin), mortar,
+                          [&](const unsigned int k) {
+                            return interface.through_cut(
+                                k, is_static ? body.held(k) : std::vector<unsigned int>());
+                          });
+  };
+  const RingCompliance at_rest = ring_of(body.condensed(), true);
+  const double drive           = 2. * M_PI * 30e3;
+  const RingModes modes = LipModes(parameters, 0, 30. * drive, 4).at(tooth.whole_top.surface, 0.);
+  for (const unsigned int m : {1u, 2u, 3u})
+  {
+    const Condensation shifted(body.sector, displacement_forms(body.lip), {}, {},
+                               std::pow(m * drive, 2));
+    const RingCompliance vibrating = ring_of(shifted, false);
+    for (const unsigned int component : {0u, 1u, 2u})
+    {
+      const std::vector<Complex> expected = response(vibrating, 7 * m, component),
+                                 rest     = response(at_rest, 7 * m, component);
+      double largest                      = 0.;
+      for (const Complex &motion : expected)
+        largest = std::max(largest, std::abs(motion));
+      for (unsigned int i = 0; i < expected.size(); ++i)
+      {
+        Complex found = rest[i];
+        for (const RingMode &mode : modes[7 * m])
+        {
+          const double square = std::pow(mode.angular_frequency, 2);
+          found += mode.motion[i / 3][i % 3] *
+                   std::conj(mode.motion[component / 3][component % 3]) *
+                   (1. / (square - std::pow(m * drive, 2)) - 1. / square);
+        }
+        EXPECT_LT(std::abs(found - expected[i]), 2e-3 * largest) << m << " " << i;
+      }
+    }
+  }
+}
+
+namespace
+{
+  class VibratingMotor : public testing::Test
+  {
+  protected:
+    static void SetUpTestSuite()
+    {
+      parameters                       = reference_motor();
+      parameters.effects.rotor_inertia = EffectChoice::on;
+      parameters.effects.damping       = EffectChoice::on;
+      motor = condense_motor(parameters, stator_wave(parameters), ContactDiscretisation::level(0));
+    }
+
+    /** How far torque, speed and loss are from the steady state after some periods. */
+    void expect_stays(const double torque, const unsigned int n_periods) const
+    {
+      const Friction friction = effective_friction(parameters);
+      SteadyDriver steady(motor, friction, {1, 1});
+      const RotorLoad load{14., torque, 0.};
+      const OperatingState begin   = steady.at(load);
+      const OperatingPoint settled = evaluate(begin);
+      MarchingDriver marching(motor, friction, begin);
+      OperatingState last = marching.step(load, motor.period() / 90.);
+      std::vector<OperatingPoint> points;
+      for (unsigned int step = 1; step < 90 * n_periods; ++step)
+      {
+        const OperatingState next = marching.step(load, motor.period() / 90.);
+        points.push_back(evaluate_step(last, next));
+        last = next;
+      }
+      points.erase(points.begin(), points.end() - 45);
+      const OperatingPoint now = mean(points, std::vector<double>(points.size(), 1.));
+      EXPECT_NEAR(now.speed, settled.speed, 1e-3 * settled.speed);
+      EXPECT_NEAR(now.friction_loss(), settled.friction_loss(), 1e-3 * settled.friction_loss());
+      EXPECT_NEAR(now.modal_power, settled.modal_power, 1e-3 * settled.modal_power);
+      EXPECT_NEAR(now.power_imbalance(), settled.power_imbalance(), 1e-4);
+    }
+
+    static Parameters parameters;
+    static CondensedMotor motor;
+  };
+  Parameters VibratingMotor::parameters;
+  CondensedMotor VibratingMotor::motor;
+  class VibratingMotorLong : public VibratingMotor
+  {
+  };
+} // namespace
+
+TEST_F(VibratingMotor, MarchingStaysInTheSteadyState)
+{
+  expect_stays(0.05, 1);
+}
+
+TEST_F(VibratingMotorLong, MarchingStaysInTheSteadyStateForTenPeriods)
+{
+  for (const double torque : {0., 0.05, 0.1})
+    expect_stays(torque, 10);
+}
+
+TEST_F(VibratingMotor, PowerGoesToLoadFrictionAndDamping)
+{
+  const CurvePoint point = OperatingPointFinder(with_parts_of_a_step(parameters, 3), motor)
+                               .find({Control::torque, 0.05});
+  EXPECT_LT(point.result.power_imbalance(), 1e-3);
+  const double damping = parameters.materials.rotor_metal.loss_factor * point.result.modal_damping;
+  EXPECT_GT(damping, 0.01);
+  // The scheme takes hardly anything.
+  EXPECT_NEAR(point.result.modal_power, damping, 0.02 * damping);
+}
+
+TEST_F(VibratingMotor, TwiceAsManyTeethTouch)
+{
+  const CurvePoint point = OperatingPointFinder(parameters, motor).find({Control::torque, 0.});
+  record("teeth", point.result.teeth_in_contact);
+  EXPECT_GT(point.result.teeth_in_contact, 6.);
+  EXPECT_LT(point.result.teeth_in_contact, 8.);
+}
+
+TEST(StiffSpring, LosesALittleSpeedAsAnIndependentModel)
+{
+  Parameters parameters                        = reference_motor();
+  parameters.rotor.ring_inner_radius           = 35.6e-3;
+  parameters.rotor.ring_outer_radius           = 42.0e-3;
+  parameters.rotor.ring_lower_face             = -2.4e-3;
+  parameters.rotor.ring_upper_face             = 5.0e-3;
+  parameters.rotor.flange_thickness            = 0.45e-3;
+  parameters.rotor.lip_inner_radius            = 33.9e-3;
+  parameters.effects.rotor_inertia             = EffectChoice::on;
+  parameters.effects.damping                   = EffectChoice::on;
+  parameters.materials.rotor_metal.loss_factor = 0.01;
+  CondensedMotor motor =
+      condense_motor(parameters, stator_wave(parameters), ContactDiscretisation::level(1));
+  motor.rotor_dynamics.scheme = InertiaScheme::newmark(0.6);
+  struct Expected
+  {
+    double torque, speed, loss, tolerance;
+  };
+  OperatingPointFinder finder(parameters, motor);
+  for (const auto &[torque, speed, loss, tolerance] :
+       {Expected{0., 84.1, 94., 0.04}, Expected{0.05, 80.7, 122., 0.04},
+        Expected{0.1, 75.1, 195., 0.04}, Expected{0.15, 65.6, 356., 0.07}})
+  {
+    const CurvePoint point = finder.find({Control::torque, torque});
+    const std::string at   = "_at_" + std::to_string(std::lround(1e3 * torque));
+    record("speed" + at, point.result.speed / rpm);
+    record("loss" + at, 1e3 * point.result.friction_loss());
+    EXPECT_NEAR(point.result.speed / rpm, speed, tolerance * speed) << torque;
+    EXPECT_NEAR(1e3 * point.result.friction_loss(), loss, 0.15 * loss) << torque;
+    EXPECT_NEAR(point.result.teeth_in_contact, 3.8, 0.7) << torque;
+  }
+}
