@@ -8,59 +8,13 @@ namespace ringmotor
 {
   using namespace dealii;
 
-  namespace
-  {
-    /** n s = gcd(n, N) (mod N) */
-    unsigned int neighbour_of(const unsigned int n_waves, const unsigned int n_teeth,
-                              const unsigned int fold)
-    {
-      unsigned int s = 0;
-      while (n_waves * s % n_teeth != fold % n_teeth)
-        ++s;
-      return s % (n_teeth / fold);
-    }
-
-    /** s, from one moment to the next. */
-    double step_of(const CondensedMotor &motor, const SteadyStep &step)
-    {
-      return motor.period() * step.n_joined / (motor.n_teeth / motor.n_repeats() * step.n_moments);
-    }
-  } // namespace
-
-  namespace
-  {
-    /** The steady state as a ring of instants: one sector further is as many instants earlier as
-     * steps from tooth to tooth lead there. */
-    RingCompliance over_time(const CondensedMotor &motor, const SteadyStep &step)
-    {
-      const RingCompliance &at_once = motor.repeating();
-      const unsigned int n_sectors  = at_once.n_sectors(),
-                         s          = neighbour_of(motor.n_waves, motor.n_teeth, motor.n_repeats());
-      unsigned int n_steps          = 0;
-      while (n_sectors > 1 && n_steps * s % n_sectors != 1)
-        ++n_steps;
-      return at_once.spread(n_sectors * step.n_moments, step.n_moments * (n_sectors - n_steps));
-    }
-  } // namespace
-
-  SteadyDynamics::SteadyDynamics(const CondensedMotor &motor, const SteadyStep &step,
-                                 const RingDynamics &dynamics)
-      : inertia(motor.rotor_modes, motor.n_waves, motor.n_teeth, motor.period(),
-                motor.n_teeth / motor.n_repeats() * step.n_moments, step_of(motor, step), dynamics),
-        compliance(over_time(motor, step) + inertia.compliance())
-  {
-    if (compliance.table_size() <= RingCompliance::largest_table)
-      compliance.tabulate();
-  }
-
   RingContact::RingContact(const CondensedMotor &motor, const RotorLoad &load,
                            const SteadyStep &steady_step,
                            std::shared_ptr<const SteadyDynamics> with_inertia)
       : motor(motor), load(load), fold(motor.n_repeats()), n_sectors(motor.n_teeth / fold),
         n_nodes(motor.nodes.size()), n_moments(steady_step.n_moments),
-        step(step_of(motor, steady_step)),
-        steady_neighbour(steady_step.n_joined * neighbour_of(motor.n_waves, motor.n_teeth, fold) %
-                         n_sectors),
+        step(step_length(motor, steady_step)),
+        steady_neighbour(steady_step.n_joined * ringmotor::steady_neighbour(motor) % n_sectors),
         // Forces that repeat themselves around the ring shift and tilt nothing.
         n_rigid_of_moment(fold > 1 ? 1 : 1 + 2 * motor.loose_motions.size()),
         dynamics(std::move(with_inertia)),
@@ -71,7 +25,7 @@ namespace ringmotor
     tabulate_rigid_motions();
     if (!dynamics)
       return;
-    const unsigned int s = neighbour_of(motor.n_waves, motor.n_teeth, fold);
+    const unsigned int s = ringmotor::steady_neighbour(motor);
     place.resize(n_blocks());
     for (unsigned int m = 0; m < n_moments; ++m)
       for (unsigned int n_steps = 0; n_steps < n_sectors; ++n_steps)

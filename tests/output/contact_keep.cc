@@ -71,7 +71,8 @@ namespace
                                                   "Time/Number of steps",
                                                   "Time/Average from step",
                                                   "Time/Average to step",
-                                                  "Time/Snapshots"};
+                                                  "Time/Snapshots",
+                                                  "Time/Spectral radius"};
 } // namespace
 
 TEST(ContactKeepKeys, HoldEveryEntryButThoseThatMakeNoDifference)
@@ -101,6 +102,17 @@ TEST(ContactKeepKeys, HoldTheTargetThatMarchedPointsSettleTo)
   const Parameters warped = with({warp}), other = with({warp, "Accuracy/Contact target = 0.01"});
   EXPECT_NE(points_key(warped, wave, 1), points_key(other, wave, 1));
   EXPECT_EQ(condensation_key(warped, wave, 1), condensation_key(other, wave, 1));
+}
+
+TEST(ContactKeepKeys, HoldWhatARotorWithInertiaVibratesBy)
+{
+  const StatorWave wave       = some_wave();
+  const std::string inertia   = "Effects/Rotor inertia = on";
+  const std::string reference = condensation_key(with({inertia}), wave, 1);
+  for (const std::string change :
+       {"Time/Spectral radius = 0.3", "Materials/Rotor metal/Loss factor = 0.01",
+        "Effects/Damping = on", "Initial deformation/Amplitude = 4e-6"})
+    EXPECT_NE(condensation_key(with({inertia, change}), wave, 1), reference) << change;
 }
 
 TEST(ContactKeepKeys, HoldWaveAndInterfaceMesh)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/contact/condensed_motor.h>
+#include <ringmotor/contact/steady_dynamics.h>
 #include <ringmotor/contact/warp.h>
 
 #include <memory>
@@ -18,14 +18,6 @@ namespace ringmotor
     double speed = 0.;            ///< rad/s, if no torque is given
   };
 
-  /** The length of a step of the steady state: that from which on each tooth is where another one
-   * was, divided by the number of moments, or several of them joined. */
-  struct SteadyStep
-  {
-    unsigned int n_moments = 1;
-    unsigned int n_joined  = 1; ///< with one moment only
-  };
-
   /** One step in time from a known state. */
   struct TimeStep
   {
@@ -36,17 +28,6 @@ namespace ringmotor
      * at its end (m) without forces there. */
     std::shared_ptr<const RingCompliance> compliance = nullptr;
     std::vector<PointVector> vibration               = {};
-  };
-
-  /** A motor with inertia in its steady state. */
-  struct SteadyDynamics
-  {
-    SteadyDynamics(const CondensedMotor &motor, const SteadyStep &step,
-                   const RingDynamics &dynamics);
-
-    const SteadyInertia inertia;
-    /** Static and dynamic, of all instants of the history of a tooth. */
-    RingCompliance compliance;
   };
 
   /**

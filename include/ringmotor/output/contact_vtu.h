@@ -20,7 +20,8 @@ namespace ringmotor
   /**
    * `rotor_000.vtu`, `teeth_000.vtu`, ... and `motor.pvd`: the whole bodies at the same moments,
    * with their displacement (m) and, on the teeth, the same fields. At points that are no contact
-   * points these are zero, and the gap is NaN, for which ParaView has a colour of its own.
+   * points these are zero, and the gap is NaN, for which ParaView has a colour of its own. The
+   * rotor is left out where it has inertia: how it vibrates inside is not known from the forces.
    */
   void write_motor_bodies(const std::string &folder, const CondensedMotor &motor,
                           const MotorBodies &bodies, const std::vector<CurvePoint> &points,
