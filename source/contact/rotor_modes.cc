@@ -30,15 +30,12 @@ namespace ringmotor
     }
 
     /** Nodal diameters that the harmonics of the wave have. */
-    std::set<unsigned int> nodal_diameters(const Parameters &parameters,
-                                           const unsigned int n_harmonics)
+    std::set<unsigned int> nodal_diameters(const Motor &motor, const unsigned int n_harmonics)
     {
-      const Motor &motor   = parameters.motor;
-      const bool is_warped = ringmotor::is_warped(parameters);
       std::set<unsigned int> diameters;
-      for (unsigned int m = 1; m <= (is_warped ? motor.n_teeth : n_harmonics); ++m)
+      for (unsigned int m = 1; m <= n_harmonics; ++m)
       {
-        const unsigned int around = (is_warped ? m : m * motor.n_waves) % motor.n_teeth;
+        const unsigned int around = m * motor.n_waves % motor.n_teeth;
         diameters.insert(std::min(around, motor.n_teeth - around));
       }
       diameters.erase(0);
@@ -82,7 +79,7 @@ namespace ringmotor
     lip                                         = body.whole_lip;
     const std::vector<LinearForm> displacements = displacement_forms(body.lip);
     ModeSolver solver(body.sector);
-    for (const unsigned int k : nodal_diameters(parameters, n_harmonics))
+    for (const unsigned int k : nodal_diameters(parameters.motor, n_harmonics))
       for (const Mode &mode : solver.below(k, std::pow(up_to, 2)))
         modes[k].push_back(
             {std::sqrt(mode.eigenvalue), on_surface(body.sector, displacements, mode)});

@@ -216,6 +216,34 @@ namespace ringmotor
                         "allowed: off | on");
     }
 
+    /** The rotor's motions as a whole follow their loads at once, which only slow ones and those of
+     * high harmonics may do. */
+    void check_rotor_inertia(const Parameters &parameters)
+    {
+      constexpr unsigned int highest = 6; // harmonic that must not move the rotor as a whole
+      const Motor &motor             = parameters.motor;
+      if (parameters.effects.rotor_inertia == EffectChoice::off)
+        return;
+      const std::string what =
+          "Effects/Rotor inertia = " +
+          std::string(parameters.effects.rotor_inertia == EffectChoice::on ? "on" : "auto");
+      if (is_warped(parameters))
+        throw UserError(
+            what + " is not available with " +
+            entry("Initial deformation/Amplitude", parameters.initial_deformation.amplitude) +
+            " in this version: a warped ring tilts the rotor as a whole; allowed: off");
+      for (unsigned int m = 1; m <= highest; ++m)
+      {
+        const unsigned int around = m * motor.n_waves % motor.n_teeth;
+        if (std::min(around, motor.n_teeth - around) <= 1)
+          throw UserError(what + " is not available with " +
+                          entry("Motor/Number of waves", motor.n_waves) + " and " +
+                          entry("Motor/Number of teeth", motor.n_teeth) +
+                          " in this version: harmonic " + std::to_string(m) +
+                          " of the wave moves the rotor as a whole; allowed: off");
+      }
+    }
+
     void check_time(const Parameters &parameters)
     {
       const Time &time  = parameters.time;
@@ -249,6 +277,7 @@ namespace ringmotor
     check_friction(parameters.friction);
     check_springs(parameters);
     check_contact_effects(parameters.effects);
+    check_rotor_inertia(parameters);
     check_time(parameters);
     check_history(parameters);
     std::vector<std::string> warnings;

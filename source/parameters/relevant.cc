@@ -59,12 +59,9 @@ namespace ringmotor
     relevant.friction.decay_velocity      = defaults.friction.decay_velocity;
     relevant.friction.weakening_length    = defaults.friction.weakening_length;
     relevant.time                         = defaults.time;
-    if (parameters.effects.rotor_inertia == EffectChoice::off)
-    {
-      relevant.initial_deformation = defaults.initial_deformation; // asks for more modes
-      return relevant;
-    }
-    relevant.time.spectral_radius = parameters.time.spectral_radius;
+    relevant.initial_deformation          = defaults.initial_deformation;
+    if (parameters.effects.rotor_inertia != EffectChoice::off)
+      relevant.time.spectral_radius = parameters.time.spectral_radius;
     return relevant;
   }
 

@@ -111,7 +111,7 @@ TEST(ContactKeepKeys, HoldWhatARotorWithInertiaVibratesBy)
   const std::string reference = condensation_key(with({inertia}), wave, 1);
   for (const std::string change :
        {"Time/Spectral radius = 0.3", "Materials/Rotor metal/Loss factor = 0.01",
-        "Effects/Damping = on", "Initial deformation/Amplitude = 4e-6"})
+        "Effects/Damping = on"})
     EXPECT_NE(condensation_key(with({inertia, change}), wave, 1), reference) << change;
 }
 

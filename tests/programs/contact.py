@@ -143,6 +143,8 @@ class Mistakes(WithContact):
                 (["Friction/Dynamic coefficient = 0"], "Friction/Dynamic coefficient"),
                 (["Friction/Law = velocity"], "Friction/Decay velocity"),
                 (["Effects/Tooth inertia = on"], "Effects/Tooth inertia = on is not available"),
+                (["Effects/Rotor inertia = on", "Initial deformation/Amplitude = 4e-6"],
+                 "Effects/Rotor inertia = on is not available with Initial deformation/Amplitude = 4e-06"),
                 (["Effects/Damping = on"], "Effects/Damping = on is available with Effects/Rotor inertia = on | auto"),
                 (["Contact/Formulation = penalty"], "Contact/Normal penalty"),
                 (["Time/Average to step = 20"], "allowed: all three auto, or 2 <= Average from step"),

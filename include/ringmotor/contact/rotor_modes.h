@@ -17,8 +17,7 @@ namespace ringmotor
    * the rotor moves as a whole, too: there it follows its loads at once, which in a uniform ring
    * change no faster than the modes that are left out.
    *
-   * Nodal diameters of which the wave has harmonics up to 1.6 times the highest frequency only; of
-   * a warped ring, all.
+   * Only nodal diameters that low harmonics of the wave have.
    */
   class LipModes
   {
