@@ -325,7 +325,9 @@ namespace ringmotor
   double RingContact::stored_energy(const ContactState &state) const
   {
     std::vector<PointVector> deflection(n_points());
-    add_motions(state.force, deflection);
+    // The static one: what modes take beyond that is ModalPower.
+    (given ? motor.compliance : motor.repeating())
+        .add_motions(&state.force[0][0], &deflection[0][0], n_moments);
     double energy = 0.;
     for (unsigned int point = 0; point < n_points(); ++point)
       energy += 0.5 * (state.force[point] * deflection[point]);

@@ -289,6 +289,26 @@ TEST_F(VibratingMotor, PowerGoesToLoadFrictionAndDamping)
   EXPECT_NEAR(point.result.modal_power, damping, 0.02 * damping);
 }
 
+TEST_F(VibratingMotor, PowerBalancesWhileItSettles)
+{
+  // From rest, when modes take up energy.
+  MarchingDriver marching(motor, effective_friction(parameters), Warp(), 14.);
+  const RotorLoad load{14., {}, 70. * rpm};
+  const double step   = motor.period() / 360.;
+  OperatingState last = marching.step(load, step);
+  std::vector<OperatingPoint> points;
+  for (unsigned int i = 0; i < 90; ++i) // a quarter of a period
+  {
+    const OperatingState next = marching.step(load, step);
+    points.push_back(evaluate_step(last, next));
+    last = next;
+  }
+  const OperatingPoint begin = mean(points, std::vector<double>(points.size(), 1.));
+  record("imbalance", begin.power_imbalance());
+  EXPECT_GT(std::abs(begin.modal_power), 0.1 * std::abs(begin.input_power));
+  EXPECT_LT(begin.power_imbalance(), 2e-3);
+}
+
 TEST_F(VibratingMotor, TwiceAsManyTeethTouch)
 {
   const CurvePoint point = OperatingPointFinder(parameters, motor).find({Control::torque, 0.});
