@@ -23,14 +23,8 @@ namespace ringmotor
     Assert(n_moments == 1 || steady_step.n_joined == 1, ExcMessage("one moment, or short steps"));
     place_stator(0., Warp());
     tabulate_rigid_motions();
-    if (!dynamics)
-      return;
-    const unsigned int s = ringmotor::steady_neighbour(motor);
-    place.resize(n_blocks());
-    for (unsigned int m = 0; m < n_moments; ++m)
-      for (unsigned int n_steps = 0; n_steps < n_sectors; ++n_steps)
-        place[m * n_sectors + s * n_steps % n_sectors] =
-            (m + n_moments * (n_sectors - n_steps)) % n_blocks();
+    if (dynamics)
+      place = dynamics->place;
   }
 
   RingContact::RingContact(const CondensedMotor &motor, const RotorLoad &load,

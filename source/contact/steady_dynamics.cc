@@ -19,16 +19,16 @@ namespace ringmotor
 
   namespace
   {
-    /** The steady state as a ring of instants: one sector further is as many instants earlier as
-     * steps from tooth to tooth lead there. */
-    RingCompliance over_time(const CondensedMotor &motor, const SteadyStep &step)
+    std::vector<unsigned int> places(const CondensedMotor &motor, const SteadyStep &step)
     {
-      const RingCompliance &at_once = motor.repeating();
-      const unsigned int n_sectors = at_once.n_sectors(), s = steady_neighbour(motor);
-      unsigned int n_steps = 0;
-      while (n_sectors > 1 && n_steps * s % n_sectors != 1)
-        ++n_steps;
-      return at_once.spread(n_sectors * step.n_moments, step.n_moments * (n_sectors - n_steps));
+      const unsigned int n_sectors = motor.n_teeth / motor.n_repeats(), s = steady_neighbour(motor),
+                         n_places = n_sectors * step.n_moments;
+      std::vector<unsigned int> places(n_places);
+      for (unsigned int m = 0; m < step.n_moments; ++m)
+        for (unsigned int n_steps = 0; n_steps < n_sectors; ++n_steps)
+          places[m * n_sectors + s * n_steps % n_sectors] =
+              (m + step.n_moments * (n_sectors - n_steps)) % n_places;
+      return places;
     }
   } // namespace
 
@@ -37,7 +37,10 @@ namespace ringmotor
       : inertia(motor.rotor_modes, motor.n_waves, motor.n_teeth, motor.period(),
                 motor.n_teeth / motor.n_repeats() * step.n_moments, step_length(motor, step),
                 dynamics),
-        compliance(over_time(motor, step) + inertia.compliance())
+        place(places(motor, step)),
+        // From tooth to tooth it is as many instants everywhere.
+        compliance(motor.repeating().spread(place.size(), place[1 % place.size()]) +
+                   inertia.compliance())
   {
     if (compliance.table_size() <= RingCompliance::largest_table)
       compliance.tabulate();

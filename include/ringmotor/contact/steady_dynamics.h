@@ -27,6 +27,8 @@ namespace ringmotor
                    const RingDynamics &dynamics);
 
     const SteadyInertia inertia;
+    /** Which instant of its history each tooth shows, by moment and tooth. */
+    const std::vector<unsigned int> place;
     /** Static and dynamic, of all instants of the history of a tooth. */
     RingCompliance compliance;
   };
