@@ -255,8 +255,7 @@ namespace ringmotor
     motor.n_dofs                  = tooth.n_dofs + rotor.n_dofs;
     motor.tooth_inertia_indicator = tooth.inertia_indicator;
     add_teeth(motor, tooth, rotor.mortar, parameters);
-    if (motor.compliance.table_size() <= RingCompliance::largest_table)
-      motor.compliance.tabulate();
+    motor.compliance.tabulate_if_small();
     if (motor.n_repeats() > 1)
       motor.folded = motor.compliance.folded(motor.n_repeats());
     motor.constants = constants_for(motor.compliance);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/contact/marching.h>
 
+#include <numeric>
+
 namespace ringmotor
 {
   MarchingDriver::MarchingDriver(const CondensedMotor &motor, const Friction &friction,
@@ -93,10 +95,10 @@ namespace ringmotor
       return step;
     if (length != step_length)
     {
-      RingCompliance in_step = motor.compliance + modes->compliance(length);
-      if (in_step.table_size() <= RingCompliance::largest_table)
-        in_step.tabulate();
-      compliance  = std::make_shared<const RingCompliance>(std::move(in_step));
+      std::vector<unsigned int> teeth(motor.n_teeth);
+      std::iota(teeth.begin(), teeth.end(), 0u);
+      compliance = std::make_shared<const BlockCompliance>(motor.compliance, 1,
+                                                           modes->compliance(length), teeth);
       step_length = length;
     }
     step.compliance = compliance;

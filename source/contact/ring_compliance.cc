@@ -14,12 +14,6 @@ namespace ringmotor
 
   namespace
   {
-    /** The sign with which a component of a point vector is mirrored: -theta turns round. */
-    double mirror_sign(const unsigned int component)
-    {
-      return component == 1 ? -1. : 1.;
-    }
-
     /** The shares of the surface's motions in those of the contact points, as they come from the
      * lower sector, the same one, and the higher one. */
     class Shares
@@ -142,51 +136,6 @@ namespace ringmotor
     };
   } // namespace
 
-  SurfaceCompliance sector_compliance(const InterfaceCompliance &meshed,
-                                      const std::vector<MirroredNode> &origin)
-  {
-    // A force F at one of two mirrored nodes is F_1 + i F_2, both parts with the symmetry
-    // U(-theta) = S conj(U(theta)) of the half sector's real and imaginary fields. (On a whole
-    // sector nothing is mirrored and both fields are alike.)
-    const auto sign = [&](const unsigned int row, const unsigned int part)
-    { return origin[row / 3].mirrored ? mirror_sign(row % 3) * (part == 0 ? 1. : -1.) : 1.; };
-    const auto form = [&](const unsigned int row) { return 3 * origin[row / 3].node + row % 3; };
-    const unsigned int n = 3 * origin.size();
-    SurfaceCompliance body;
-    body.n_real_shapes = meshed.shapes(0).n();
-    body.at_rest.reinit(n, n);
-    body.shapes.reinit(n, meshed.shapes(0).n() + meshed.shapes(1).n());
-    for (const unsigned int part : {0u, 1u})
-      for (unsigned int i = 0; i < n; ++i)
-      {
-        for (unsigned int j = 0; j < n; ++j)
-          body.at_rest(i, j) +=
-              0.5 * sign(i, part) * sign(j, part) * meshed.at_rest(part)(form(i), form(j));
-        for (unsigned int shape = 0; shape < meshed.shapes(part).n(); ++shape)
-          body.shapes(i, part * body.n_real_shapes + shape) =
-              std::sqrt(0.5) * sign(i, part) * meshed.shapes(part)(form(i), shape);
-      }
-    return body;
-  }
-
-  std::vector<std::array<std::complex<double>, 3>>
-  sector_motion(const std::vector<double> &half, const std::vector<MirroredNode> &origin)
-  {
-    std::vector<std::array<std::complex<double>, 3>> motions;
-    for (const MirroredNode &node : origin)
-    {
-      std::array<std::complex<double>, 3> motion;
-      for (unsigned int c = 0; c < 3; ++c)
-      {
-        const std::complex<double> u(half[3 * node.node + c],
-                                     half[half.size() / 2 + 3 * node.node + c]);
-        motion[c] = node.mirrored ? mirror_sign(c) * std::conj(u) : u;
-      }
-      motions.push_back(motion);
-    }
-    return motions;
-  }
-
   RingCompliance::RingCompliance(const unsigned int n_sectors, const SurfaceCompliance &body,
                                  const MortarCoupling &coupling,
                                  const std::function<FullMatrix<double>(unsigned int)> &through_cut)
@@ -232,6 +181,15 @@ namespace ringmotor
           near[d].add(1., shares.of(seen[b], by_surface));
         }
     }
+    prepare();
+  }
+
+  RingCompliance::RingCompliance(const unsigned int n_sectors, const FullMatrix<double> &basis,
+                                 const std::vector<std::vector<std::complex<double>>> &waves)
+      : node_count(basis.m() / 3), near(n_sectors), basis(basis),
+        kernel(transposed_sectors_of(waves, n_sectors, basis.n()))
+  {
+    AssertDimension(waves.size(), n_sectors / 2 + 1);
     prepare();
   }
 
@@ -346,10 +304,21 @@ namespace ringmotor
       make_product();
   }
 
+  void RingCompliance::tabulate_if_small()
+  {
+    constexpr std::size_t most_numbers = 1u << 24;
+    if (static_cast<std::size_t>(n_sectors()) * 9 * node_count * node_count <= most_numbers)
+      tabulate();
+  }
+
   void RingCompliance::prepare()
   {
     make_product();
-    of_far = far_of_all();
+    if (n_sectors() > 1)
+    {
+      of_far.shapes = far_shapes({this});
+      of_far.kernel = between(of_far.shapes);
+    }
   }
 
   void RingCompliance::make_product()
@@ -361,30 +330,47 @@ namespace ringmotor
     ring_product = CirculantProduct(applies_table() ? transposed_table : kernel);
   }
 
-  RingCompliance::Far RingCompliance::far_of_all() const
+  FullMatrix<double> RingCompliance::seen_from_afar() const
   {
-    constexpr double little = 1e-2;
     const unsigned int n = n_sectors(), width = 3 * node_count;
-    Far result;
-    if (n < 2)
-      return result;
     const std::vector<unsigned int> distances{1, n - 1, n / 4 + 1, n / 2}; // nothing is farther
     FullMatrix<double> seen(width, width * distances.size());
     for (unsigned int i = 0; i < distances.size(); ++i)
-      seen.fill(all_entries(*this, distances[i]), 0, i * width);
-    result.shapes                      = RankFactors(seen, little).columns;
-    const FullMatrix<double> of_shapes = product(basis, result.shapes, true);
-    // The matrices of this ring are transposed.
-    const auto between = [](const FullMatrix<double> &matrix, const FullMatrix<double> &shapes)
-    { return product(product(matrix, shapes), shapes, true); };
-    for (unsigned int d = 0; d < n; ++d)
+      seen.fill(all_entries(*this, distances[i] % n), 0, i * width);
+    return seen;
+  }
+
+  FullMatrix<double> RingCompliance::far_shapes(const std::vector<const RingCompliance *> &rings)
+  {
+    constexpr double little = 1e-2;
+    std::vector<FullMatrix<double>> seen;
+    unsigned int n_columns = 0;
+    for (const RingCompliance *ring : rings)
     {
-      result.kernel.emplace_back(result.shapes.n(), result.shapes.n());
-      if (d > 0 && !near[d].empty())
-        result.kernel.back().add(1., between(near[d], result.shapes));
-      if (d > 0 && basis.n() > 0)
-        result.kernel.back().add(1., between(kernel[d], of_shapes));
+      seen.push_back(ring->seen_from_afar());
+      n_columns += seen.back().n();
     }
-    return result;
+    FullMatrix<double> of_all(seen.front().m(), n_columns);
+    for (unsigned int i = 0, first = 0; i < seen.size(); first += seen[i++].n())
+      of_all.fill(seen[i], 0, first);
+    return RankFactors(of_all, little).columns;
+  }
+
+  std::vector<FullMatrix<double>> RingCompliance::between(const FullMatrix<double> &shapes) const
+  {
+    const FullMatrix<double> of_shapes = product(basis, shapes, true);
+    // The matrices of this ring are transposed.
+    const auto of = [](const FullMatrix<double> &matrix, const FullMatrix<double> &of_both)
+    { return product(product(matrix, of_both), of_both, true); };
+    std::vector<FullMatrix<double>> motions;
+    for (unsigned int d = 0; d < n_sectors(); ++d)
+    {
+      motions.emplace_back(shapes.n(), shapes.n());
+      if (!near[d].empty())
+        motions.back().add(1., of(near[d], shapes));
+      if (basis.n() > 0)
+        motions.back().add(1., of(kernel[d], of_shapes));
+    }
+    return motions;
   }
 } // namespace ringmotor

@@ -18,13 +18,13 @@ namespace ringmotor
         // Forces that repeat themselves around the ring shift and tilt nothing.
         n_rigid_of_moment(fold > 1 ? 1 : 1 + 2 * motor.loose_motions.size()),
         dynamics(std::move(with_inertia)),
-        compliance(dynamics, dynamics ? &dynamics->compliance : &motor.repeating())
+        compliance(dynamics
+                       ? std::shared_ptr<const BlockCompliance>(dynamics, &dynamics->compliance)
+                       : std::make_shared<const BlockCompliance>(motor.repeating(), n_moments))
   {
     Assert(n_moments == 1 || steady_step.n_joined == 1, ExcMessage("one moment, or short steps"));
     place_stator(0., Warp());
     tabulate_rigid_motions();
-    if (dynamics)
-      place = dynamics->place;
   }
 
   RingContact::RingContact(const CondensedMotor &motor, const RotorLoad &load,
@@ -32,8 +32,9 @@ namespace ringmotor
       : motor(motor), load(load), fold(1), n_sectors(motor.n_teeth), n_nodes(motor.nodes.size()),
         n_moments(1), step(time_step.length), given(time_step.earlier), steady_neighbour(0),
         n_rigid_of_moment(1 + 2 * motor.loose_motions.size()),
-        compliance(time_step.compliance,
-                   time_step.compliance ? time_step.compliance.get() : &motor.compliance),
+        compliance(time_step.compliance
+                       ? time_step.compliance
+                       : std::make_shared<const BlockCompliance>(motor.compliance, n_moments)),
         vibration(time_step.vibration)
   {
     place_stator(time_step.time, warp);
@@ -94,55 +95,26 @@ namespace ringmotor
       for (unsigned int r = 0; r < n_rigid_of_moment; ++r)
         position[point] +=
             state.rigid[moment(point) * n_rigid_of_moment + r] * rigid_motion(point, r);
-    add_motions(state.force, position);
+    compliance->add_motions(state.force, position);
     return position;
-  }
-
-  std::vector<PointVector> RingContact::by_place(const std::vector<PointVector> &of_points) const
-  {
-    std::vector<PointVector> of_places(of_points.size());
-    for (unsigned int point = 0; point < of_points.size(); ++point)
-      of_places[place[point / n_nodes] * n_nodes + point % n_nodes] = of_points[point];
-    return of_places;
-  }
-
-  std::vector<PointVector> RingContact::by_point(const std::vector<PointVector> &of_places) const
-  {
-    std::vector<PointVector> of_points(of_places.size());
-    for (unsigned int point = 0; point < of_points.size(); ++point)
-      of_points[point] = of_places[place[point / n_nodes] * n_nodes + point % n_nodes];
-    return of_points;
   }
 
   ModalPower RingContact::modal_power(const ContactState &state) const
   {
-    return dynamics ? dynamics->inertia.power(by_place(state.force)) : ModalPower();
+    return dynamics ? dynamics->inertia.power(compliance->by_instant(state.force)) : ModalPower();
   }
 
   std::vector<PointVector> RingContact::modal_motion(const ContactState &state) const
   {
-    return dynamics ? by_point(dynamics->inertia.motion(by_place(state.force)))
-                    : std::vector<PointVector>();
+    return dynamics
+               ? compliance->by_point(dynamics->inertia.motion(compliance->by_instant(state.force)))
+               : std::vector<PointVector>();
   }
 
   std::vector<std::vector<ModalState>> RingContact::modal_states(const ContactState &state) const
   {
-    return dynamics ? dynamics->inertia.states(by_place(state.force))
+    return dynamics ? dynamics->inertia.states(compliance->by_instant(state.force))
                     : std::vector<std::vector<ModalState>>();
-  }
-
-  void RingContact::add_motions(const std::vector<PointVector> &force,
-                                std::vector<PointVector> &motion) const
-  {
-    if (place.empty())
-    {
-      compliance->add_motions(&force[0][0], &motion[0][0], n_moments);
-      return;
-    }
-    const std::vector<PointVector> forces = by_place(force);
-    std::vector<PointVector> moved        = by_place(motion);
-    compliance->add_motions(&forces[0][0], &moved[0][0]);
-    motion = by_point(moved);
   }
 
   std::vector<PointVector> RingContact::positions(const ContactState &state) const
@@ -251,10 +223,8 @@ namespace ringmotor
                                      const unsigned int first, FullMatrix<double> &matrix) const
   {
     for (const PointsOfTooth &loaded : columns)
-      if (const unsigned int of_loaded = loaded.first_point / n_nodes, of_rows = at / n_nodes;
-          ring(of_loaded) == ring(of_rows))
-        compliance->add_entries(distance(of_rows, of_loaded), rows.nodes, loaded.nodes, factor,
-                                first, matrix, 3 * rows.first, 3 * loaded.first);
+      compliance->add_entries(at / n_nodes, loaded.first_point / n_nodes, rows.nodes, loaded.nodes,
+                              factor, first, matrix, 3 * rows.first, 3 * loaded.first);
   }
 
   std::vector<double> RingContact::balances(const ContactState &state) const
@@ -320,8 +290,7 @@ namespace ringmotor
   {
     std::vector<PointVector> deflection(n_points());
     // The static one: what modes take beyond that is ModalPower.
-    (given ? motor.compliance : motor.repeating())
-        .add_motions(&state.force[0][0], &deflection[0][0], n_moments);
+    compliance->add_motions_at_once(state.force, deflection);
     double energy = 0.;
     for (unsigned int point = 0; point < n_points(); ++point)
       energy += 0.5 * (state.force[point] * deflection[point]);

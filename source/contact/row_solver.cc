@@ -18,7 +18,7 @@ namespace ringmotor
     /** Unknowns from which on kept factors are worth while: below, new ones take milliseconds. */
     constexpr unsigned int fewest_for_kept_factors = 300;
     /** Unknowns from which on GMRES with a chain of blocks is faster than dense factors. */
-    constexpr unsigned int fewest_for_blocks = 1500;
+    constexpr unsigned int fewest_for_blocks = 2600;
     /** Unknowns up to which a dense matrix is made where GMRES fails, in a second or two. More are
      * met only far from any solution. */
     constexpr unsigned int most_dense = 4000;

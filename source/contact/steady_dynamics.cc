@@ -19,16 +19,17 @@ namespace ringmotor
 
   namespace
   {
-    std::vector<unsigned int> places(const CondensedMotor &motor, const SteadyStep &step)
+    /** Which instant of its history each tooth shows, by moment and tooth. */
+    std::vector<unsigned int> instants(const CondensedMotor &motor, const SteadyStep &step)
     {
       const unsigned int n_sectors = motor.n_teeth / motor.n_repeats(), s = steady_neighbour(motor),
-                         n_places = n_sectors * step.n_moments;
-      std::vector<unsigned int> places(n_places);
+                         n_instants = n_sectors * step.n_moments;
+      std::vector<unsigned int> instants(n_instants);
       for (unsigned int m = 0; m < step.n_moments; ++m)
         for (unsigned int n_steps = 0; n_steps < n_sectors; ++n_steps)
-          places[m * n_sectors + s * n_steps % n_sectors] =
-              (m + step.n_moments * (n_sectors - n_steps)) % n_places;
-      return places;
+          instants[m * n_sectors + s * n_steps % n_sectors] =
+              (m + step.n_moments * (n_sectors - n_steps)) % n_instants;
+      return instants;
     }
   } // namespace
 
@@ -37,12 +38,7 @@ namespace ringmotor
       : inertia(motor.rotor_modes, motor.n_waves, motor.n_teeth, motor.period(),
                 motor.n_teeth / motor.n_repeats() * step.n_moments, step_length(motor, step),
                 dynamics),
-        place(places(motor, step)),
-        // From tooth to tooth it is as many instants everywhere.
-        compliance(motor.repeating().spread(place.size(), place[1 % place.size()]) +
-                   inertia.compliance())
+        compliance(motor.repeating(), step.n_moments, inertia.compliance(), instants(motor, step))
   {
-    if (compliance.table_size() <= RingCompliance::largest_table)
-      compliance.tabulate();
   }
 } // namespace ringmotor

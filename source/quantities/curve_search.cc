@@ -68,14 +68,15 @@ namespace ringmotor
     while (true)
     {
       if (!is_fixed)
-      {
         refine_meshes();
-        balance_powers();
-      }
       evaluate();
-      if (is_fixed || worst_error() <= accuracy.contact_target)
+      if (is_fixed)
         return;
-      refine();
+      // Powers ask for the shortest steps of all, which are worth their price on the last mesh only.
+      if (worst_error() > accuracy.contact_target)
+        refine();
+      else if (powers_balance())
+        return;
     }
   }
 
@@ -105,24 +106,21 @@ namespace ringmotor
     motors.erase(motors.begin(), motors.lower_bound(compared_with(reached_level)));
   }
 
-  void CurveSearch::balance_powers()
+  bool CurveSearch::powers_balance()
   {
     const unsigned int most = steps.most_parts();
-    for (bool is_balanced = false; !is_balanced;)
+    bool is_balanced        = true;
+    for (const unsigned int i : all_requests())
     {
-      find_with_own_steps();
-      is_balanced = true;
-      for (const unsigned int i : all_requests())
+      const OperatingPoint &result = point_of({reached_level, n_parts[i]}, i).result;
+      const double excess          = result.power_imbalance() / OperatingPoint::largest_imbalance;
+      if (excess > 1. && n_parts[i] < most)
       {
-        const OperatingPoint &result = point_of({reached_level, n_parts[i]}, i).result;
-        const double excess          = result.power_imbalance() / OperatingPoint::largest_imbalance;
-        if (excess > 1. && n_parts[i] < most)
-        {
-          shorten_step(i, std::min(most, parts_for_balance(n_parts[i], excess)));
-          is_balanced = false;
-        }
+        shorten_step(i, std::min(most, parts_for_balance(n_parts[i], excess)));
+        is_balanced = false;
       }
     }
+    return is_balanced;
   }
 
   void CurveSearch::shorten_step(const unsigned int request, const unsigned int parts)
@@ -220,7 +218,7 @@ namespace ringmotor
     if (!(setting == plain)) // short steps and other waves
     {
       for (const unsigned int request : wanted)
-        starts.push_back(point_of(plain, request));
+        starts.push_back(point_with_longer_steps(setting, request));
       return starts;
     }
     for (const auto &[level, motor] : motors)
@@ -241,6 +239,16 @@ namespace ringmotor
     if (nearly_sticks()) // under all torques alike
       starts.assign(wanted.size(), stalled);
     return starts;
+  }
+
+  const CurvePoint &CurveSearch::point_with_longer_steps(const CurveSetting &setting,
+                                                         const unsigned int request)
+  {
+    for (unsigned int parts = setting.n_parts - 1; parts > 1; --parts)
+      if (const auto points = known.find({setting.level, parts});
+          points != known.end() && points->second.count(request) > 0)
+        return points->second.at(request);
+    return point_of(steps.plain(setting.level), request);
   }
 
   void CurveSearch::find_requests(const unsigned int n_parts_to_start_with)

@@ -113,9 +113,11 @@ namespace ringmotor
                             known->result.speed);
         return *known;
       }
-    // With inertia the neighbour on the curve is nearer than the same point with other steps.
-    const bool has_neighbour = !motor.rotor_modes.empty() && steady.has_state();
-    if (start && !is_marched(parameters) && !has_neighbour)
+    // With inertia the neighbour on the curve is nearer than the same point with other steps, but
+    // not than that with a wave or with modes that differ little.
+    const bool neighbour_is_nearer =
+        !motor.rotor_modes.empty() && steady.has_state() && !setting.differs_little();
+    if (start && !is_marched(parameters) && !neighbour_is_nearer)
       steady.go_on_from(load_of(parameters.loading, request), solution_of(*start),
                         start->result.speed);
     const auto begin = std::chrono::steady_clock::now();

@@ -40,8 +40,8 @@ namespace ringmotor
     const CondensedMotor &motor;
     const Friction friction;
     const Warp warp;
-    std::optional<MarchedModes> modes;                ///< of a rotor with inertia
-    std::shared_ptr<const RingCompliance> compliance; ///< with them, in steps of #step_length
+    std::optional<MarchedModes> modes;                 ///< of a rotor with inertia
+    std::shared_ptr<const BlockCompliance> compliance; ///< with them, in steps of #step_length
     double step_length = 0.;
     StepHistory history;
     std::vector<PointVector> positions; ///< at the end of the last step

@@ -3,7 +3,7 @@
 
 #include <ringmotor/contact/circulant_product.h>
 #include <ringmotor/contact/mortar.h>
-#include <ringmotor/structure/interface_compliance.h>
+#include <ringmotor/contact/surface_compliance.h>
 
 #include <boost/serialization/vector.hpp>
 
@@ -13,33 +13,6 @@
 
 namespace ringmotor
 {
-  /**
-   * How the nodes of a surface over a whole sector move under forces on them (m/N, three
-   * cylindrical components for each node). For a wave with nodal diameter k, motions and forces of
-   * sector j are exp(-i k j alpha) times those of sector 0, and the compliance is
-   *
-   *   at_rest + shapes D B_k D^H shapes^T
-   *
-   * with B_k as InterfaceCompliance::through_cut() gives it; D is 1 for shapes of the real field,
-   * which come first, and i for those of the imaginary one.
-   */
-  struct SurfaceCompliance
-  {
-    dealii::FullMatrix<double> at_rest; ///< while the cuts rest
-    dealii::FullMatrix<double> shapes;  ///< one column for each
-    unsigned int n_real_shapes = 0;
-  };
-
-  /** That of a surface whose nodes come from the meshed part of a sector; its displacements come
-   * first in the interface. */
-  SurfaceCompliance sector_compliance(const InterfaceCompliance &meshed,
-                                      const std::vector<MirroredNode> &origin);
-
-  /** The motion of a half sector's surface (real field, then imaginary one) over the whole sector.
-   */
-  std::vector<std::array<std::complex<double>, 3>>
-  sector_motion(const std::vector<double> &half, const std::vector<MirroredNode> &origin);
-
   /**
    * How all contact points of a ring of equal sectors move under forces on them: a matrix that only
    * depends on the distance d of two sectors,
@@ -78,13 +51,6 @@ namespace ringmotor
     RingCompliance(const unsigned int n_sectors, const dealii::FullMatrix<double> &basis,
                    const std::vector<std::vector<std::complex<double>>> &waves);
 
-    /** This ring's sectors at some places of a ring of @p n_places: sector j at place @p stride j.
-     * Sectors at the other places move nothing and do not move. */
-    RingCompliance spread(const unsigned int n_places, const unsigned int stride) const;
-
-    /** The sum of the motions of both rings. */
-    friend RingCompliance operator+(const RingCompliance &a, const RingCompliance &b);
-
     /** Adds a compliance within each sector, three components for each node. */
     void add_within_sectors(const dealii::FullMatrix<double> &compliance);
 
@@ -98,6 +64,11 @@ namespace ringmotor
       std::vector<dealii::FullMatrix<double>> kernel; ///< by distance: motions by forces; 0 at 0
     };
     const Far &far() const { return of_far; }
+    /** The shapes of Far for the sum of some compliances of the same sectors. */
+    static dealii::FullMatrix<double> far_shapes(const std::vector<const RingCompliance *> &rings);
+    /** Motions of given shapes by forces on them, by distance. */
+    std::vector<dealii::FullMatrix<double>>
+    between(const dealii::FullMatrix<double> &shapes) const;
 
     /** Adds the motions (m) of all sectors under forces (N); both by ring, sector, node, component;
      * several equal rings at once. */
@@ -120,13 +91,8 @@ namespace ringmotor
 
     /** Makes a table of all entries, from which add_entries() reads them. */
     void tabulate();
-    /** Numbers up to which such a table is faster than its parts. */
-    static constexpr std::size_t largest_table = 1u << 24;
-    /** Numbers that such a table has. */
-    std::size_t table_size() const
-    {
-      return static_cast<std::size_t>(n_sectors()) * 9 * node_count * node_count;
-    }
+    /** The same where that is faster than its parts. */
+    void tabulate_if_small();
 
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
@@ -144,12 +110,13 @@ namespace ringmotor
   private:
     /** Whether the table is applied as a whole: where a sector has no more unknowns than effects on
      * others. */
-    bool applies_table() const { return !table.empty() && 3 * node_count <= basis.n(); }
+    bool applies_table() const { return !table.empty() && 2 * node_count <= basis.n(); }
     /** Makes what follows from the rest. */
     void prepare();
     /** Makes what applies K, or the table, by FFT. */
     void make_product();
-    Far far_of_all() const;
+    /** The motions of a sector by forces on some others that are not near. */
+    dealii::FullMatrix<double> seen_from_afar() const;
 
     unsigned int node_count = 0;
     std::vector<dealii::FullMatrix<double>> near;   ///< by distance, transposed; empty if far

@@ -26,8 +26,8 @@ namespace ringmotor
     std::vector<PointVector> earlier; ///< positions at its begin, see RingContact::positions()
     /** Of a motor with inertia: how points move by forces within the step, and where the rotor is
      * at its end (m) without forces there. */
-    std::shared_ptr<const RingCompliance> compliance = nullptr;
-    std::vector<PointVector> vibration               = {};
+    std::shared_ptr<const BlockCompliance> compliance = nullptr;
+    std::vector<PointVector> vibration                = {};
   };
 
   /**
@@ -39,9 +39,6 @@ namespace ringmotor
    * point in a step is the difference of its positions at one moment and at the one before or, at
    * the first moment, of its s-th neighbour at the last one. With one moment a step may be longer,
    * too: J of them joined look back at the (J s)-th neighbour. The rotor turns at an even speed.
-   *
-   * With inertia forces move points at all moments. Then all that counts is how long ago a tooth
-   * was where another one is: the instants of a tooth's history, P S in a period, form one ring.
    *
    * *One step* from a known state, of a ring that need not be uniform.
    *
@@ -73,13 +70,14 @@ namespace ringmotor
                      dealii::FullMatrix<double> &matrix) const override;
     unsigned int part_of_point(const unsigned int point) const override
     {
-      return ring(point / n_nodes);
+      return compliance->part_of(point / n_nodes);
     }
     unsigned int part_of_rigid(const unsigned int motion) const override
     {
       // The turn belongs to all moments.
-      return motion < n_moments * n_rigid_of_moment ? ring(motion / n_rigid_of_moment * n_sectors)
-                                                    : no_part;
+      return motion < n_moments * n_rigid_of_moment
+                 ? compliance->part_of(motion / n_rigid_of_moment * n_sectors)
+                 : no_part;
     }
     unsigned int n_blocks() const override { return n_moments * n_sectors; }
     unsigned int block_of_point(const unsigned int point) const override { return point / n_nodes; }
@@ -87,18 +85,16 @@ namespace ringmotor
     {
       return given ? no_part : earlier(block * n_nodes) / n_nodes;
     }
-    unsigned int n_far_shapes() const override { return compliance->far().shapes.n(); }
+    unsigned int n_far_shapes() const override { return compliance->far_shapes().n(); }
     double far_shape(const unsigned int point, const unsigned int component,
                      const unsigned int shape) const override
     {
-      return compliance->far().shapes(3 * (point % n_nodes) + component, shape);
+      return compliance->far_shapes()(3 * (point % n_nodes) + component, shape);
     }
     const dealii::FullMatrix<double> *far_kernel(const unsigned int moved,
                                                  const unsigned int loaded) const override
     {
-      return moved == loaded || ring(moved) != ring(loaded)
-                 ? nullptr
-                 : &compliance->far().kernel[distance(moved, loaded)];
+      return compliance->far_kernel(moved, loaded);
     }
     std::vector<double> balances(const ContactState &state) const override;
     void balance_derivatives(const std::vector<unsigned int> &points,
@@ -153,22 +149,6 @@ namespace ringmotor
   private:
     void place_stator(const double first_time, const Warp &warp);
     void tabulate_rigid_motions();
-    /** Blocks (a tooth at a moment) move those of the same ring only: of the same moment, or all of
-     * them. How far they are apart in it depends on their places. */
-    unsigned int ring(const unsigned int block) const
-    {
-      return place.empty() ? block / n_sectors : 0;
-    }
-    unsigned int distance(const unsigned int moved, const unsigned int loaded) const
-    {
-      const unsigned int n = compliance->n_sectors();
-      return place.empty() ? (n + moved - loaded) % n : (n + place[moved] - place[loaded]) % n;
-    }
-    /** Vectors by instant and node from those by point, and back. */
-    std::vector<PointVector> by_place(const std::vector<PointVector> &of_points) const;
-    std::vector<PointVector> by_point(const std::vector<PointVector> &of_places) const;
-    /** Adds the motions of all points by forces. */
-    void add_motions(const std::vector<PointVector> &force, std::vector<PointVector> &motion) const;
     double turn(const ContactState &state) const;
     /** Positions by forces and rigid motions alone, and the change of positions in a step. */
     std::vector<PointVector> positions_by(const ContactState &state) const;
@@ -206,8 +186,7 @@ namespace ringmotor
     unsigned int steady_neighbour;
     unsigned int n_rigid_of_moment; ///< of the rotor at one moment
     const std::shared_ptr<const SteadyDynamics> dynamics;
-    const std::shared_ptr<const RingCompliance> compliance;
-    std::vector<unsigned int> place; ///< of each block among all instants, if they form one ring
+    const std::shared_ptr<const BlockCompliance> compliance;
     std::vector<PointVector> stator; ///< motion of all points without contact forces
     const std::vector<PointVector> vibration; ///< of the rotor without forces, if it has inertia
     std::vector<PointVector> rigid; ///< motions of the points of a moment by unit rigid motions

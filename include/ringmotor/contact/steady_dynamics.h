@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/contact/block_compliance.h>
 #include <ringmotor/contact/condensed_motor.h>
 
 namespace ringmotor
@@ -27,9 +28,6 @@ namespace ringmotor
                    const RingDynamics &dynamics);
 
     const SteadyInertia inertia;
-    /** Which instant of its history each tooth shows, by moment and tooth. */
-    const std::vector<unsigned int> place;
-    /** Static and dynamic, of all instants of the history of a tooth. */
-    RingCompliance compliance;
+    const BlockCompliance compliance; ///< static and dynamic
   };
 } // namespace ringmotor

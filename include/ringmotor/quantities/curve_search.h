@@ -107,6 +107,9 @@ namespace ringmotor
     /** Known points from which others can be found: of longer steps, or of another mesh. */
     std::vector<CurvePoint> starts_for(const CurveSetting &setting,
                                        const std::vector<unsigned int> &wanted);
+    /** The known one whose steps are longer than those of a setting, but not by much. */
+    const CurvePoint &point_with_longer_steps(const CurveSetting &setting,
+                                              const unsigned int request);
     /** Points with few steps of the reached level and of that with which it is compared. */
     void find_on_both_meshes();
     /** Points with the step that each has. */
@@ -121,8 +124,8 @@ namespace ringmotor
     void take_finer_meshes();
     /** The target is out of reach, @p error is not. @throws ComputationError */
     [[noreturn]] void refuse(const double error) const;
-    /** Shortens steps until powers balance. */
-    void balance_powers();
+    /** Whether powers balance at all points; shortens the steps of those at which they do not. */
+    bool powers_balance();
     /** Gives a point more parts of a step. */
     void shorten_step(const unsigned int request, const unsigned int parts);
     void refine();

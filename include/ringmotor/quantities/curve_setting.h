@@ -42,6 +42,9 @@ namespace ringmotor
      * or `Time/Time step`. */
     double n_steps() const { return n_parts / static_cast<double>(n_joined); }
 
+    /** Whether it differs from another setting in little more than the motor's wave or modes. */
+    bool differs_little() const { return wave_factor != 1. || has_coarse_modes; }
+
     /** The same with steps of half the length. */
     CurveSetting halved() const;
   };
