@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 
 # Each room may include itself and the rooms before it.
-ORDER = ["parameters", "mesh", "elements", "structure", "contact", "quantities", "output", "programs"]
+ORDER = ["parameters", "mesh", "elements", "structure", "contact", "motor", "quantities", "output", "programs"]
 MAY_INCLUDE = {room: set(ORDER[: place + 1]) for place, room in enumerate(ORDER)}
 
 # Everyone may see these.

@@ -174,7 +174,9 @@ class Page:
         for part in self.programs:
             for effect in part.summary["effects"]:
                 told.add(effect["name"])
-                rows.append([effect["name"], effect["choice"], f"{100 * effect['indicator']:+.2g} %", part.program])
+                rows.append([effect["name"], ("auto: " if effect["automatic"] else "") + effect["choice"],
+                             "" if effect["indicator"] is None else f"{100 * effect['indicator']:+.2g} %",
+                             f"{effect['seconds']:.2g}", str(effect["dofs"]), f"{effect['bytes'] / 1e6:.2g}", part.program])
         notes = []
         parameters = self.programs[-1].parameters
         for choice in ("on", "off", "auto"):
@@ -182,8 +184,8 @@ class Page:
                      if entry.startswith("Effects/") and text == choice and entry.split("/")[1] not in told]
             if names:
                 notes.append(f"{choice}, without an estimate: {', '.join(names)}")
-        return Table("Effects", "llrl", [("effect", ""), ("choice", ""), ("it changes results by", ""), ("program", "")],
-                     rows, notes)
+        return Table("Effects", "llrrrrl", [("effect", ""), ("choice", ""), ("it changes results by", ""), ("seconds", "s"),
+                                            ("modes", ""), ("memory", "MB"), ("program", "")], rows, notes)
 
     def certificates(self):
         rows = [["ok" if check["holds"] else "FAIL", part.program, check["name"], f"{check['value']:.2g}",

@@ -187,6 +187,8 @@ namespace ringmotor
               face->set_boundary_id(ids::tooth_top);
             else if (at_height(center[2], 0.) && has_skin(stator))
               face->set_boundary_id(ids::skin);
+            else if (at_height(center[2], -stator.piezoceramic_thickness))
+              face->set_boundary_id(ids::bottom);
             else if (at_height(center[2], stator.base_thickness) && parts == Parts::tooth)
               face->set_boundary_id(ids::clamped);
             else

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/relevant.h>
 #include <ringmotor/output/contact_h5.h>
 #include <ringmotor/output/hdf5.h>
 #include <ringmotor/parameters/errors.h>
-#include <ringmotor/parameters/relevant.h>
 
 #include <deal.II/base/utilities.h>
 

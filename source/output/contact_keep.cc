@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/relevant.h>
 #include <ringmotor/output/contact_keep.h>
 #include <ringmotor/output/files.h>
 #include <ringmotor/output/kept_file.h>
 #include <ringmotor/output/text.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/parameters/fingerprint.h>
-#include <ringmotor/parameters/relevant.h>
 #include <ringmotor/version.h>
 
 #include <filesystem>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/relevant.h>
 #include <ringmotor/output/hdf5.h>
 #include <ringmotor/output/kept_file.h>
 #include <ringmotor/output/modes_file.h>
 #include <ringmotor/output/stator_files.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/parameters/fingerprint.h>
-#include <ringmotor/parameters/relevant.h>
 
 #include <deal.II/base/polynomial.h>
 
@@ -159,6 +159,7 @@ namespace ringmotor
     wave.angular_frequency = file.attribute<double>("/wave", "angular_frequency_rad_per_s");
     const auto foot = trace_of(file, "tooth_foot"), top = trace_of(file, "tooth_top");
     wave.relative_error = file.attribute<double>("/wave", "relative_error");
+    wave.strain_energy  = shape_number(file, "strain_energy").value;
     wave.foot           = motion_of(foot);
     wave.top            = motion_of(top);
     wave.fingerprint    = fingerprint(foot->bytes() + top->bytes() + to_bytes(wave.n_waves) +

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/mesh/ids.h>
+#include <ringmotor/motor/relevant.h>
 #include <ringmotor/output/hdf5.h>
 #include <ringmotor/output/stator_files.h>
 #include <ringmotor/output/table.h>
-#include <ringmotor/parameters/relevant.h>
 #include <ringmotor/quantities/sector_field.h>
 
 #include <algorithm>

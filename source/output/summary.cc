@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/output/files.h>
 #include <ringmotor/output/summary.h>
+#include <ringmotor/output/text.h>
 #include <ringmotor/parameters/errors.h>
 
 #include <algorithm>
@@ -40,13 +41,16 @@ namespace ringmotor
       return json;
     }
 
-    Json to_json(const Summary::Effect &effect)
+    Json to_json(const EffectRow &effect)
     {
-      return {{"name", effect.name},
-              {"indicator", finite(effect.indicator, "the indicator of '" + effect.name + "'")},
-              {"choice", effect.choice},
-              {"seconds", effect.seconds},
-              {"dofs", effect.dofs}};
+      const Json indicator =
+          effect.indicator
+              ? Json(finite(*effect.indicator, "the indicator of '" + effect.name + "'"))
+              : Json();
+      return {{"name", effect.name},       {"indicator", indicator},
+              {"choice", effect.choice},   {"automatic", effect.is_automatic},
+              {"seconds", effect.seconds}, {"dofs", effect.dofs},
+              {"bytes", effect.bytes}};
     }
 
     Json to_json(const Summary::Check &check)
@@ -66,6 +70,18 @@ namespace ringmotor
       return json;
     }
   } // namespace
+
+  std::string describe(const EffectRow &row)
+  {
+    std::string line =
+        "Effects/" + row.name + " = " + (row.is_automatic ? "auto: " + row.choice : row.choice);
+    if (row.indicator)
+      line += "; it " + std::string(row.choice == "on" ? "changes" : "would change") +
+              " the results by some " + text(100. * *row.indicator, 2) + " %";
+    if (row.seconds > 0.1)
+      line += ", found in " + text(row.seconds, 1) + " s";
+    return line;
+  }
 
   bool is_certified(const Summary &summary)
   {

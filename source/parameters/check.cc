@@ -49,27 +49,6 @@ namespace ringmotor
                         ", which has no default values, see --help for what to give");
     }
 
-    void check_effects(const StatorGeometry &stator, const Effects &effects)
-    {
-      if (effects.felt_support != EffectChoice::off)
-        throw UserError(std::string("Effects/Felt support = ") +
-                        (effects.felt_support == EffectChoice::on ? "on" : "auto") +
-                        " is not available in this version; allowed: off");
-      if (effects.target_plates == EffectChoice::automatic)
-        throw UserError("Effects/Target plates = auto is not available in this version; allowed: "
-                        "off | on");
-      if (stator.mesh_file.empty())
-        return;
-      if (effects.target_plates == EffectChoice::on)
-        throw UserError("Effects/Target plates = on does not go with Stator/Mesh file = " +
-                        quoted(stator.mesh_file) +
-                        ", where the edges of the teeth are not known; allowed: off");
-      if (stator.piezoceramic_element == ElementKind::shell)
-        throw UserError("Stator/Piezoceramic element = shell does not go with Stator/Mesh file = " +
-                        quoted(stator.mesh_file) +
-                        ", which has the ceramic ring in its solid cells; allowed: solid");
-    }
-
     void check_mesh_file(const std::string &file)
     {
       std::error_code no_throw;
@@ -99,14 +78,16 @@ namespace ringmotor
       check_rotor(parameters.rotor);
       return;
     }
-    if (parameters.modes.body == Body::stator)
-      check_effects(stator, parameters.effects);
     if (!stator.mesh_file.empty() && parameters.modes.body == Body::stator)
     {
+      if (stator.piezoceramic_element == ElementKind::shell)
+        throw UserError("Stator/Piezoceramic element = shell does not go with Stator/Mesh file = " +
+                        quoted(stator.mesh_file) +
+                        ", which has the ceramic ring in its solid cells; allowed: solid");
       check_mesh_file(stator.mesh_file);
       return;
     }
-    check_thin_parts(stator, parameters.effects);
+    check_thin_parts(stator);
     check_cross_section(stator, parameters.motor.n_teeth);
     check_amplitude(parameters.wave, stator);
   }
@@ -178,70 +159,17 @@ namespace ringmotor
 
     void check_springs(const Parameters &parameters)
     {
-      const Contact &contact   = parameters.contact;
-      const Friction &friction = parameters.friction;
+      const Contact &contact = parameters.contact;
       if (contact.formulation == ContactFormulation::penalty &&
           (!contact.normal_penalty || !contact.tangential_penalty))
         throw UserError("Contact/Formulation = penalty needs Contact/Normal penalty and "
                         "Contact/Tangential penalty; give both in N/m");
-      if (parameters.effects.friction_lining == EffectChoice::on &&
-          (!friction.lining_normal_stiffness || !friction.lining_tangential_stiffness))
-        throw UserError("Effects/Friction lining = on needs Friction/Lining normal stiffness and "
-                        "Friction/Lining tangential stiffness; give both in N/m^3");
       if (parameters.effects.tooth_shear == EffectChoice::off &&
           parameters.effects.rotor_tangential_compliance == EffectChoice::off &&
           contact.formulation == ContactFormulation::mortar &&
           parameters.effects.friction_lining != EffectChoice::on)
         throw UserError("Effects/Tooth shear = off and Effects/Rotor tangential compliance = off "
                         "leave nothing that gives way to friction; allowed: one of them off");
-    }
-
-    /** Effects that the contact cannot take in yet are refused rather than left out silently. */
-    void check_contact_effects(const Effects &effects)
-    {
-      const std::vector<std::pair<std::string, EffectChoice>> missing{
-          {"Tooth inertia", effects.tooth_inertia},
-          {"Stator back-reaction", effects.stator_back_reaction},
-          {"Spin convection", effects.spin_convection},
-          {"Felt support", effects.felt_support}};
-      for (const auto &[name, choice] : missing)
-        if (choice != EffectChoice::off)
-          throw UserError("Effects/" + name + " = " + (choice == EffectChoice::on ? "on" : "auto") +
-                          " is not available in this version; allowed: off");
-      if (effects.damping == EffectChoice::on && effects.rotor_inertia == EffectChoice::off)
-        throw UserError("Effects/Damping = on is available with Effects/Rotor inertia = on | auto "
-                        "only; allowed: off | auto");
-      if (effects.friction_lining == EffectChoice::automatic)
-        throw UserError("Effects/Friction lining = auto is not available in this version; "
-                        "allowed: off | on");
-    }
-
-    /** The rotor's motions as a whole follow their loads at once, which only slow ones and those of
-     * high harmonics may do. */
-    void check_rotor_inertia(const Parameters &parameters)
-    {
-      constexpr unsigned int highest = 6; // harmonic that must not move the rotor as a whole
-      const Motor &motor             = parameters.motor;
-      if (parameters.effects.rotor_inertia == EffectChoice::off)
-        return;
-      const std::string what =
-          "Effects/Rotor inertia = " +
-          std::string(parameters.effects.rotor_inertia == EffectChoice::on ? "on" : "auto");
-      if (is_warped(parameters))
-        throw UserError(
-            what + " is not available with " +
-            entry("Initial deformation/Amplitude", parameters.initial_deformation.amplitude) +
-            " in this version: a warped ring tilts the rotor as a whole; allowed: off");
-      for (unsigned int m = 1; m <= highest; ++m)
-      {
-        const unsigned int around = m * motor.n_waves % motor.n_teeth;
-        if (std::min(around, motor.n_teeth - around) <= 1)
-          throw UserError(what + " is not available with " +
-                          entry("Motor/Number of waves", motor.n_waves) + " and " +
-                          entry("Motor/Number of teeth", motor.n_teeth) +
-                          " in this version: harmonic " + std::to_string(m) +
-                          " of the wave moves the rotor as a whole; allowed: off");
-      }
     }
 
     void check_time(const Parameters &parameters)
@@ -276,8 +204,6 @@ namespace ringmotor
     check_overlap(parameters.stator, parameters.rotor);
     check_friction(parameters.friction);
     check_springs(parameters);
-    check_contact_effects(parameters.effects);
-    check_rotor_inertia(parameters);
     check_time(parameters);
     check_history(parameters);
     std::vector<std::string> warnings;

@@ -88,22 +88,12 @@ namespace ringmotor
     check_slot(stator, n_teeth);
   }
 
-  void check_thin_parts(const StatorGeometry &stator, const Effects &effects)
+  void check_thin_parts(const StatorGeometry &stator)
   {
     if (stator.piezoceramic_element == ElementKind::shell)
       check_shell("Stator/Piezoceramic element", "Stator/Piezoceramic thickness",
                   stator.piezoceramic_thickness,
                   stator.base_outer_radius - stator.base_inner_radius);
-    const double largest = 0.1 * stator.tooth_height * stator.tooth_height;
-    if (effects.target_plates == EffectChoice::on && stator.target_plate_area > largest)
-    {
-      std::ostringstream text;
-      text << "Stator/Target plate cross-section = " << stator.target_plate_area
-           << " m^2 is no thin plate on teeth of "
-           << entry("Stator/Tooth height", stator.tooth_height)
-           << "; allowed: up to a tenth of the height's square, " << largest << " m^2";
-      throw UserError(text.str());
-    }
   }
 
   void check_rotor(const RotorGeometry &rotor)

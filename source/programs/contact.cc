@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <ringmotor/contact/rotor_modes.h>
+#include <ringmotor/motor/rotor_modes.h>
 #include <ringmotor/output/contact_files.h>
 #include <ringmotor/output/contact_h5.h>
 #include <ringmotor/output/contact_keep.h>
@@ -22,6 +22,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 
 namespace ringmotor
@@ -63,6 +64,7 @@ namespace ringmotor
       void check_time_limit() const;
       void report();
       void report_static_friction();
+      void report_effects();
       void warn_of_long_steps();
       void write_results();
       void write_fields();
@@ -77,8 +79,9 @@ namespace ringmotor
       Log log;
       Phases phases;
       const StatorWave wave;
-      InertiaEffect inertia; ///< if `auto` has to find it out
-      const Parameters parameters;
+      std::map<std::string, EffectOnPoints> measured; ///< effects that operating points tell
+      std::vector<EffectRow> effects;
+      const Parameters parameters;             ///< no effect of the contact is `auto`
       std::optional<RotorVibration> vibration; ///< of a rotor with inertia, on all meshes
       std::optional<ContactKeep> keep;         ///< of run(); a study measures what it costs without
       const std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
@@ -120,8 +123,7 @@ namespace ringmotor
                          const CurveSetting &setting, const std::vector<PointRequest> &requests,
                          const std::vector<CurvePoint> &starts)
                   { return find(of_points, motor, setting, requests, starts); }},
-                 this->parameters.effects.rotor_inertia == EffectChoice::off ? inertia
-                                                                             : InertiaEffect())
+                 LeftOut(effects, measured))
     {
       for (const std::string &warning : check_for_contact(parameters))
         log.line("warning: " + warning);
@@ -133,16 +135,17 @@ namespace ringmotor
     Parameters ContactProgram::with_effects_chosen()
     {
       Parameters chosen = given;
-      if (given.effects.rotor_inertia != EffectChoice::automatic)
-        return chosen;
-      constexpr double share       = 1. / 3.; // of the target
-      const auto scope             = phases.measure("indicator of the rotor's inertia");
-      inertia                      = inertia_effect(given, wave);
-      const bool is_on             = inertia.relative > share * given.accuracy.contact_target;
-      chosen.effects.rotor_inertia = is_on ? EffectChoice::on : EffectChoice::off;
-      log.line("Effects/Rotor inertia = auto: " + std::string(is_on ? "on" : "off") +
-               "; it changes speeds and torques by " + text(100. * inertia.relative, 1) +
-               " %, found in " + text(inertia.seconds, 1) + " s");
+      const auto scope  = phases.measure("choice of effects");
+      const Scene scene{chosen, &wave,
+                        [&](const Effect &effect)
+                        {
+                          measured[effect.name] = effect_on_points(chosen, effect, wave);
+                          return measured[effect.name].relative;
+                        }};
+      effects = choose_effects(chosen, EffectStage::contact, scene, given.accuracy.contact_target);
+      for (const EffectRow &row : effects)
+        if (row.is_automatic && row.indicator)
+          log.line(describe(row));
       return chosen;
     }
 
@@ -183,7 +186,7 @@ namespace ringmotor
       const auto scope    = phases.measure("condensation, interface mesh " + std::to_string(level));
       const auto condense = [&]
       {
-        if (!vibration && parameters.effects.rotor_inertia != EffectChoice::off)
+        if (!vibration && motor_model(parameters).rotor_vibrates)
           vibration.emplace(parameters, wave.angular_frequency);
         return condense_motor(parameters, wave, ContactDiscretisation::level(level),
                               vibration ? &*vibration : nullptr);
@@ -269,14 +272,13 @@ namespace ringmotor
                    " mN m Newton's method needed help: " + point.remark);
       report_static_friction();
       warn_of_long_steps();
-      log.line("effects left out: inertia of the teeth would change their tangential motion by " +
-               text(100. * search.motor().tooth_inertia_indicator, 1) + " %");
+      report_effects();
     }
 
     void ContactProgram::report_static_friction()
     {
       const Friction &friction = parameters.friction;
-      if (search.rotor_sticks() || effective_friction(parameters).law == FrictionLaw::coulomb ||
+      if (search.rotor_sticks() || motor_model(parameters).friction.law == FrictionLaw::coulomb ||
           friction.static_coefficient == friction.dynamic_coefficient)
         return;
       // Static friction above dynamic friction has no fracture energy unless the law has a length
@@ -289,6 +291,14 @@ namespace ringmotor
                " mN m the dynamic coefficient alone changes the result by " +
                change(effect.dynamic_alone) + ", half the step by " + change(effect.half_step) +
                ", the finer mesh by " + change(effect.finer_mesh));
+    }
+
+    void ContactProgram::report_effects()
+    {
+      add_cost_of_modes(search.motor(), effects);
+      for (const EffectRow &row : effects)
+        if (row.choice == "off" && !row.is_automatic && row.indicator && *row.indicator > 0.)
+          log.line(describe(row));
     }
 
     void ContactProgram::warn_of_long_steps()
@@ -336,7 +346,7 @@ namespace ringmotor
       write_contact_surfaces(folder, search.motor(), search.points(), height);
       const MotorBodies bodies(parameters, wave, ContactDiscretisation::level(search.level()));
       write_motor_bodies(folder, search.motor(), bodies, search.points(), height);
-      if (!search.motor().rotor_modes.empty())
+      if (search.motor().rotor_vibrates)
         log.line("the inside of a rotor with inertia is not drawn: motor.pvd shows the teeth, "
                  "contact.pvd the surfaces of both");
     }
@@ -347,16 +357,7 @@ namespace ringmotor
       const CondensedMotor &motor = search.motor();
       summary.dofs                = motor.n_dofs;
       add_points(summary, search.points());
-      if (given.effects.rotor_inertia == EffectChoice::automatic)
-        summary.effects.push_back(
-            {"Rotor inertia", inertia.relative,
-             parameters.effects.rotor_inertia == EffectChoice::off ? "off" : "on", inertia.seconds,
-             0});
-      summary.effects.push_back({"Tooth inertia", motor.tooth_inertia_indicator, "off", 0., 0});
-      summary.effects.push_back(
-          {"Spin convection",
-           motor.n_waves * search.points().front().result.speed / motor.angular_frequency, "off",
-           0., 0});
+      summary.effects = effects;
       if (parameters.accuracy.mode == AccuracyMode::adaptive)
         summary.certificate.push_back({"largest relative error of speeds and torques",
                                        search.worst_error(), parameters.accuracy.contact_target});
@@ -371,7 +372,12 @@ int main(int argc, char **argv)
   return run_program(argc, argv,
                      {"contact",
                       "Computes speed, torque and friction loss of the motor with stick and slip.",
-                      [](const Parameters &parameters) { check_for_contact(parameters); },
+                      [](const Parameters &parameters)
+                      {
+                        check_for_contact(parameters);
+                        check_effects(parameters, EffectStage::stator);
+                        check_effects(parameters, EffectStage::contact);
+                      },
                       [](const Parameters &parameters) { ContactProgram(parameters).run(false); },
                       [](const Parameters &parameters) { ContactProgram(parameters).study(); },
                       [](const Parameters &parameters) { ContactProgram(parameters).run(true); },

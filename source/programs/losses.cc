@@ -92,9 +92,6 @@ namespace ringmotor
         return;
       Summary summary = begin_summary("losses", parameters, phases);
       add_losses(summary, points, phases.seconds().front().second / points.size());
-      // A foundation that stores the energy E raises the frequency by E over twice the wave's.
-      const double stored = wave.metal.value + wave.piezoceramic.value;
-      summary.effects.push_back({"Felt support", 0.5 * wave.felt.value / stored, "off", 0., 0});
       require_certified(summary);
       prepare_results(folder,
                       "used\\.prm|losses\\.csv|efficiency\\.csv|loss_density\\.vtu|summary\\.json");
@@ -116,6 +113,11 @@ int main(int argc, char **argv)
   return run_program(argc, argv,
                      {"losses",
                       "Computes losses and efficiency of the motor at its operating points.",
-                      [](const Parameters &parameters) { check_for_losses(parameters); },
+                      [](const Parameters &parameters)
+                      {
+                        check_for_losses(parameters);
+                        check_effects(parameters, EffectStage::stator);
+                        check_effects(parameters, EffectStage::contact);
+                      },
                       [](const Parameters &parameters) { LossesProgram(parameters).run(); }});
 }

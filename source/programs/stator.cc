@@ -10,7 +10,6 @@
 #include <ringmotor/programs/run_program.h>
 #include <ringmotor/programs/run_results.h>
 #include <ringmotor/quantities/body_modes.h>
-#include <ringmotor/quantities/effects.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -54,7 +53,7 @@ namespace ringmotor
       void write_results();
       void write_fields();
       /** @param plate_shift relative, of the frequency by target plates */
-      Summary make_summary(const double plate_shift) const;
+      Summary make_summary(const std::vector<EffectRow> &effects) const;
       void add_wave_quantities(Summary &summary, const WaveResult &wave,
                                const double seconds) const;
 
@@ -214,11 +213,10 @@ namespace ringmotor
 
     void StatorProgram::write_results()
     {
-      const double plate_shift = // all ranks take part
-          of_stator
-              ? target_plate_shift(body.search().sector(), shown().mode, target_plates(parameters))
-              : 0.;
-      require_certified(make_summary(plate_shift));
+      const std::vector<EffectRow> effects = body.effects(); // all ranks take part
+      for (const EffectRow &row : effects)
+        log.line(describe(row));
+      require_certified(make_summary(effects));
       if (speaks)
       {
         const auto scope       = phases.measure("output");
@@ -234,7 +232,7 @@ namespace ringmotor
       if (speaks && parameters.output.vtu && (body.wave() != nullptr || !of_stator))
         write_fields();
       if (speaks)
-        write_summary(folder + "summary.json", make_summary(plate_shift));
+        write_summary(folder + "summary.json", make_summary(effects));
       log.line("results in " + folder);
     }
 
@@ -254,7 +252,7 @@ namespace ringmotor
                            parameters.output.frames_per_period);
     }
 
-    Summary StatorProgram::make_summary(const double plate_shift) const
+    Summary StatorProgram::make_summary(const std::vector<EffectRow> &effects) const
     {
       Summary summary = begin_summary("stator", parameters, phases);
       summary.seconds.insert(summary.seconds.begin(), pass_seconds.begin(), pass_seconds.end());
@@ -279,10 +277,7 @@ namespace ringmotor
         summary.quantities.push_back(
             {"(omega/omega_1)^2", *ratio, "1", error, {{"body mesh", error}}, seconds, {}});
       }
-      if (of_stator)
-        summary.effects.push_back(
-            {"Target plates", plate_shift,
-             parameters.effects.target_plates == EffectChoice::on ? "on" : "off", 0., 0});
+      summary.effects = effects;
       summary.certificate.push_back({"modes counted (Sturm) but not found",
                                      static_cast<double>(body.search().n_missed()), 0.});
       if (body.wave() != nullptr)
@@ -326,7 +321,12 @@ int main(int argc, char **argv)
   using namespace ringmotor;
   return run_program(argc, argv,
                      {"stator", "Computes natural modes of the stator and its travelling wave.",
-                      check_for_stator,
+                      [](const Parameters &parameters)
+                      {
+                        check_for_stator(parameters);
+                        if (parameters.modes.body == Body::stator)
+                          check_effects(parameters, EffectStage::stator);
+                      },
                       [](const Parameters &parameters) { StatorProgram(parameters).run(); },
                       [](const Parameters &parameters) { StatorProgram(parameters).study(); }});
 }

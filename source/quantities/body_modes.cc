@@ -3,10 +3,10 @@
 #include <ringmotor/mesh/read_sector.h>
 #include <ringmotor/mesh/rotor_sector.h>
 #include <ringmotor/mesh/stator_sector.h>
+#include <ringmotor/motor/relevant.h>
 #include <ringmotor/parameters/errors.h>
-#include <ringmotor/parameters/relevant.h>
 #include <ringmotor/quantities/body_modes.h>
-#include <ringmotor/quantities/effects.h>
+#include <ringmotor/quantities/frequency_shift.h>
 
 #include <algorithm>
 #include <chrono>
@@ -91,7 +91,8 @@ namespace ringmotor
   }
 
   BodyModes::BodyModes(const Parameters &all_parameters, MPI_Comm communicator)
-      : parameters(relevant_for_modes(all_parameters)), communicator(communicator),
+      : given(all_parameters), parameters(relevant_for_modes(all_parameters)),
+        communicator(communicator),
         mode_search(material_table(parameters.materials, parameters.modes.body),
                     request_for(parameters)),
         motor_wave(parameters.motor.n_waves, parameters.wave)
@@ -100,6 +101,7 @@ namespace ringmotor
 
   void BodyModes::find(const std::function<void(const Pass &)> &after_pass)
   {
+    choose_effects();
     if (parameters.accuracy.mode == AccuracyMode::fixed)
     {
       const unsigned int degree = parameters.accuracy.polynomial_degree;
@@ -149,6 +151,7 @@ namespace ringmotor
 
   void BodyModes::climb(const std::function<void(const Pass &)> &after_pass)
   {
+    choose_effects();
     // Each level of a mesh that was read has eight times the cells of the one before.
     for (const auto &[degree, n_levels] : {std::make_pair(2u, is_generated() ? 5u : 2u),
                                            std::make_pair(3u, is_generated() ? 5u : 1u),
@@ -186,8 +189,58 @@ namespace ringmotor
   {
     mesh = make_stator_sector(parameters.stator, parameters.motor.n_teeth, SectorForm::half,
                               SectorGrading::level(level), communicator);
-    if (parameters.effects.target_plates == EffectChoice::on)
-      mesh.bars[ids::target_plate] = target_plates(parameters);
+    add_to_stator(motor_model(parameters), mesh);
+  }
+
+  void BodyModes::choose_effects()
+  {
+    const auto has_to_choose = [&](const auto &effect)
+    {
+      return effect->stage == EffectStage::stator &&
+             effect->choice(parameters) == EffectChoice::automatic;
+    };
+    const auto &all = all_effects();
+    if (parameters.modes.body != Body::stator ||
+        std::none_of(all.begin(), all.end(), has_to_choose))
+      return;
+    SectorMesh bare =
+        is_generated()
+            ? make_stator_sector(parameters.stator, parameters.motor.n_teeth, SectorForm::half,
+                                 SectorGrading::level(scout.level), communicator)
+            : read_sector(parameters.stator.mesh_file, parameters.motor.n_teeth, communicator);
+    ModeSearch search(material_table(parameters.materials, parameters.modes.body),
+                      request_for(parameters));
+    search.compute(bare, scout.degree);
+    choices_by(search, parameters);
+  }
+
+  std::vector<EffectRow> BodyModes::choices_by(const ModeSearch &search, Parameters &chosen) const
+  {
+    const FoundMode *wave = search.working_mode(parameters.motor.n_waves);
+    const Mode &mode      = wave ? wave->mode : search.modes().front().mode;
+    // What is off is known to what was given alone.
+    const Scene scene{given, nullptr,
+                      [&](const Effect &effect)
+                      {
+                        MotorModel model;
+                        effect.enter(given, model);
+                        return frequency_shift(search.sector(), mode, model);
+                      }};
+    return ringmotor::choose_effects(chosen, EffectStage::stator, scene,
+                                     parameters.accuracy.target);
+  }
+
+  std::vector<EffectRow> BodyModes::effects() const
+  {
+    if (parameters.modes.body != Body::stator)
+      return {};
+    Parameters chosen           = given;
+    std::vector<EffectRow> rows = choices_by(mode_search, chosen);
+    for (EffectRow &row : rows)
+      for (const auto &effect : all_effects())
+        if (effect->name == row.name)
+          row.choice = effect->choice(parameters) == EffectChoice::off ? "off" : "on";
+    return rows;
   }
 
   void BodyModes::compute_pass(const unsigned int degree,

@@ -50,7 +50,7 @@ namespace ringmotor
     errors.wave = change(point_of(plain, request), point_of(changed_wave(), request));
     // What a window given by the user misses does not depend on the steps.
     errors.window  = parameters.time.n_steps ? point_of(plain, request).window : point.window;
-    errors.effects = left_out.left_out_of(point);
+    errors.effects = left_out.of(point);
     const OperatingPoint &result = point.result;
     const bool of_torque         = requests[request].control == Control::torque;
     errors.algebra               = {of_torque ? std::abs(result.speed) : 0.,
@@ -82,7 +82,7 @@ namespace ringmotor
 
   bool CurveSearch::has_inertia() const
   {
-    return parameters.effects.rotor_inertia != EffectChoice::off;
+    return motor_model(parameters).rotor_vibrates;
   }
 
   double CurveSearch::worst_error() const

@@ -33,7 +33,7 @@ namespace ringmotor
         for (const unsigned int c : {1u, 2u})
           node.free_motion[c] *= setting.wave_factor;
       if (setting.has_coarse_modes)
-        other.rotor_modes = other.coarse_modes;
+        other.modes = other.coarse_modes;
       return other;
     }
 
@@ -47,8 +47,7 @@ namespace ringmotor
   } // namespace
 
   CurveSearch::CurveSearch(const Parameters &parameters, const double wave_error,
-                           const double period, const Sources &sources,
-                           const InertiaEffect &left_out)
+                           const double period, const Sources &sources, const LeftOut &left_out)
       : parameters(parameters), wave_error(wave_error), steps(parameters, period), sources(sources),
         left_out(left_out)
   {
@@ -72,7 +71,8 @@ namespace ringmotor
       evaluate();
       if (is_fixed)
         return;
-      // Powers ask for the shortest steps of all, which are worth their price on the last mesh only.
+      // Powers ask for the shortest steps of all, which are worth their price on the last mesh
+      // only.
       if (worst_error() > accuracy.contact_target)
         refine();
       else if (powers_balance())

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/motor_model.h>
 #include <ringmotor/quantities/curve_setting.h>
 
 #include <algorithm>
@@ -32,8 +33,8 @@ namespace ringmotor
       : is_marched(ringmotor::is_marched(parameters)),
         is_fixed(parameters.accuracy.mode == AccuracyMode::fixed),
         n_snapshots(parameters.time.n_snapshots),
-        // A rotor with inertia vibrates several times in a period.
-        few_steps(parameters.effects.rotor_inertia == EffectChoice::off ? 40 : 80),
+        // What has inertia vibrates several times in a period.
+        few_steps(motor_model(parameters).has_inertia() ? 80 : 40),
         n_undivided(is_marched ? period / parameters.time.time_step
                                : teeth_that_differ(parameters.motor))
   {

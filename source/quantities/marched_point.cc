@@ -28,7 +28,7 @@ namespace ringmotor
                          const PointRequest &request, const unsigned int n_joined)
       : load(load_of(parameters.loading, request)), n_parts(parameters.time.n_snapshots),
         n_joined(n_joined),
-        driver(motor, effective_friction(parameters), warp_of(parameters), load.preload)
+        driver(motor, motor_model(parameters).friction, motor_model(parameters).warp, load.preload)
   {
   }
 
@@ -116,13 +116,12 @@ namespace ringmotor
 
     Settling::Settling(const Parameters &parameters, const CondensedMotor &motor,
                        const PointRequest &request)
-        : time(parameters.time), motor(motor),
-          of_torque(request.control == Control::torque), pattern{motor.n_waves, motor.n_teeth,
-                                                                 warp_of(parameters).n_waves},
+        : time(parameters.time), motor(motor), of_torque(request.control == Control::torque),
+          pattern{motor.n_waves, motor.n_teeth, motor_model(parameters).warp.n_waves},
           n_parts(repetition_of(pattern).n_parts),
           tolerance(0.1 * parameters.accuracy.contact_target)
     {
-      const Friction friction = effective_friction(parameters);
+      const Friction friction = motor_model(parameters).friction;
       const double mu         = std::max(friction.static_coefficient, friction.dynamic_coefficient);
       for (const CondensedMotor::Node &node : motor.nodes)
         largest = std::max(largest, mu * parameters.loading.preload * node.radius);

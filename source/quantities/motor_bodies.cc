@@ -45,8 +45,8 @@ namespace ringmotor
   MotorBodies::MotorBodies(const Parameters &parameters, const StatorWave &wave,
                            const ContactDiscretisation &discretisation,
                            const unsigned int n_subdivisions)
-      : parameters(parameters), wave(wave), tooth_body(parameters, discretisation),
-        rotor_body(parameters, discretisation),
+      : parameters(parameters), model(motor_model(parameters)), wave(wave),
+        tooth_body(parameters, discretisation), rotor_body(parameters, discretisation),
         mortar(couple(tooth_body.whole_top.surface, rotor_body.whole_lip.surface,
                       2. * numbers::PI / parameters.motor.n_teeth, discretisation.lip_turn)),
         rotor_ring(rotor_body.sector, n_subdivisions,
@@ -60,7 +60,7 @@ namespace ringmotor
   {
     const unsigned int n_teeth = parameters.motor.n_teeth, n_nodes = mortar.nodes.size(),
                        n_lip = rotor_body.whole_lip.origin.size(), n_waves = n_teeth / 2 + 1;
-    const bool has_friction = parameters.effects.rotor_tangential_compliance != EffectChoice::off;
+    const bool has_friction = model.rotor_gives_way_along;
     std::vector<Amplitudes> amplitudes(n_waves, Amplitudes(n_lip));
     for (unsigned int tooth = 0; tooth < n_teeth; ++tooth)
       for (unsigned int a = 0; a < n_nodes; ++a)
@@ -137,11 +137,14 @@ namespace ringmotor
   MotorBodies::teeth_motions(const std::vector<PointMoment> &moments) const
   {
     const unsigned int n_teeth = parameters.motor.n_teeth, n_nodes = mortar.nodes.size();
-    const Condensation condensation       = tooth_body.condensed(true);
-    const Warp warp                       = warp_of(parameters);
+    const Condensation condensation = tooth_body.condensed(0., true);
+    // Contact forces move a tooth nearly as they would without its inertia.
+    const Condensation vibrating =
+        tooth_body.condensed(model.teeth_vibrate ? wave.angular_frequency : 0., true);
+    const Warp &warp                      = model.warp;
     const SectorMotion at_rest            = tooth_body.sector.at_rest();
     const RingBody::Amplitude free_motion = tooth_ring.amplitude(
-        condensation.inside(0, {}, {{{}, tooth_body.foot_motion(wave.foot), {}}}).front(), at_rest);
+        vibrating.inside(0, {}, {{{}, tooth_body.foot_motion(wave.foot), {}}}).front(), at_rest);
     const RingBody::Amplitude lift = tooth_ring.lift(
         [&](const double theta) { return std::polar(warp.amplitude, warp.n_waves * theta); });
 
@@ -169,7 +172,7 @@ namespace ringmotor
             forces[mortar.nodes[a].tooth_node][c] = -force;
             is_pressed                            = is_pressed || force != 0.;
           }
-        if (is_pressed && parameters.effects.tooth_shear != EffectChoice::off)
+        if (is_pressed && model.teeth_give_way)
         {
           pressed.push_back(tooth);
           for (CondensationLoad &load : loads_on_half(forces, tooth_body.whole_top))

@@ -82,17 +82,30 @@ namespace ringmotor
            std::max({std::abs(input_power), friction_loss(), nothing * gross_power, 1e-300});
   }
 
+  double detuning(const OperatingState &state)
+  {
+    const RingContact &contact = *state.contact;
+    double work                = 0.;
+    for (unsigned int i = 0; i < contact.n_points(); ++i)
+      work += state.solution.state.force[i] * contact.free_motion(i);
+    work *= static_cast<double>(contact.n_repeats()) / contact.n_times();
+    const double energy = contact.condensed_motor().wave_energy;
+    return energy > 0. ? work / (4. * energy) : 0.;
+  }
+
   OperatingPoint evaluate(const OperatingState &state)
   {
     const RingContact &contact = *state.contact;
-    return evaluate(state,
-                    [&](const unsigned int i)
-                    {
-                      const unsigned int earlier = contact.earlier(i);
-                      return Before{state.solution.state.force[earlier],
-                                    contact.free_motion(earlier),
-                                    state.solution.motion[earlier][0]};
-                    });
+    OperatingPoint point =
+        evaluate(state,
+                 [&](const unsigned int i)
+                 {
+                   const unsigned int earlier = contact.earlier(i);
+                   return Before{state.solution.state.force[earlier], contact.free_motion(earlier),
+                                 state.solution.motion[earlier][0]};
+                 });
+    point.detuning = ringmotor::detuning(state);
+    return point;
   }
 
   OperatingPoint evaluate_step(const OperatingState &before, const OperatingState &state)

@@ -29,7 +29,9 @@ namespace ringmotor
         return cell->material_id() == ids::tooth && !cell->at_boundary(face) &&
                cell->neighbor(face)->material_id() == ids::base;
       case Surface::bottom:
-        return cell->at_boundary(face) && cell->face(face)->boundary_id() == ids::free &&
+        return cell->at_boundary(face) &&
+               (cell->face(face)->boundary_id() == ids::bottom ||
+                cell->face(face)->boundary_id() == ids::free) && // of a mesh that was read
                std::abs(cell->face(face)->center()[2] - lowest) < 1e-6 * cell->diameter();
       }
       return false;

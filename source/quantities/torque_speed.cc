@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <ringmotor/parameters/relevant.h>
+#include <ringmotor/motor/relevant.h>
+#include <ringmotor/parameters/errors.h>
 #include <ringmotor/quantities/marched_point.h>
 #include <ringmotor/quantities/torque_speed.h>
 
@@ -64,12 +65,6 @@ namespace ringmotor
       remark = solution.how;
   }
 
-  Warp warp_of(const Parameters &parameters)
-  {
-    const InitialDeformation &deformation = parameters.initial_deformation;
-    return is_warped(parameters) ? Warp{deformation.amplitude, deformation.n_waves} : Warp();
-  }
-
   RotorLoad load_of(const Loading &loading, const PointRequest &request)
   {
     RotorLoad load{loading.preload, {}, request.value};
@@ -85,20 +80,12 @@ namespace ringmotor
     return divided;
   }
 
-  Friction effective_friction(const Parameters &parameters)
-  {
-    Friction friction = parameters.friction;
-    if (parameters.effects.static_friction_excess == EffectChoice::off)
-      friction.law = FrictionLaw::coulomb;
-    return friction;
-  }
-
   OperatingPointFinder::OperatingPointFinder(const Parameters &all_parameters,
                                              const CondensedMotor &motor, PointMemory *memory,
                                              const CurveSetting &setting)
-      : setting(setting), parameters(relevant_for_points(all_parameters)), motor(motor),
-        steady(motor, effective_friction(parameters),
-               {parameters.time.n_snapshots, setting.n_joined}),
+      : setting(setting), parameters(relevant_for_points(all_parameters)),
+        model(motor_model(parameters)), motor(motor),
+        steady(motor, model.friction, {parameters.time.n_snapshots, setting.n_joined}),
         memory(memory)
   {
   }
@@ -116,7 +103,7 @@ namespace ringmotor
     // With inertia the neighbour on the curve is nearer than the same point with other steps, but
     // not than that with a wave or with modes that differ little.
     const bool neighbour_is_nearer =
-        !motor.rotor_modes.empty() && steady.has_state() && !setting.differs_little();
+        model.has_inertia() && steady.has_state() && !setting.differs_little();
     if (start && !is_marched(parameters) && !neighbour_is_nearer)
       steady.go_on_from(load_of(parameters.loading, request), solution_of(*start),
                         start->result.speed);
@@ -133,7 +120,9 @@ namespace ringmotor
 
   CurvePoint OperatingPointFinder::find_steady(const PointRequest &request)
   {
-    const OperatingState state = steady.at(load_of(parameters.loading, request));
+    const RotorLoad load = load_of(parameters.loading, request);
+    const OperatingState state =
+        model.wave_feels_contact ? at_own_frequency(load) : steady.at(load);
     CurvePoint point;
     point.result = evaluate(state);
     point.add_certificate(state.solution);
@@ -142,6 +131,30 @@ namespace ringmotor
     point.rotor_power    = power_per_loss_factor(point.rotor_energies, motor.angular_frequency) +
                         point.result.modal_damping;
     return point;
+  }
+
+  OperatingState OperatingPointFinder::at_own_frequency(const RotorLoad &load)
+  {
+    constexpr unsigned int most_rounds = 10;
+    constexpr double settled           = 1e-8;
+    OperatingState state               = steady.at(load);
+    if (!detuned)
+      detuned = std::make_unique<CondensedMotor>(motor);
+    for (unsigned int round = 0; round < most_rounds; ++round)
+    {
+      const double before        = detuned->angular_frequency,
+                   after         = motor.angular_frequency * (1. + detuning(state));
+      detuned->angular_frequency = after;
+      SteadyDriver driver(*detuned, model.friction,
+                          {parameters.time.n_snapshots, setting.n_joined});
+      driver.go_on_from(load, state.solution, state.contact->speed(state.solution.state));
+      state = driver.at(load);
+      if (std::abs(after - before) <= settled * after)
+        return state;
+    }
+    throw ComputationError("the frequency of the wave with the rotor on the stator did not settle "
+                           "in " +
+                           std::to_string(most_rounds) + " rounds");
   }
 
   std::vector<PointRequest> listed_points(const Loading &loading)

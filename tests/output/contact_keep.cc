@@ -6,10 +6,10 @@
 #include "parameters/sample.h"
 #include "support/motor_model.h"
 
+#include <ringmotor/motor/relevant.h>
 #include <ringmotor/output/contact_keep.h>
 #include <ringmotor/output/kept_file.h>
 #include <ringmotor/parameters/prm_file.h>
-#include <ringmotor/parameters/relevant.h>
 
 #include <gtest/gtest.h>
 

@@ -39,7 +39,7 @@ namespace
     frequency.seconds      = 0.75;
     frequency.labels       = {{"n", 7u}, {"family", std::string("axial")}, {"shift", 0.5}};
     summary.quantities     = {frequency};
-    summary.effects        = {{"Target plates", 0.01, "off", 0., 0}};
+    summary.effects        = {{"Target plates", 0.01, "off"}, {"Tooth shear", {}, "on"}};
     summary.certificate    = {{"missed modes", 0., 0.}, {"residual", 1e-12, 1e-9}};
     return summary;
   }
@@ -60,8 +60,10 @@ TEST(Summary, HoldsEverythingUnderItsName)
     "quantities": [{"name": "frequency", "n": 7, "family": "axial", "shift": 0.5,
                     "value": 30004.123456789012, "unit": "Hz", "error": 2.0,
                     "error_causes": {"body mesh": 1.5, "algebra": 0.5}, "seconds": 0.75}],
-    "effects": [{"name": "Target plates", "indicator": 0.01, "choice": "off", "seconds": 0.0,
-                 "dofs": 0}],
+    "effects": [{"name": "Target plates", "indicator": 0.01, "choice": "off",
+                 "automatic": false, "seconds": 0.0, "dofs": 0, "bytes": 0},
+                {"name": "Tooth shear", "indicator": null, "choice": "on",
+                 "automatic": false, "seconds": 0.0, "dofs": 0, "bytes": 0}],
     "certificate": {"holds": true,
                     "checks": [{"name": "missed modes", "value": 0.0, "limit": 0.0, "holds": true},
                                {"name": "residual", "value": 1e-12, "limit": 1e-9, "holds": true}]}
@@ -100,7 +102,7 @@ TEST(Summary, RefusesNumbersThatAreNotResults)
        [](Summary &s) -> double & { return s.quantities[0].error; }},
       {"the error 'algebra' of the quantity 'frequency'",
        [](Summary &s) -> double & { return s.quantities[0].error_causes["algebra"]; }},
-      {"'Target plates'", [](Summary &s) -> double & { return s.effects[0].indicator; }},
+      {"'Target plates'", [](Summary &s) -> double & { return *s.effects[0].indicator; }},
       {"the check 'residual'", [](Summary &s) -> double & { return s.certificate[1].value; }}};
 
   const Scratch scratch;

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <ringmotor/motor/relevant.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/parameters/parameters.h>
-#include <ringmotor/parameters/relevant.h>
 
 #include <sstream>
 #include <string>

@@ -323,21 +323,9 @@ TEST(WrongInput, AmplitudesThatAreNotSmall)
                {"Wave/Amplitude = 0.0002 m", "Stator/Base thickness = 0.00437 m", "2e-6"});
 }
 
-TEST(WrongInput, ChoicesThatAreNotAvailable)
-{
-  const std::string why = "not available in this version";
-  for (const std::string choice : {"on", "auto"})
-    expect_clash({"Effects/Felt support = " + choice},
-                 {"Effects/Felt support = " + choice, why, "allowed: off"});
-  expect_clash({"Effects/Target plates = auto"},
-               {"Effects/Target plates = auto", why, "allowed: off | on"});
-}
-
 TEST(WrongInput, WhatAMeshFileCannotHave)
 {
   const std::string mesh = "Stator/Mesh file = any.msh";
-  expect_clash({mesh, "Effects/Target plates = on"},
-               {"Effects/Target plates = on", "Stator/Mesh file", "any.msh", "allowed: off"});
   expect_clash(
       {mesh, "Stator/Piezoceramic element = shell"},
       {"Stator/Piezoceramic element = shell", "Stator/Mesh file", "any.msh", "allowed: solid"});
@@ -349,9 +337,6 @@ TEST(WrongInput, ThinPartsThatAreThick)
                {"Rotor/Flange thickness = 0.002 m", "Rotor/Flange element", "30 %", "solid"});
   expect_clash({"Stator/Piezoceramic element = shell", "Stator/Piezoceramic thickness = 3e-3"},
                {"Stator/Piezoceramic thickness = 0.003 m", "Stator/Piezoceramic element", "30 %"});
-  expect_clash(
-      {"Effects/Target plates = on", "Stator/Target plate cross-section = 1e-5"},
-      {"Stator/Target plate cross-section = 1e-05 m^2", "Stator/Tooth height", "4e-07 m^2"});
 }
 
 TEST(WrongInput, RotorsWithoutRoom)

@@ -147,7 +147,9 @@ class Report(WithMotor):
         checks = [["ok", summary["program"], check["name"], f"{check['value']:.2g}", f"{check['limit']:.2g}"]
                   for summary in summaries for check in summary["certificate"]["checks"]]
         self.assertEqual(self.page_table("Certificates")[1:], checks)
-        effects = [[effect["name"], effect["choice"], f"{100 * effect['indicator']:+.2g} %", summary["program"]]
+        effects = [[effect["name"], ("auto: " if effect["automatic"] else "") + effect["choice"],
+                    "" if effect["indicator"] is None else f"{100 * effect['indicator']:+.2g} %", f"{effect['seconds']:.2g}",
+                    str(effect["dofs"]), f"{effect['bytes'] / 1e6:.2g}", summary["program"]]
                    for summary in summaries for effect in summary["effects"]]
         self.assertEqual(self.page_table("Effects")[1:1 + len(effects)], effects)
         for cells, summary in zip(self.page_table("Cost")[2:], summaries, strict=True):

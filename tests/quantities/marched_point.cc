@@ -131,7 +131,7 @@ TEST_F(WarpedMotor, StandsUpByAFieldOfHeights)
   Parameters raised                  = parameters;
   raised.initial_deformation.n_waves = 0;
   EXPECT_EQ(repetition_of({7, 90, 0}).n_parts,
-            repetition_of({7, 90, warp_of(raised).n_waves}).n_parts);
+            repetition_of({7, 90, motor_model(raised).warp.n_waves}).n_parts);
   const double lifted = find_marched(raised, coarse, {Control::speed, 70. * rpm}).result.torque;
   raised.initial_deformation.amplitude = 0.;
   EXPECT_NEAR(lifted, find_marched(raised, coarse, {Control::speed, 70. * rpm}).result.torque,

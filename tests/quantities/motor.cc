@@ -12,7 +12,7 @@
 #include "support/motor_model.h"
 #include "support/record.h"
 
-#include <ringmotor/contact/marching.h>
+#include <ringmotor/motor/marching.h>
 #include <ringmotor/quantities/torque_speed.h>
 
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 
 #include "support/motor_model.h"
 
-#include <ringmotor/contact/marching.h>
+#include <ringmotor/motor/marching.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/quantities/torque_speed.h>
 

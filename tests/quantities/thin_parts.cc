@@ -10,7 +10,7 @@
 
 #include <ringmotor/mesh/stator_sector.h>
 #include <ringmotor/quantities/body_modes.h>
-#include <ringmotor/quantities/effects.h>
+#include <ringmotor/quantities/frequency_shift.h>
 #include <ringmotor/quantities/sector_field.h>
 #include <ringmotor/quantities/surface_trace.h>
 
@@ -184,9 +184,11 @@ TEST(TargetPlates, ShiftTheFrequencyAsRayleighSays)
       }
   const double expected = 0.5 * (stiffness / mode.eigenvalue - mass);
   ASSERT_LT(expected, -1e-4);
-  EXPECT_NEAR(target_plate_shift(without, mode, plate) / expected, 1., 1e-6);
+  MotorModel model;
+  model.target_plates = plate;
+  EXPECT_NEAR(frequency_shift(without, mode, model) / expected, 1., 1e-6);
 
-  mesh.bars[ids::target_plate] = plate;
+  add_to_stator(model, mesh);
   const CyclicSector with(mesh, stator_materials(), 3);
   EXPECT_EQ(with.n_dofs(), without.n_dofs());
   EXPECT_NEAR((working_mode(with).frequency() / mode.frequency() - 1.) / expected, 1., 0.05);
@@ -207,4 +209,73 @@ TEST(TargetPlates, TakePartWhereTheyAreCalledFor)
     frequencies.push_back(body.search().working_mode(n_waves)->mode.frequency());
   }
   EXPECT_LT(frequencies[1], frequencies[0]);
+}
+
+TEST(Felt, ShiftsTheFrequencyAsRayleighSays)
+{
+  // A felt that follows the lower side stores half of its stiffness times the square of the normal
+  // motion; the mode moves the mass of its sector by one.
+  MotorModel model;
+  model.felt_stiffness = 5e8; // N/m^3
+  for (const ElementKind ceramic : {ElementKind::solid, ElementKind::shell})
+  {
+    StatorGeometry stator;
+    stator.piezoceramic_element = ceramic;
+    SectorMesh mesh = make_stator_sector(stator, n_teeth, SectorForm::half, SectorGrading::level(1),
+                                         MPI_COMM_WORLD);
+    const CyclicSector without(mesh, stator_materials(), 3);
+    const Mode mode     = working_mode(without);
+    const double lowest = ceramic == ElementKind::solid ? -stator.piezoceramic_thickness : 0.;
+    const dealii::FEValuesExtractors::Vector displacement(0);
+    dealii::FEFaceValues<3> values(
+        without.geometry(), without.dofs().get_fe(), dealii::QGauss<2>(5),
+        dealii::update_values | dealii::update_JxW_values | dealii::update_quadrature_points);
+    double stiffness = 0.;
+    for (const auto &cell : without.dofs().active_cell_iterators())
+      for (const unsigned int face : cell->face_indices())
+        if (cell->face(face)->at_boundary() &&
+            std::abs(cell->face(face)->center()[2] - lowest) < 1e-9)
+        {
+          values.reinit(cell, face);
+          std::vector<dealii::Tensor<1, 3>> u(values.n_quadrature_points);
+          for (const auto *field : {&mode.motion.solid.real, &mode.motion.solid.imaginary})
+          {
+            values[displacement].get_function_values(*field, u);
+            for (unsigned int q = 0; q < u.size(); ++q)
+              stiffness += model.felt_stiffness * values.JxW(q) * u[q][2] * u[q][2];
+          }
+        }
+    const double expected = 0.5 * stiffness / mode.eigenvalue;
+    ASSERT_GT(expected, 1e-5);
+    EXPECT_NEAR(frequency_shift(without, mode, model) / expected, 1., 1e-6);
+
+    add_to_stator(model, mesh);
+    const CyclicSector with(mesh, stator_materials(), 3);
+    EXPECT_NEAR((working_mode(with).frequency() / mode.frequency() - 1.) / expected, 1., 0.01);
+  }
+}
+
+TEST(StatorEffects, AreChosenByTheTargetOfTheFrequency)
+{
+  for (const double target : {1e-2, 1e-5})
+  {
+    Parameters parameters;
+    parameters.accuracy.mode              = AccuracyMode::fixed;
+    parameters.accuracy.polynomial_degree = 2;
+    parameters.accuracy.target            = target;
+    parameters.effects.target_plates = parameters.effects.felt_support = EffectChoice::automatic;
+    BodyModes body(parameters, MPI_COMM_WORLD);
+    body.find([](const Pass &) {});
+    const bool is_on = target == 1e-5;
+    EXPECT_EQ(!body.search().sector().sector_mesh().bars.empty(), is_on);
+    EXPECT_EQ(!body.search().sector().sector_mesh().foundations.empty(), is_on);
+    const std::vector<EffectRow> rows = body.effects();
+    ASSERT_EQ(rows.size(), 2u);
+    for (const EffectRow &row : rows)
+    {
+      EXPECT_EQ(row.choice, is_on ? "on" : "off") << row.name;
+      EXPECT_TRUE(row.is_automatic);
+      EXPECT_GT(std::abs(*row.indicator), 1e-5 / 3.) << row.name;
+    }
+  }
 }

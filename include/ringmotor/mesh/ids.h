@@ -35,7 +35,8 @@ namespace ringmotor
     constexpr dealii::types::boundary_id radial_bars =
         22; ///< band of the ring's inner side that the bars hold
     constexpr dealii::types::boundary_id tooth_foot =
-        23; ///< where a tooth alone is cut off the base
+        23;                                           ///< where a tooth alone is cut off the base
+    constexpr dealii::types::boundary_id bottom = 24; ///< lower face of the stator
 
     // Edges
     constexpr dealii::types::boundary_id target_plate = 30; ///< where a plate is bonded to a tooth

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/motor/effect.h>
+
 #include <cstdint>
 #include <map>
 #include <string>
@@ -26,16 +28,6 @@ namespace ringmotor
       std::map<std::string, std::variant<int, unsigned int, double, std::string>> labels;
     };
 
-    /** One physical effect and whether this run took it in. */
-    struct Effect
-    {
-      std::string name;
-      double indicator = 0.;   ///< estimated relative change of the result
-      std::string choice;      ///< "on" or "off"
-      double seconds     = 0.; ///< what it added
-      std::uint64_t dofs = 0;  ///< what it added
-    };
-
     /** One proof that the results stand: it holds if the value does not exceed the limit. */
     struct Check
     {
@@ -54,9 +46,12 @@ namespace ringmotor
     double peak_memory_MB = 0.;
     std::uint64_t dofs    = 0;
     std::vector<Quantity> quantities;
-    std::vector<Effect> effects;
+    std::vector<EffectRow> effects;
     std::vector<Check> certificate;
   };
+
+  /** `Effects/Rotor inertia = auto: on; it changes the results by 31 %` */
+  std::string describe(const EffectRow &row);
 
   /** True if there is at least one check and all of them hold. */
   bool is_certified(const Summary &summary);

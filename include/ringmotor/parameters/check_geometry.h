@@ -19,7 +19,7 @@ namespace ringmotor
   void check_cross_section(const StatorGeometry &stator, unsigned int n_teeth);
 
   /** Shells and target plates have to be thin. */
-  void check_thin_parts(const StatorGeometry &stator, const Effects &effects);
+  void check_thin_parts(const StatorGeometry &stator);
 
   /** Lip, flange and ring in their order. */
   void check_rotor(const RotorGeometry &rotor);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/motor/effect.h>
 #include <ringmotor/parameters/parameters.h>
 #include <ringmotor/quantities/motor_wave.h>
 
@@ -61,16 +62,25 @@ namespace ringmotor
      * `Accuracy/Mode = fixed`. */
     const std::string &last_refined_for() const { return refined_for; }
 
+    /** What became of the effects that belong to the stator, by the modes of the last pass; none
+     * for other bodies. Collective. */
+    std::vector<EffectRow> effects() const;
+
   private:
     bool is_generated() const;
     void make_mesh(const unsigned int new_level);
     void make_stator_mesh();
+    /** Chooses effects that are `auto` by the modes of a coarse mesh without them. Collective. */
+    void choose_effects();
+    /** How much effects matter in the modes of @p search. */
+    std::vector<EffectRow> choices_by(const ModeSearch &search, Parameters &chosen) const;
     void compute_pass(const unsigned int degree,
                       const std::function<void(const Pass &)> &after_pass);
     void aim_at(const bool for_wave);
     [[noreturn]] void give_up() const;
 
-    const Parameters parameters;
+    const Parameters given;
+    Parameters parameters; ///< that the modes depend on
     const MPI_Comm communicator;
     SectorMesh mesh;
     ModeSearch mode_search;

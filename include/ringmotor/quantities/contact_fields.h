@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/contact/steady.h>
+#include <ringmotor/motor/steady.h>
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/quantities/inertia_effect.h>
+#include <ringmotor/quantities/effect_on_points.h>
 
 #include <functional>
 #include <map>
@@ -35,9 +35,9 @@ namespace ringmotor
 
     /** @param wave_error relative, of the speed of the stator's surface
      * @param period s, of the wave
-     * @param left_out inertia that `auto` leaves out */
+     * @param left_out effects that `auto` leaves out */
     CurveSearch(const Parameters &parameters, const double wave_error, const double period,
-                const Sources &sources, const InertiaEffect &left_out = {});
+                const Sources &sources, const LeftOut &left_out = {});
 
     /** Refines until the target is met or, `Accuracy/Mode = fixed`, computes what is asked for.
      * @throws UserError for a load beyond stall
@@ -155,7 +155,7 @@ namespace ringmotor
     const double wave_error;
     const StepChoice steps;
     const Sources sources;
-    const InertiaEffect left_out;
+    const LeftOut left_out;
     CurvePoint stalled;       ///< on the first mesh; the loaded one if the rotor sticks
     double stall_torque = 0.; ///< N m; of the first motor that was computed
     std::vector<PointRequest> requests;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/contact/condensed_motor.h>
+#include <ringmotor/motor/condensed_motor.h>
 #include <ringmotor/parameters/parameters.h>
 
 #include <tuple>

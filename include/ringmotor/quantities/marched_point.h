@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/contact/marching.h>
+#include <ringmotor/motor/marching.h>
 #include <ringmotor/quantities/torque_speed.h>
 
 #include <optional>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <ringmotor/contact/mortar.h>
+#include <ringmotor/motor/motor_model.h>
 #include <ringmotor/quantities/ring_body.h>
 #include <ringmotor/quantities/torque_speed.h>
 
@@ -49,6 +50,7 @@ namespace ringmotor
     std::vector<Amplitudes> lip_forces(const PointMoment &at) const;
 
     const Parameters &parameters;
+    const MotorModel model;
     const StatorWave &wave;
     const ToothBody tooth_body;
     const RotorBody rotor_body;

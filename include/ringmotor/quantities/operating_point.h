@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/contact/steady.h>
+#include <ringmotor/motor/steady.h>
 
 namespace ringmotor
 {
@@ -21,6 +21,10 @@ namespace ringmotor
     double gross_power   = 0.; ///< the input power, all of its parts taken positive
     double closing_work = 0.; ///< of pressure on gaps that close or open in a step; in numbers only
 
+    /** By how much the contact shifts the frequency of the stator's wave, relatively, see
+     * ringmotor::detuning(). */
+    double detuning = 0.;
+
     double teeth_in_contact = 0.; ///< per wave
     double stick_fraction   = 0.; ///< of the pressure force, on points that stick
 
@@ -36,10 +40,19 @@ namespace ringmotor
     void serialize(Archive &archive, const unsigned int)
     {
       archive &speed &torque &tangential_loss &radial_loss &input_power &output_work;
-      archive &modal_power &modal_damping &gross_power &stored_power &closing_work &teeth_in_contact
-          &stick_fraction;
+      archive &detuning &modal_power &modal_damping &gross_power &stored_power &closing_work
+          &teeth_in_contact &stick_fraction;
     }
   };
+
+  /**
+   * By how much the contact forces of a steady state shift the frequency of the wave, relatively,
+   * if the drive keeps the amplitude and follows: W / (4 E), W the mean of the work that the forces
+   * on the rotor would do in the motion of the stator, E the strain energy of the wave. For a
+   * travelling wave q'' + omega^2 q = Q/m of each of its two modes says so; it is Rayleigh's
+   * quotient of springs that press as the contact does.
+   */
+  double detuning(const OperatingState &state);
 
   /** Evaluates a steady state, which stores no power: a period later all energy is as it was. */
   OperatingPoint evaluate(const OperatingState &state);

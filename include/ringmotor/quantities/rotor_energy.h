@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/contact/repetition.h>
+#include <ringmotor/motor/repetition.h>
 #include <ringmotor/quantities/contact_fields.h>
 
 #include <vector>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/contact/steady.h>
-#include <ringmotor/contact/warp.h>
+#include <ringmotor/motor/motor_model.h>
+#include <ringmotor/motor/steady.h>
+#include <ringmotor/motor/warp.h>
 #include <ringmotor/quantities/contact_fields.h>
 #include <ringmotor/quantities/curve_setting.h>
 #include <ringmotor/quantities/operating_point.h>
@@ -149,16 +150,17 @@ namespace ringmotor
 
   private:
     CurvePoint find_steady(const PointRequest &request);
+    /** A steady state in which the wave has the frequency that the contact gives it. */
+    OperatingState at_own_frequency(const RotorLoad &load);
 
     const CurveSetting setting;
     const Parameters parameters;
+    const MotorModel model;
     const CondensedMotor &motor;
     SteadyDriver steady;
+    std::unique_ptr<CondensedMotor> detuned; ///< the motor, with that frequency
     PointMemory *const memory;
   };
-
-  /** The warp of the ring at rest, none if that effect is off. */
-  Warp warp_of(const Parameters &parameters);
 
   /** What loads the rotor at an operating point that is asked for. */
   RotorLoad load_of(const Loading &loading, const PointRequest &request);
@@ -166,9 +168,6 @@ namespace ringmotor
   /** The parameters with a step of a part of its length: of the steady state, with so many moments;
    * when marching, with each step divided by so much. */
   Parameters with_parts_of_a_step(const Parameters &parameters, const unsigned int n_parts);
-
-  /** The friction law with the effects that are switched off left out. */
-  Friction effective_friction(const Parameters &parameters);
 
   /** The points that Loading/Values lists; none of a curve, see points_along_curve(). */
   std::vector<PointRequest> listed_points(const Loading &loading);

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/contact/contact_surface.h>
+#include <ringmotor/mesh/interface_grading.h>
+#include <ringmotor/parameters/parameters.h>
+#include <ringmotor/structure/modes.h>
+
+#include <array>
+#include <complex>
+#include <functional>
+#include <vector>
+
+namespace ringmotor
+{
+  /** The complex displacement amplitude of the stator's wave (m; r, theta, z components) at a point
+   * of a surface of tooth 0. */
+  using WaveMotion = std::function<std::array<std::complex<double>, 3>(const dealii::Point<3> &)>;
+
+  /** How finely the bodies are divided for the contact. */
+  struct ContactDiscretisation
+  {
+    unsigned int degree = 2;
+    InterfaceGrading tooth{2, 1};
+    InterfaceGrading lip{2, 2};
+    unsigned int rotor_level = 0;
+    double lip_turn          = 0.; ///< rad, of the lip's mesh against that of the teeth
+
+    /** Discretisations 0, 1, 2, ... of a sequence in which all get finer. */
+    static ContactDiscretisation level(const unsigned int level);
+  };
+
+  /** A tooth, cut off the base at its foot, in finite elements. */
+  struct ToothBody
+  {
+    /** @param is_clamped whether its foot rests */
+    ToothBody(const Parameters &parameters, const ContactDiscretisation &discretisation,
+              const bool is_clamped = false);
+
+    /** Its top is the interface, its foot is driven. @param angular_frequency rad/s, of a tooth
+     * with inertia; @param with_inside see Condensation */
+    Condensation condensed(const double angular_frequency = 0.,
+                           const bool with_inside         = false) const;
+
+    /** The real and the imaginary part of a wave at the foot, as Condensation wants them. */
+    std::vector<double> foot_motion(const WaveMotion &wave) const;
+
+    /** The motion of the top's nodes (m) where a wave moves the foot, without forces on the top. */
+    std::vector<std::array<std::complex<double>, 3>>
+    top_motion(const WaveMotion &wave, const Condensation &condensed) const;
+
+    const SectorMesh mesh;
+    const CyclicSector sector;
+    const ContactSurface top;
+    const SectorSurface whole_top;
+    const std::vector<SectorNodes::Dof> foot;
+  };
+
+  /** One sector of the rotor in finite elements. */
+  struct RotorBody
+  {
+    RotorBody(const Parameters &parameters, const ContactDiscretisation &discretisation);
+
+    /** Its lip is the interface; the preload on the ring's top and the torque on its inner side,
+     * which hardly anything else holds, are supports 0 and 1. */
+    Condensation condensed(const bool with_inside = false) const;
+
+    /** The supports that have to hold: the rotor rises and turns freely, and tilts nearly so;
+     * without bars it also shifts. */
+    std::vector<unsigned int> held(const unsigned int k) const;
+
+    const SectorMesh mesh;
+    const CyclicSector sector;
+    const ContactSurface lip;
+    const SectorSurface whole_lip;
+    const bool has_bars;
+  };
+
+  /** The displacements of a mode on a surface, real field, then imaginary one.
+   * @param displacements displacement_forms() of the surface */
+  std::vector<double> on_surface(const CyclicSector &sector,
+                                 const std::vector<LinearForm> &displacements, const Mode &mode);
+} // namespace ringmotor

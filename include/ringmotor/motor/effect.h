@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/motor/condensed_motor.h>
+#include <ringmotor/motor/motor_model.h>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ringmotor
+{
+  class Effect;
+
+  /** A motor before it is computed, of which effects say how much they matter. */
+  struct Scene
+  {
+    const Parameters &parameters;
+    const StatorWave *wave = nullptr; ///< if it is known already
+    /** Computes the relative change of the results by an effect that cannot tell it beforehand;
+     * empty where that would cost more than the answer is worth. */
+    std::function<double(const Effect &)> measure;
+  };
+
+  /** The program that takes an effect in. */
+  enum class EffectStage
+  {
+    stator, ///< in the modes
+    contact
+  };
+
+  /**
+   * A physical effect: its entry in the section Effects, what it needs, what it puts into the model
+   * of a motor, and how much it matters. One class for each, in motor/effects; all_effects() is the
+   * list.
+   */
+  class Effect
+  {
+  public:
+    /** @param name of the entry */
+    Effect(const std::string &name, EffectChoice Effects::*const entry, const EffectStage stage)
+        : name(name), entry(entry), stage(stage)
+    {
+    }
+    virtual ~Effect() = default;
+
+    /** Looks at the entries that it needs; asked if it is not off. @throws UserError */
+    virtual void check(const Parameters &) const {}
+
+    /** Puts it into the model. */
+    virtual void enter(const Parameters &parameters, MotorModel &model) const = 0;
+
+    /** Sets the entries that only this effect looks at to their defaults. */
+    virtual void forget(Parameters &) const {}
+
+    /** By how much it changes speeds and torques, or frequencies, relatively; none if it is part of
+     * every contact and `auto` always means `on`. */
+    virtual std::optional<double> indicator(const Scene &) const { return {}; }
+
+    /** Whether it can be taken in. One that cannot is refused where it would be needed. */
+    virtual bool is_available() const { return true; }
+
+    EffectChoice choice(const Parameters &parameters) const { return parameters.effects.*entry; }
+    /** `Effects/Rotor inertia = auto`, with the choice that was given. */
+    std::string given(const Parameters &parameters) const;
+
+    const std::string name;
+    EffectChoice Effects::*const entry;
+    const EffectStage stage;
+  };
+
+  /** All of them, in the order of the entries. */
+  const std::vector<std::unique_ptr<const Effect>> &all_effects();
+
+  /** Looks at all effects of a stage that are not off. @throws UserError */
+  void check_effects(const Parameters &parameters, const EffectStage stage);
+
+  /** What became of an effect in a run, and what it cost. */
+  struct EffectRow
+  {
+    std::string name;
+    std::optional<double> indicator; ///< estimated relative change of the results
+    std::string choice;              ///< "on" or "off"
+    bool is_automatic   = false;     ///< chosen by the program
+    double seconds      = 0.;        ///< to find out and to take in
+    std::uint64_t dofs  = 0;         ///< that it added
+    std::uint64_t bytes = 0;         ///< that it added
+
+    /** Whether the program has left it out, and knows what that changes. */
+    bool is_left_out() const { return is_automatic && choice == "off" && indicator; }
+  };
+
+  /**
+   * Switches effects of a stage that are `auto` on or off: on where the indicator exceeds a third
+   * of @p target.
+   * @return a row for each effect of the stage
+   * @throws ComputationError if one is needed that cannot be taken in
+   */
+  std::vector<EffectRow> choose_effects(Parameters &parameters, const EffectStage stage,
+                                        const Scene &scene, const double target);
+
+  /** Tells what the modes of a motor cost in the rows of the effects that they belong to. */
+  void add_cost_of_modes(const CondensedMotor &motor, std::vector<EffectRow> &rows);
+} // namespace ringmotor

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/motor/steady_dynamics.h>
+#include <ringmotor/motor/warp.h>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace ringmotor
+{
+  /** What loads the rotor at an operating point. */
+  struct RotorLoad
+  {
+    double preload;               ///< N
+    std::optional<double> torque; ///< N m, if it is given; opposes the motion
+    double speed = 0.;            ///< rad/s, if no torque is given
+  };
+
+  /** One step in time from a known state. */
+  struct TimeStep
+  {
+    double time;                      ///< s, at its end
+    double length;                    ///< s
+    std::vector<PointVector> earlier; ///< positions at its begin, see RingContact::positions()
+    /** Of a motor with inertia: how points move by forces within the step, and where the rotor is
+     * at its end (m) without forces there. */
+    std::shared_ptr<const BlockCompliance> compliance = nullptr;
+    std::vector<PointVector> vibration                = {};
+  };
+
+  /**
+   * All teeth of a motor in contact with its rotor, at one or several moments.
+   *
+   * *Steady state* of a uniform ring. n waves and N teeth repeat themselves after P = N / gcd(n, N)
+   * teeth, and T/P later each tooth is where its s-th neighbour was, n s = gcd(n, N) (mod N). One
+   * moment shows the whole period; S moments, T/(P S) apart, show it more finely. The slip of a
+   * point in a step is the difference of its positions at one moment and at the one before or, at
+   * the first moment, of its s-th neighbour at the last one. With one moment a step may be longer,
+   * too: J of them joined look back at the (J s)-th neighbour. The rotor turns at an even speed.
+   *
+   * *One step* from a known state, of a ring that need not be uniform.
+   *
+   * Points are numbered by moment, tooth, node. Rigid motions are, for each moment, the rotor's
+   * rise (m) and the cosine and sine parts of its loose motions; at last, if the torque is given,
+   * its turn (rad) in a step.
+   */
+  class RingContact : public ContactProblem
+  {
+  public:
+    /** The steady state with steps of a given length. @p motor must outlive this object.
+     * @param dynamics of a motor with inertia, for the same step */
+    RingContact(const CondensedMotor &motor, const RotorLoad &load, const SteadyStep &step,
+                std::shared_ptr<const SteadyDynamics> dynamics = nullptr);
+
+    /** One step of a ring that may be warped at rest. */
+    RingContact(const CondensedMotor &motor, const RotorLoad &load, const TimeStep &step,
+                const Warp &warp);
+
+    unsigned int n_points() const override { return n_moments * n_sectors * n_nodes; }
+    unsigned int n_rigid() const override
+    {
+      return n_moments * n_rigid_of_moment + (load.torque ? 1 : 0);
+    }
+    std::vector<PointVector> relative_motion(const ContactState &state) const override;
+    std::vector<PointVector> motion_by(const ContactState &change) const override;
+    void derivatives(const std::vector<unsigned int> &rows,
+                     const std::vector<unsigned int> &columns,
+                     dealii::FullMatrix<double> &matrix) const override;
+    unsigned int part_of_point(const unsigned int point) const override
+    {
+      return compliance->part_of(point / n_nodes);
+    }
+    unsigned int part_of_rigid(const unsigned int motion) const override
+    {
+      // The turn belongs to all moments.
+      return motion < n_moments * n_rigid_of_moment
+                 ? compliance->part_of(motion / n_rigid_of_moment * n_sectors)
+                 : no_part;
+    }
+    unsigned int n_blocks() const override { return n_moments * n_sectors; }
+    unsigned int block_of_point(const unsigned int point) const override { return point / n_nodes; }
+    unsigned int block_before(const unsigned int block) const override
+    {
+      return given ? no_part : earlier(block * n_nodes) / n_nodes;
+    }
+    unsigned int n_far_shapes() const override { return compliance->far_shapes().n(); }
+    double far_shape(const unsigned int point, const unsigned int component,
+                     const unsigned int shape) const override
+    {
+      return compliance->far_shapes()(3 * (point % n_nodes) + component, shape);
+    }
+    const dealii::FullMatrix<double> *far_kernel(const unsigned int moved,
+                                                 const unsigned int loaded) const override
+    {
+      return compliance->far_kernel(moved, loaded);
+    }
+    std::vector<double> balances(const ContactState &state) const override;
+    void balance_derivatives(const std::vector<unsigned int> &points,
+                             dealii::FullMatrix<double> &matrix) const override;
+
+    /** s, from one step to the next. */
+    double time_step() const { return step; }
+    const CondensedMotor &condensed_motor() const { return motor; }
+    /** Teeth after which all repeats itself, and how often it does around the ring. */
+    unsigned int n_teeth() const { return n_sectors; }
+    unsigned int n_repeats() const { return fold; }
+    unsigned int n_times() const { return n_moments; }
+    /** Rigid motions of the rotor at one moment. */
+    unsigned int n_rigid_motions() const { return n_rigid_of_moment; }
+
+    unsigned int moment(const unsigned int point) const { return point / (n_sectors * n_nodes); }
+    unsigned int tooth(const unsigned int point) const { return point / n_nodes % n_sectors; }
+    const CondensedMotor::Node &node(const unsigned int point) const
+    {
+      return motor.nodes[point % n_nodes];
+    }
+    /** In the steady state: the point that was one step earlier what this one is now. */
+    unsigned int earlier(const unsigned int point) const;
+    /** Where the stator has a point (m, against a ring at rest without warp) without contact
+     * forces. */
+    const PointVector &free_motion(const unsigned int point) const { return stator[point]; }
+
+    /** Displacement of the teeth at each point (m), and that of the rotor but for its turn. */
+    std::vector<PointVector> tooth_motion(const ContactState &state) const;
+    std::vector<PointVector> rotor_motion(const ContactState &state) const;
+    /** Positions of rotor over stator (m), but for the turn of the rotor. */
+    std::vector<PointVector> positions(const ContactState &state) const;
+    /** Torque (N m) of friction on the rotor, the mean over all moments. */
+    double torque(const ContactState &state) const;
+    /** rad/s */
+    double speed(const ContactState &state) const;
+    /** Energy (J) of the whole ring, the mean over all moments: elastic in all compliance at the
+     * contact points and in what holds the loose motions; potential, of the preload on the rotor's
+     * rise. */
+    double stored_energy(const ContactState &state) const;
+
+    /** What inertia and damping of the rotor take in the steady state, the motions of all points in
+     * its modes (m), and these modes at the first moment. Without inertia there is nothing. */
+    ModalPower modal_power(const ContactState &state) const;
+    std::vector<PointVector> modal_motion(const ContactState &state) const;
+    std::vector<std::vector<ModalState>> modal_states(const ContactState &state) const;
+
+    /** A state from which the solver can start: no forces, the rotor so low that a small share of
+     * the points would touch. */
+    ContactState pressed_down() const;
+
+  private:
+    void place_stator(const double first_time, const Warp &warp);
+    void tabulate_rigid_motions();
+    double turn(const ContactState &state) const;
+    /** Positions by forces and rigid motions alone, and the change of positions in a step. */
+    std::vector<PointVector> positions_by(const ContactState &state) const;
+    std::vector<PointVector> change_in_step(const std::vector<PointVector> &position,
+                                            const std::vector<PointVector> *before,
+                                            const double turned) const;
+    const PointVector &rigid_motion(const unsigned int point, const unsigned int which) const
+    {
+      return rigid[point % (n_sectors * n_nodes) * n_rigid_of_moment + which];
+    }
+    /** The stiffness against a rigid motion of a moment. */
+    double rigid_stiffness(const unsigned int motion) const
+    {
+      return motion == 0 ? 0. : motor.loose_motions[(motion - 1) / 2].stiffness;
+    }
+    /** Points of one tooth at one moment that follow each other in a list. */
+    struct PointsOfTooth
+    {
+      unsigned int first_point;        ///< of the tooth, tells tooth and moment
+      unsigned int first;              ///< place of the first one in the list
+      std::vector<unsigned int> nodes; ///< of the tooth
+    };
+    std::vector<PointsOfTooth> by_tooth(const std::vector<unsigned int> &points) const;
+    /** Adds @p factor times the motions of the nodes of @p rows, on the tooth and at the moment of
+     * the point @p at, by forces on points @p columns; only components from @p first on. */
+    void add_elastic_rows(const PointsOfTooth &rows, const unsigned int at,
+                          const std::vector<PointsOfTooth> &columns, const double factor,
+                          const unsigned int first, dealii::FullMatrix<double> &matrix) const;
+
+    const CondensedMotor &motor;
+    const RotorLoad load;
+    const unsigned int fold, n_sectors, n_nodes, n_moments;
+    const double step;
+    const std::optional<std::vector<PointVector>> given; ///< positions at the step's begin
+    unsigned int steady_neighbour;
+    unsigned int n_rigid_of_moment; ///< of the rotor at one moment
+    const std::shared_ptr<const SteadyDynamics> dynamics;
+    const std::shared_ptr<const BlockCompliance> compliance;
+    std::vector<PointVector> stator;          ///< motion of all points without contact forces
+    const std::vector<PointVector> vibration; ///< of the rotor without forces, if it has inertia
+    std::vector<PointVector> rigid; ///< motions of the points of a moment by unit rigid motions
+  };
+} // namespace ringmotor

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/motor/condensed_motor.h>
+
+namespace ringmotor
+{
+  /** How a wave on the surface of a half sector, real field, then imaginary one, moves the contact
+   * points, whose rotor nodes may be of neighbouring sectors. @param turn the wave's phase from one
+   * sector to the next (rad) */
+  std::vector<std::array<std::complex<double>, 3>>
+  at_contact_points(const std::vector<double> &half, const std::vector<MirroredNode> &origin,
+                    const MortarCoupling &mortar, const double turn);
+
+  /**
+   * The modes of the rotor on a mesh of their own, with two nodal diameters and more. With fewer
+   * the rotor moves as a whole, too: there it follows its loads at once, which in a uniform ring
+   * change no faster than the modes that are left out.
+   *
+   * Only nodal diameters that low harmonics of the wave have.
+   */
+  class LipModes
+  {
+  public:
+    /** @param level of the mesh; @param up_to rad/s, highest frequency; @param n_harmonics of the
+     * wave that may matter */
+    LipModes(const Parameters &parameters, const unsigned int level, const double up_to,
+             const unsigned int n_harmonics);
+
+    /** As the contact points on @p tooth_top see them. @param lip_turn see ContactDiscretisation */
+    RingModes at(const ContactSurface &tooth_top, const double lip_turn) const;
+
+  private:
+    struct LipMode
+    {
+      double angular_frequency;
+      std::vector<double> motion; ///< of the half sector's lip, real field, then imaginary one
+    };
+
+    const unsigned int n_teeth;
+    SectorSurface lip;
+    std::vector<std::vector<LipMode>> modes; ///< by nodal diameter
+  };
+
+  /** The modes of the rotor, and the same on a coarser mesh and up to a lower frequency. */
+  class RotorVibration
+  {
+  public:
+    /** Modes up to so many times the wave's frequency take part. */
+    static constexpr double highest_harmonic = 12.;
+
+    /** @param frequency rad/s, of the wave */
+    RotorVibration(const Parameters &parameters, const double frequency);
+
+    /** The coarse modes in place of both. */
+    static RotorVibration coarse_only(const Parameters &parameters, const double frequency);
+
+    const LipModes &modes() const { return fine; }
+    const LipModes &coarse_modes() const { return coarse; }
+
+  private:
+    RotorVibration(const LipModes &fine, const LipModes &coarse) : fine(fine), coarse(coarse) {}
+
+    const LipModes fine, coarse;
+  };
+} // namespace ringmotor

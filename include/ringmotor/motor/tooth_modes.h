@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/motor/contact_bodies.h>
+#include <ringmotor/motor/ring_modes.h>
+
+#include <vector>
+
+namespace ringmotor
+{
+  /**
+   * The modes of a tooth that is clamped at its foot, as its contact points see them. What its foot
+   * does beside is in the motion of its top without contact forces.
+   * @param discretisation that of the contact; @param mortar its contact points
+   * @param up_to rad/s, highest frequency
+   */
+  std::vector<RingMode> tooth_modes(const Parameters &parameters,
+                                    const ContactDiscretisation &discretisation,
+                                    const MortarCoupling &mortar, const double up_to);
+} // namespace ringmotor

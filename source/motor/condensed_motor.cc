@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/condensed_motor.h>
+#include <ringmotor/motor/motor_model.h>
+#include <ringmotor/motor/relevant.h>
+#include <ringmotor/motor/rotor_modes.h>
+#include <ringmotor/motor/tooth_modes.h>
+#include <ringmotor/parameters/errors.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace ringmotor
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Complex = std::complex<double>;
+
+    /** A tooth alone: its compliance, and how its top follows the motion of its foot. */
+    struct CondensedTooth
+    {
+      SectorSurface surface;
+      FullMatrix<double> compliance;
+      std::vector<std::array<Complex, 3>> free_motion; ///< by node of the surface
+      unsigned int n_dofs;
+    };
+
+    CondensedTooth condense_tooth(const Parameters &parameters, const MotorModel &model,
+                                  const StatorWave &wave,
+                                  const ContactDiscretisation &discretisation)
+    {
+      const ToothBody body(parameters, discretisation);
+      const Condensation condensation = body.condensed();
+      CondensedTooth tooth;
+      tooth.surface = body.whole_top;
+      tooth.compliance =
+          sector_compliance(InterfaceCompliance(condensation), tooth.surface.origin).at_rest;
+      tooth.n_dofs      = body.sector.n_dofs();
+      tooth.free_motion = model.teeth_vibrate
+                              ? body.top_motion(wave.foot, body.condensed(wave.angular_frequency))
+                              : body.top_motion(wave.foot, condensation);
+      return tooth;
+    }
+
+    /** Makes a body stiff against tangential forces, and normal forces without tangential effect.
+     */
+    void leave_normal_compliance(SurfaceCompliance &compliance)
+    {
+      for (unsigned int i = 0; i < compliance.at_rest.m(); ++i)
+      {
+        for (unsigned int j = 0; j < compliance.at_rest.n(); ++j)
+          if (i % 3 != 0 || j % 3 != 0)
+            compliance.at_rest(i, j) = 0.;
+        for (unsigned int shape = 0; i % 3 != 0 && shape < compliance.shapes.n(); ++shape)
+          compliance.shapes(i, shape) = 0.;
+      }
+    }
+
+    /** m/N of the springs at a node between tooth and rotor: those of the penalty method, which are
+     * the same at all nodes, and those of a lining, by area. */
+    double spring_compliance(const Parameters &parameters, const MotorModel &model,
+                             const unsigned int component, const double area)
+    {
+      const bool normal = component == 0;
+      double compliance = 0.;
+      if (parameters.contact.formulation == ContactFormulation::penalty)
+        compliance += 1. / (normal ? *parameters.contact.normal_penalty
+                                   : *parameters.contact.tangential_penalty);
+      return compliance +
+             (normal ? model.lining_normal_compliance : model.lining_tangential_compliance) / area;
+    }
+
+    /** Gives the motor its contact points, the compliance of its teeth and that of springs between
+     * teeth and rotor. */
+    void add_teeth(CondensedMotor &motor, const CondensedTooth &tooth, const MortarCoupling &mortar,
+                   const Parameters &parameters, const MotorModel &model)
+    {
+      const unsigned int n = mortar.nodes.size();
+      std::vector<unsigned int> point_of(tooth.surface.surface.nodes.size(),
+                                         numbers::invalid_unsigned_int);
+      motor.tooth_compliance.reinit(3 * n, 3 * n);
+      FullMatrix<double> between(3 * n, 3 * n);
+      for (unsigned int a = 0; a < n; ++a)
+      {
+        const unsigned int i = mortar.nodes[a].tooth_node;
+        point_of[i]          = a;
+        motor.nodes.push_back({tooth.surface.surface.nodes[i].place[0],
+                               tooth.surface.surface.nodes[i].place[1], mortar.nodes[a].area,
+                               tooth.free_motion[i]});
+        if (model.teeth_give_way)
+          for (unsigned int b = 0; b < n; ++b)
+            for (unsigned int c = 0; c < 3; ++c)
+              for (unsigned int d = 0; d < 3; ++d)
+                motor.tooth_compliance(3 * a + c, 3 * b + d) =
+                    tooth.compliance(3 * i + c, 3 * mortar.nodes[b].tooth_node + d);
+        for (unsigned int c = 0; c < 3; ++c)
+          between(3 * a + c, 3 * a + c) =
+              spring_compliance(parameters, model, c, mortar.nodes[a].area);
+      }
+      motor.compliance.add_within_sectors(motor.tooth_compliance);
+      motor.compliance.add_within_sectors(between);
+      for (const std::vector<unsigned int> &face : tooth.surface.surface.faces)
+      {
+        std::vector<unsigned int> points;
+        for (const unsigned int node : face)
+          points.push_back(point_of[node]);
+        if (std::find(points.begin(), points.end(), numbers::invalid_unsigned_int) == points.end())
+          motor.faces.push_back(points);
+      }
+    }
+
+    /** Median of the normal compliances of the points, and the largest eigenvalue of the tangential
+     * compliance of a tooth. */
+    ComplementarityConstants constants_for(const RingCompliance &compliance)
+    {
+      const unsigned int n = compliance.n_nodes();
+      std::vector<double> normal;
+      FullMatrix<double> of_node(3, 3);
+      for (unsigned int a = 0; a < n; ++a)
+      {
+        of_node = 0.;
+        compliance.add_entries(0, {a}, {a}, 1., 0, of_node, 0, 0);
+        normal.push_back(of_node(0, 0));
+      }
+      std::nth_element(normal.begin(), normal.begin() + n / 2, normal.end());
+
+      const std::size_t n_all = 3 * n * compliance.n_sectors();
+      std::vector<double> force(n_all, 0.), motion;
+      double eigenvalue = std::sqrt(2. * n);
+      motion.assign(3 * n, 1.);
+      for (unsigned int step = 0; step < 50; ++step) // the size is all that matters
+      {
+        for (unsigned int i = 0; i < 3 * n; ++i)
+          force[i] = i % 3 == 0 ? 0. : motion[i] / eigenvalue;
+        motion.assign(n_all, 0.);
+        compliance.add_motions(force.data(), motion.data());
+        double square = 0.;
+        for (unsigned int i = 0; i < 3 * n; ++i)
+          square += i % 3 == 0 ? 0. : motion[i] * motion[i];
+        eigenvalue = std::sqrt(square);
+      }
+      return {1. / normal[n / 2], 1. / eigenvalue};
+    }
+  } // namespace
+
+  unsigned int CondensedMotor::n_repeats() const
+  {
+    return std::gcd(n_waves, n_teeth);
+  }
+
+  double CondensedMotor::period() const
+  {
+    return 2. * numbers::PI / angular_frequency;
+  }
+
+  double CondensedMotor::crest_speed() const
+  {
+    double fastest = 0.;
+    for (const Node &node : nodes)
+      fastest = std::max(fastest, angular_frequency * std::abs(node.free_motion[1]) / node.radius);
+    return fastest;
+  }
+
+  double CondensedMotor::pitch() const
+  {
+    return 2. * numbers::PI / n_teeth;
+  }
+
+  namespace
+  {
+    /** The rotor as its contact with one tooth sees it. */
+    struct CondensedRotor
+    {
+      MortarCoupling mortar;
+      RingCompliance compliance;
+      std::vector<CondensedMotor::LooseMotion> loose_motions;
+      unsigned int n_dofs;
+    };
+
+    CondensedRotor condense_rotor(const Parameters &parameters, const MotorModel &model,
+                                  const ContactSurface &tooth_top,
+                                  const ContactDiscretisation &discretisation)
+    {
+      const unsigned int n_teeth = parameters.motor.n_teeth;
+      const double pitch         = 2. * numbers::PI / n_teeth;
+      const RotorBody body(parameters, discretisation);
+      const SectorSurface &whole = body.whole_lip;
+
+      CondensedRotor rotor;
+      rotor.n_dofs = body.sector.n_dofs();
+      rotor.mortar = couple(tooth_top, whole.surface, pitch, discretisation.lip_turn);
+      if (rotor.mortar.nodes.empty())
+        throw UserError(
+            "the lip (Rotor/Lip inner radius to Lip outer radius) covers no part of the tooth tops "
+            "(Stator/Tip inner radius to Tip outer radius); let them overlap");
+      const Condensation condensation = body.condensed();
+      const InterfaceCompliance interface(condensation);
+      SurfaceCompliance of_lip = sector_compliance(interface, whole.origin);
+      if (!model.rotor_gives_way_along)
+        leave_normal_compliance(of_lip);
+      rotor.compliance                     = RingCompliance(n_teeth, of_lip, rotor.mortar,
+                                                            [&](const unsigned int k)
+                                                            { return interface.through_cut(k, body.held(k)); });
+      const std::vector<unsigned int> held = body.held(1);
+      for (const unsigned int support : held)
+      {
+        const SupportMotion motion = condensation.support_motion(1, held, support);
+        // Two halves make a sector, and the mean square of a wave is half of its amplitude's.
+        rotor.loose_motions.push_back(
+            {at_contact_points(motion.interface, whole.origin, rotor.mortar, pitch),
+             n_teeth * motion.stiffness});
+      }
+      return rotor;
+    }
+  } // namespace
+
+  namespace
+  {
+    /** Gives a motor the modes of its bodies, as far as they have inertia. */
+    void add_modes(CondensedMotor &motor, const SectorSurface &tooth_top,
+                   const MortarCoupling &mortar, const ContactDiscretisation &discretisation,
+                   const Parameters &parameters, const MotorModel &model,
+                   const RotorVibration *vibration)
+    {
+      motor.dynamics       = {model.rotor_loss_factor,
+                              InertiaScheme::second_order(parameters.time.spectral_radius)};
+      motor.rotor_vibrates = model.rotor_vibrates;
+      motor.modes.resize(motor.n_teeth / 2 + 1);
+      motor.coarse_modes.resize(motor.modes.size());
+      if (model.rotor_vibrates)
+      {
+        const RotorVibration of_rotor =
+            vibration ? *vibration : RotorVibration(parameters, motor.angular_frequency);
+        motor.modes        = of_rotor.modes().at(tooth_top.surface, discretisation.lip_turn);
+        motor.coarse_modes = of_rotor.coarse_modes().at(tooth_top.surface, discretisation.lip_turn);
+      }
+      if (!model.teeth_vibrate)
+        return;
+      const std::vector<RingMode> of_tooth =
+          tooth_modes(parameters, discretisation, mortar,
+                      RotorVibration::highest_harmonic * motor.angular_frequency);
+      for (RingModes *modes : {&motor.modes, &motor.coarse_modes})
+        for (std::vector<RingMode> &of_diameter : *modes) // a tooth moves alone, in any wave
+          of_diameter.insert(of_diameter.end(), of_tooth.begin(), of_tooth.end());
+    }
+  } // namespace
+
+  CondensedMotor condense_motor(const Parameters &all_parameters, const StatorWave &wave,
+                                const ContactDiscretisation &discretisation,
+                                const RotorVibration *vibration)
+  {
+    const Parameters parameters = relevant_for_condensation(all_parameters);
+    const MotorModel model      = motor_model(parameters);
+    const CondensedTooth tooth  = condense_tooth(parameters, model, wave, discretisation);
+    CondensedRotor rotor = condense_rotor(parameters, model, tooth.surface.surface, discretisation);
+    CondensedMotor motor;
+    motor.n_teeth           = parameters.motor.n_teeth;
+    motor.n_waves           = wave.n_waves;
+    motor.angular_frequency = wave.angular_frequency;
+    motor.wave_energy       = wave.strain_energy;
+    motor.loose_motions     = std::move(rotor.loose_motions);
+    motor.compliance        = std::move(rotor.compliance);
+    motor.degree            = discretisation.degree;
+    motor.n_dofs            = tooth.n_dofs + rotor.n_dofs;
+    add_teeth(motor, tooth, rotor.mortar, parameters, model);
+    motor.compliance.tabulate_if_small();
+    if (motor.n_repeats() > 1)
+      motor.folded = motor.compliance.folded(motor.n_repeats());
+    motor.constants = constants_for(motor.compliance);
+    if (model.has_inertia())
+      add_modes(motor, tooth.surface, rotor.mortar, discretisation, parameters, model, vibration);
+    return motor;
+  }
+
+  double tooth_inertia_indicator(const Parameters &parameters, const StatorWave &wave)
+  {
+    const ToothBody body(parameters, ContactDiscretisation::level(0));
+    const auto at_once   = body.top_motion(wave.foot, body.condensed()),
+               vibrating = body.top_motion(wave.foot, body.condensed(wave.angular_frequency));
+    double largest       = 0.;
+    for (std::size_t i = 0; i < at_once.size(); ++i)
+      largest =
+          std::max(largest, std::abs(std::abs(vibrating[i][1]) / std::abs(at_once[i][1]) - 1.));
+    return largest;
+  }
+} // namespace ringmotor

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/effects/list.h>
+#include <ringmotor/parameters/errors.h>
+
+#include <chrono>
+#include <cmath>
+#include <sstream>
+
+namespace ringmotor
+{
+  namespace
+  {
+    std::vector<std::unique_ptr<const Effect>> make_effects()
+    {
+      std::vector<std::unique_ptr<const Effect>> list;
+      for (const auto make :
+           {effects::tooth_shear, effects::rotor_tangential_compliance,
+            effects::initial_deformation, effects::static_friction_excess, effects::rotor_inertia,
+            effects::tooth_inertia, effects::damping, effects::stator_back_reaction,
+            effects::spin_convection, effects::target_plates, effects::felt_support,
+            effects::friction_lining})
+        list.push_back(make());
+      return list;
+    }
+
+    std::string per_cent(const double share)
+    {
+      std::ostringstream text;
+      text.precision(2);
+      text << 100. * share << " %";
+      return text.str();
+    }
+  } // namespace
+
+  std::string Effect::given(const Parameters &parameters) const
+  {
+    const EffectChoice chosen = choice(parameters);
+    return "Effects/" + name + " = " +
+           (chosen == EffectChoice::off  ? "off"
+            : chosen == EffectChoice::on ? "on"
+                                         : "auto");
+  }
+
+  const std::vector<std::unique_ptr<const Effect>> &all_effects()
+  {
+    static const std::vector<std::unique_ptr<const Effect>> list = make_effects();
+    return list;
+  }
+
+  MotorModel motor_model(const Parameters &parameters)
+  {
+    MotorModel model;
+    model.friction     = parameters.friction;
+    model.friction.law = FrictionLaw::coulomb;
+    for (const auto &effect : all_effects())
+      if (effect->choice(parameters) != EffectChoice::off)
+        effect->enter(parameters, model);
+    return model;
+  }
+
+  void check_effects(const Parameters &parameters, const EffectStage stage)
+  {
+    for (const auto &effect : all_effects())
+      if (effect->stage == stage && effect->choice(parameters) != EffectChoice::off)
+      {
+        if (effect->choice(parameters) == EffectChoice::on && !effect->is_available())
+          throw UserError(effect->given(parameters) +
+                          " is not available in this version; allowed: off | auto");
+        effect->check(parameters);
+      }
+  }
+
+  std::vector<EffectRow> choose_effects(Parameters &parameters, const EffectStage stage,
+                                        const Scene &scene, const double target)
+  {
+    constexpr double share = 1. / 3.; // of the target
+    // Rayleigh's quotient costs nothing, operating points do.
+    const Scene cheap =
+        stage == EffectStage::stator ? scene : Scene{scene.parameters, scene.wave, {}};
+    std::vector<EffectRow> rows;
+    for (const auto &effect : all_effects())
+    {
+      if (effect->stage != stage)
+        continue;
+      const auto begin          = std::chrono::steady_clock::now();
+      const EffectChoice choice = effect->choice(parameters);
+      EffectRow row{effect->name, {}, choice == EffectChoice::off ? "off" : "on"};
+      row.is_automatic = choice == EffectChoice::automatic;
+      row.indicator    = effect->indicator(row.is_automatic ? scene : cheap);
+      if (row.is_automatic && row.indicator)
+      {
+        const bool is_on                  = std::abs(*row.indicator) > share * target;
+        parameters.effects.*effect->entry = is_on ? EffectChoice::on : EffectChoice::off;
+        row.choice                        = is_on ? "on" : "off";
+        if (is_on && !effect->is_available())
+          throw ComputationError(
+              "Effects/" + effect->name + " = auto: it would change the results by " +
+              per_cent(*row.indicator) + ", more than a third of the target, " + per_cent(target) +
+              ", but is not available in this version; choose a larger target, or off");
+      }
+      if (row.indicator && !std::isfinite(*row.indicator)) // needed, but who knows how much
+        row.indicator.reset();
+      row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+      rows.push_back(std::move(row));
+    }
+    return rows;
+  }
+
+  void add_cost_of_modes(const CondensedMotor &motor, std::vector<EffectRow> &rows)
+  {
+    for (const RingModes *modes : {&motor.modes, &motor.coarse_modes})
+      for (const std::vector<RingMode> &of_diameter : *modes)
+        for (const RingMode &mode : of_diameter)
+          for (EffectRow &row : rows)
+            if (row.name == (mode.of_tooth ? "Tooth inertia" : "Rotor inertia"))
+            {
+              row.dofs += modes == &motor.modes ? 1 : 0;
+              row.bytes += mode.motion.size() * sizeof(mode.motion.front());
+            }
+  }
+} // namespace ringmotor

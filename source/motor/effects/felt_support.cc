@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/effects/list.h>
+#include <ringmotor/parameters/errors.h>
+#include <ringmotor/parameters/prm_file.h>
+
+namespace ringmotor::effects
+{
+  namespace
+  {
+    /** The felt that carries the stator, as springs under its lower side. */
+    class FeltSupport : public Effect
+    {
+    public:
+      FeltSupport() : Effect("Felt support", &Effects::felt_support, EffectStage::stator) {}
+
+      void check(const Parameters &parameters) const override
+      {
+        const Support &felt          = parameters.support;
+        const StatorGeometry &stator = parameters.stator;
+        if (!stator.mesh_file.empty())
+          throw UserError(given(parameters) + " does not go with Stator/Mesh file = " +
+                          quoted(stator.mesh_file) + "; allowed: off");
+        if (felt.felt_inner_radius.value_or(0.) > stator.base_inner_radius ||
+            felt.felt_outer_radius.value_or(stator.base_outer_radius) < stator.base_outer_radius)
+          throw UserError(
+              given(parameters) +
+              " needs a felt under the whole base; allowed: Support/Felt inner radius = "
+              "base and Felt outer radius = base, or off");
+      }
+
+      void enter(const Parameters &parameters, MotorModel &model) const override
+      {
+        model.felt_stiffness = parameters.support.felt_modulus / parameters.support.felt_thickness;
+      }
+
+      void forget(Parameters &parameters) const override { parameters.support = {}; }
+
+      std::optional<double> indicator(const Scene &scene) const override
+      {
+        return scene.measure ? std::optional<double>(scene.measure(*this)) : std::nullopt;
+      }
+    };
+  } // namespace
+
+  EffectPointer felt_support()
+  {
+    return std::make_unique<const FeltSupport>();
+  }
+} // namespace ringmotor::effects

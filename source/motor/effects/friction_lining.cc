@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/effects/list.h>
+#include <ringmotor/parameters/errors.h>
+
+#include <cmath>
+
+namespace ringmotor::effects
+{
+  namespace
+  {
+    /** A lining between teeth and rotor, as springs by area. */
+    class FrictionLining : public Effect
+    {
+    public:
+      FrictionLining() : Effect("Friction lining", &Effects::friction_lining, EffectStage::contact)
+      {
+      }
+
+      void check(const Parameters &parameters) const override
+      {
+        if (choice(parameters) == EffectChoice::on && !is_given(parameters.friction))
+          throw UserError(given(parameters) + " needs Friction/Lining normal stiffness and "
+                                              "Friction/Lining tangential stiffness; give both in "
+                                              "N/m^3");
+      }
+
+      void enter(const Parameters &parameters, MotorModel &model) const override
+      {
+        if (!is_given(parameters.friction))
+          return;
+        model.lining_normal_compliance     = 1. / *parameters.friction.lining_normal_stiffness;
+        model.lining_tangential_compliance = 1. / *parameters.friction.lining_tangential_stiffness;
+      }
+
+      void forget(Parameters &parameters) const override
+      {
+        parameters.friction.lining_normal_stiffness     = {};
+        parameters.friction.lining_tangential_stiffness = {};
+      }
+
+      /** A lining without stiffness is none; that of one with stiffness gives way under the preload
+       * on a tenth of the lip as part of the height of the wave. */
+      std::optional<double> indicator(const Scene &scene) const override
+      {
+        const Parameters &parameters = scene.parameters;
+        if (!is_given(parameters.friction))
+          return 0.;
+        constexpr double share     = 0.1;
+        const RotorGeometry &rotor = parameters.rotor;
+        const double area =
+            share * dealii::numbers::PI *
+            (std::pow(rotor.lip_outer_radius, 2) - std::pow(rotor.lip_inner_radius, 2));
+        return parameters.loading.preload / area / *parameters.friction.lining_normal_stiffness /
+               parameters.wave.amplitude;
+      }
+
+    private:
+      static bool is_given(const Friction &friction)
+      {
+        return friction.lining_normal_stiffness && friction.lining_tangential_stiffness;
+      }
+    };
+  } // namespace
+
+  EffectPointer friction_lining()
+  {
+    return std::make_unique<const FrictionLining>();
+  }
+} // namespace ringmotor::effects

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/effects/list.h>
+#include <ringmotor/parameters/check_geometry.h>
+#include <ringmotor/parameters/errors.h>
+
+#include <algorithm>
+
+namespace ringmotor::effects
+{
+  namespace
+  {
+    /** Inertia of the rotor, in its modes with two nodal diameters and more. */
+    class RotorInertia : public Effect
+    {
+    public:
+      RotorInertia() : Effect("Rotor inertia", &Effects::rotor_inertia, EffectStage::contact) {}
+
+      void check(const Parameters &parameters) const override
+      {
+        if (is_warped(parameters))
+          throw UserError(
+              given(parameters) + " is not available with " +
+              ringmotor::entry("Initial deformation/Amplitude",
+                               parameters.initial_deformation.amplitude) +
+              " in this version: a warped ring tilts the rotor as a whole; allowed: off");
+        // The motions as a whole follow their loads at once, which only slow ones and those of high
+        // harmonics may do.
+        constexpr unsigned int highest = 6; // harmonic that must not move the rotor as a whole
+        const Motor &motor             = parameters.motor;
+        for (unsigned int m = 1; m <= highest; ++m)
+        {
+          const unsigned int around = m * motor.n_waves % motor.n_teeth;
+          if (std::min(around, motor.n_teeth - around) <= 1)
+            throw UserError(given(parameters) + " is not available with " +
+                            ringmotor::entry("Motor/Number of waves", motor.n_waves) + " and " +
+                            ringmotor::entry("Motor/Number of teeth", motor.n_teeth) +
+                            " in this version: harmonic " + std::to_string(m) +
+                            " of the wave moves the rotor as a whole; allowed: off");
+        }
+      }
+
+      void enter(const Parameters &, MotorModel &model) const override
+      {
+        model.rotor_vibrates = true;
+      }
+
+      std::optional<double> indicator(const Scene &scene) const override
+      {
+        return scene.measure ? std::optional<double>(scene.measure(*this)) : std::nullopt;
+      }
+    };
+  } // namespace
+
+  EffectPointer rotor_inertia()
+  {
+    return std::make_unique<const RotorInertia>();
+  }
+} // namespace ringmotor::effects

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/effects/list.h>
+
+namespace ringmotor::effects
+{
+  namespace
+  {
+    /** A rotor that gives way to friction; to pressure it does in any case. */
+    class RotorTangentialCompliance : public Effect
+    {
+    public:
+      RotorTangentialCompliance()
+          : Effect("Rotor tangential compliance", &Effects::rotor_tangential_compliance,
+                   EffectStage::contact)
+      {
+      }
+
+      void enter(const Parameters &, MotorModel &model) const override
+      {
+        model.rotor_gives_way_along = true;
+      }
+    };
+  } // namespace
+
+  EffectPointer rotor_tangential_compliance()
+  {
+    return std::make_unique<const RotorTangentialCompliance>();
+  }
+} // namespace ringmotor::effects

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/effects/list.h>
+
+#include <cmath>
+
+namespace ringmotor::effects
+{
+  namespace
+  {
+    /** Convection of the rotor's deformation by its own turning. */
+    class SpinConvection : public Effect
+    {
+    public:
+      SpinConvection() : Effect("Spin convection", &Effects::spin_convection, EffectStage::contact)
+      {
+      }
+
+      void enter(const Parameters &, MotorModel &) const override {}
+
+      bool is_available() const override { return false; }
+
+      /** Waves that a rotor as fast as the crests passes by its own turning, against those that
+       * pass it. */
+      std::optional<double> indicator(const Scene &scene) const override
+      {
+        if (!scene.wave)
+          return {};
+        const double radius = scene.parameters.rotor.lip_outer_radius;
+        const auto top      = scene.wave->top(dealii::Point<3>(radius, 0., 0.));
+        return scene.wave->n_waves * std::abs(top[1]) / radius;
+      }
+    };
+  } // namespace
+
+  EffectPointer spin_convection()
+  {
+    return std::make_unique<const SpinConvection>();
+  }
+} // namespace ringmotor::effects

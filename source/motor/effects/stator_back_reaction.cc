@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/effects/list.h>
+#include <ringmotor/parameters/errors.h>
+
+namespace ringmotor::effects
+{
+  namespace
+  {
+    /** The frequency that the wave has with the rotor on the stator, where the drive follows it. */
+    class StatorBackReaction : public Effect
+    {
+    public:
+      StatorBackReaction()
+          : Effect("Stator back-reaction", &Effects::stator_back_reaction, EffectStage::contact)
+      {
+      }
+
+      void check(const Parameters &parameters) const override
+      {
+        if (is_marched(parameters))
+          throw UserError(given(parameters) + " is not available with Time/Scheme = marching or a "
+                                              "warped ring in this version; allowed: off");
+      }
+
+      void enter(const Parameters &parameters, MotorModel &model) const override
+      {
+        model.wave_feels_contact = !parameters.wave.frequency; // else the drive gives it
+      }
+
+      /** As if all of the preload rested on the crests, see detuning(). */
+      std::optional<double> indicator(const Scene &scene) const override
+      {
+        if (!scene.wave || scene.wave->strain_energy <= 0.)
+          return {};
+        const Parameters &parameters = scene.parameters;
+        return parameters.wave.frequency ? 0.
+                                         : parameters.loading.preload * parameters.wave.amplitude /
+                                               (4. * scene.wave->strain_energy);
+      }
+    };
+  } // namespace
+
+  EffectPointer stator_back_reaction()
+  {
+    return std::make_unique<const StatorBackReaction>();
+  }
+} // namespace ringmotor::effects

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/effects/list.h>
+#include <ringmotor/parameters/check_geometry.h>
+#include <ringmotor/parameters/errors.h>
+#include <ringmotor/parameters/prm_file.h>
+
+#include <sstream>
+
+namespace ringmotor::effects
+{
+  namespace
+  {
+    /** Thin plates bonded to the tooth edges as targets of an optical measurement. */
+    class TargetPlates : public Effect
+    {
+    public:
+      TargetPlates() : Effect("Target plates", &Effects::target_plates, EffectStage::stator) {}
+
+      void check(const Parameters &parameters) const override
+      {
+        const StatorGeometry &stator = parameters.stator;
+        if (!stator.mesh_file.empty())
+          throw UserError(given(parameters) +
+                          " does not go with Stator/Mesh file = " + quoted(stator.mesh_file) +
+                          ", where the edges of the teeth are not known; allowed: off");
+        const double largest = 0.1 * stator.tooth_height * stator.tooth_height;
+        if (stator.target_plate_area <= largest)
+          return;
+        std::ostringstream text;
+        text << "Stator/Target plate cross-section = " << stator.target_plate_area
+             << " m^2 is no thin plate on teeth of "
+             << ringmotor::entry("Stator/Tooth height", stator.tooth_height)
+             << "; allowed: up to a tenth of the height's square, " << largest << " m^2";
+        throw UserError(text.str());
+      }
+
+      void enter(const Parameters &parameters, MotorModel &model) const override
+      {
+        const Material &metal = parameters.materials.target_plate;
+        const double area     = parameters.stator.target_plate_area;
+        model.target_plates   = {area * metal.young_modulus, area * metal.density};
+      }
+
+      void forget(Parameters &parameters) const override
+      {
+        const Parameters defaults;
+        parameters.stator.target_plate_area = defaults.stator.target_plate_area;
+        parameters.materials.target_plate   = defaults.materials.target_plate;
+      }
+
+      std::optional<double> indicator(const Scene &scene) const override
+      {
+        return scene.measure ? std::optional<double>(scene.measure(*this)) : std::nullopt;
+      }
+    };
+  } // namespace
+
+  EffectPointer target_plates()
+  {
+    return std::make_unique<const TargetPlates>();
+  }
+} // namespace ringmotor::effects

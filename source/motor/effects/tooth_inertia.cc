@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/effects/list.h>
+
+namespace ringmotor::effects
+{
+  namespace
+  {
+    /** Inertia of the teeth: under contact forces, and while they follow the base. */
+    class ToothInertia : public Effect
+    {
+    public:
+      ToothInertia() : Effect("Tooth inertia", &Effects::tooth_inertia, EffectStage::contact) {}
+
+      void enter(const Parameters &, MotorModel &model) const override
+      {
+        model.teeth_vibrate = true;
+      }
+
+      /** The change of the motion that the foot gives the top along the ring, which drives the
+       * rotor: (omega / omega_1)^2 of the tooth. */
+      std::optional<double> indicator(const Scene &scene) const override
+      {
+        return scene.wave
+                   ? std::optional<double>(tooth_inertia_indicator(scene.parameters, *scene.wave))
+                   : std::nullopt;
+      }
+    };
+  } // namespace
+
+  EffectPointer tooth_inertia()
+  {
+    return std::make_unique<const ToothInertia>();
+  }
+} // namespace ringmotor::effects

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/effects/list.h>
+
+namespace ringmotor::effects
+{
+  namespace
+  {
+    /** Teeth that give way to contact forces. */
+    class ToothShear : public Effect
+    {
+    public:
+      ToothShear() : Effect("Tooth shear", &Effects::tooth_shear, EffectStage::contact) {}
+
+      void enter(const Parameters &, MotorModel &model) const override
+      {
+        model.teeth_give_way = true;
+      }
+    };
+  } // namespace
+
+  EffectPointer tooth_shear()
+  {
+    return std::make_unique<const ToothShear>();
+  }
+} // namespace ringmotor::effects

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/inertia_scheme.h>
+
+#include <cmath>
+
+namespace ringmotor
+{
+  namespace
+  {
+    using Complex = std::complex<double>;
+  }
+
+  InertiaScheme InertiaScheme::newmark(const double gamma)
+  {
+    return {0., gamma, 0.25 * std::pow(gamma + 0.5, 2)};
+  }
+
+  InertiaScheme InertiaScheme::second_order(const double spectral_radius)
+  {
+    const double alpha = (spectral_radius - 1.) / (spectral_radius + 1.);
+    return {alpha, 0.5 - alpha, 0.25 * std::pow(1. - alpha, 2)};
+  }
+
+  namespace
+  {
+    /** Displacement by acceleration times (z - 1)^2, which vanishes at rest with the acceleration.
+     */
+    Complex by_acceleration(const InertiaScheme &scheme, const Complex &z, const double dt)
+    {
+      return dt * dt *
+             (1. - scheme.gamma + scheme.gamma * z +
+              (0.5 - scheme.beta + scheme.beta * z) * (z - 1.));
+    }
+  } // namespace
+
+  Complex InertiaScheme::velocity(const Complex &z, const double dt) const
+  {
+    return dt * (1. - gamma + gamma * z) * (z - 1.) / by_acceleration(*this, z, dt);
+  }
+
+  Complex InertiaScheme::acceleration(const Complex &z, const double dt) const
+  {
+    return (z - 1.) * (z - 1.) / by_acceleration(*this, z, dt);
+  }
+
+  Complex InertiaScheme::response(const Complex &z, const double dt, const double frequency,
+                                  const double loss_factor) const
+  {
+    return 1. / ((1. - alpha + alpha / z) * acceleration(z, dt) +
+                 loss_factor * frequency * velocity(z, dt) + frequency * frequency);
+  }
+
+  double InertiaScheme::response_in_step(const double dt, const double frequency,
+                                         const double loss_factor) const
+  {
+    return beta * dt * dt /
+           (1. - alpha + gamma * dt * loss_factor * frequency +
+            beta * dt * dt * frequency * frequency);
+  }
+
+  ModalState without_force(const InertiaScheme &scheme, const ModalState &begin, const double dt,
+                           const double frequency, const double loss_factor)
+  {
+    ModalState end{begin.displacement + dt * begin.velocity +
+                       dt * dt * (0.5 - scheme.beta) * begin.acceleration,
+                   begin.velocity + dt * (1. - scheme.gamma) * begin.acceleration, 0.};
+    const Complex force = -scheme.alpha * begin.acceleration -
+                          loss_factor * frequency * end.velocity -
+                          frequency * frequency * end.displacement;
+    add_force(scheme, force, dt, frequency, loss_factor, end);
+    return end;
+  }
+
+  void add_force(const InertiaScheme &scheme, const Complex &force, const double dt,
+                 const double frequency, const double loss_factor, ModalState &end)
+  {
+    const Complex acceleration =
+        force / (1. - scheme.alpha + scheme.gamma * dt * loss_factor * frequency +
+                 scheme.beta * dt * dt * frequency * frequency);
+    end.acceleration += acceleration;
+    end.velocity += scheme.gamma * dt * acceleration;
+    end.displacement += scheme.beta * dt * dt * acceleration;
+  }
+} // namespace ringmotor

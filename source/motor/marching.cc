@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/marching.h>
+
+#include <numeric>
+
+namespace ringmotor
+{
+  MarchingDriver::MarchingDriver(const CondensedMotor &motor, const Friction &friction,
+                                 const Warp &warp, const double preload)
+      : motor(motor), friction(friction), warp(warp), history(motor, warp)
+  {
+    const unsigned int n_points = motor.n_teeth * motor.nodes.size();
+    const TimeStep at_rest{0., motor.period(), std::vector<PointVector>(n_points)};
+    const RotorLoad load{preload, {}};
+    const RingContact contact(motor, load, at_rest, warp);
+    StepEnd start;
+    start.state = solve_without_friction(contact, motor.constants, contact.pressed_down()).state;
+    positions   = contact.positions(start.state);
+    if (!motor.modes.empty())
+    {
+      modes.emplace(motor.modes, motor.n_teeth, motor.dynamics);
+      modes->rest(start.state.force);
+    }
+    history.add(std::move(start));
+    memory.resize(n_points);
+  }
+
+  MarchingDriver::MarchingDriver(const CondensedMotor &motor, const Friction &friction,
+                                 const OperatingState &steady)
+      : motor(motor), friction(friction), warp(), history(motor, warp)
+  {
+    const RingContact &contact  = *steady.contact;
+    const unsigned int n_points = motor.n_teeth * motor.nodes.size();
+    AssertThrow(contact.n_repeats() == 1, dealii::ExcMessage("all teeth must differ"));
+    const auto first_moment = [&](auto values)
+    {
+      values.resize(n_points);
+      return values;
+    };
+    const ContactState &state = steady.solution.state;
+    positions                 = first_moment(contact.positions(state));
+    memory                    = first_moment(next_memory(steady.solution, steady.memory));
+    StepEnd start{0.,
+                  contact.time_step(),
+                  contact.speed(state),
+                  {first_moment(state.force), state.rigid},
+                  first_moment(steady.solution.motion)};
+    start.state.rigid.resize(contact.n_rigid_motions());
+    if (!motor.modes.empty())
+    {
+      modes.emplace(motor.modes, motor.n_teeth, motor.dynamics);
+      modes->set(contact.modal_states(state), start.state.force);
+    }
+    history.add(std::move(start));
+  }
+
+  OperatingState MarchingDriver::step(const RotorLoad &load, const double length)
+  {
+    const auto contact = std::make_shared<const RingContact>(motor, load, next_step(length), warp);
+    std::vector<FrictionMemory> limits = memory;
+    const PointFriction law            = [&](const unsigned int point, const double slip)
+    { return friction_coefficient(friction, limits[point], slip, length); };
+    StepEnd begin = history.predict(length);
+    if (load.torque)
+      begin.state.rigid.push_back(begin.speed * length);
+    RowSolver solver;
+    ContactSolution solution =
+        solve_contact(*contact, law, motor.constants, begin.state, begin.motion, solver);
+    while (lose_static_limits(solution, limits))
+    {
+      const unsigned int n_iterations = solution.n_iterations;
+      solution =
+          solve_contact(*contact, law, motor.constants, solution.state, solution.motion, solver);
+      solution.n_iterations += n_iterations;
+    }
+    positions = contact->positions(solution.state);
+    memory    = next_memory(solution, memory);
+    StepEnd end{time() + length, length, contact->speed(solution.state), solution.state,
+                solution.motion};
+    end.state.rigid.resize(contact->n_rigid() - (load.torque ? 1 : 0));
+    history.add(std::move(end));
+    OperatingState state{contact, std::move(solution), std::move(limits)};
+    if (modes)
+    {
+      state.modal_power  = modes->step(state.solution.state.force, length);
+      state.modal_motion = modes->motion();
+    }
+    return state;
+  }
+
+  TimeStep MarchingDriver::next_step(const double length)
+  {
+    TimeStep step{time() + length, length, positions};
+    if (!modes)
+      return step;
+    if (length != step_length)
+    {
+      std::vector<unsigned int> teeth(motor.n_teeth);
+      std::iota(teeth.begin(), teeth.end(), 0u);
+      compliance  = std::make_shared<const BlockCompliance>(motor.compliance, 1,
+                                                           modes->compliance(length), teeth);
+      step_length = length;
+    }
+    step.compliance = compliance;
+    step.vibration  = modes->free_motion(length);
+    return step;
+  }
+
+  bool MarchingDriver::lose_static_limits(const ContactSolution &solution,
+                                          std::vector<FrictionMemory> &limits) const
+  {
+    if (friction.law != FrictionLaw::static_dynamic)
+      return false;
+    bool lost = false;
+    for (unsigned int point = 0; point < limits.size(); ++point)
+      if (limits[point].stuck && solution.status[point] == PointStatus::slip)
+      {
+        limits[point].stuck = false;
+        lost                = true;
+      }
+    return lost;
+  }
+} // namespace ringmotor

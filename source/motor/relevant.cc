@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/parameter_handler.h>
+
+#include <ringmotor/motor/effect.h>
+#include <ringmotor/motor/relevant.h>
+#include <ringmotor/parameters/fingerprint.h>
+#include <ringmotor/parameters/prm_file.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace ringmotor
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** Only the program losses looks at them. */
+    void reset_loss_factors(Materials &materials)
+    {
+      const Materials defaults;
+      for (Material Materials::*material : {&Materials::stator_metal, &Materials::piezoceramic,
+                                            &Materials::rotor_metal, &Materials::target_plate})
+        (materials.*material).loss_factor = (defaults.*material).loss_factor;
+    }
+
+    void forget_effects_that_are_off(Parameters &parameters)
+    {
+      for (const auto &effect : all_effects())
+        if (effect->choice(parameters) == EffectChoice::off)
+          effect->forget(parameters);
+    }
+  } // namespace
+
+  Parameters relevant_for_points(const Parameters &parameters)
+  {
+    const Parameters defaults;
+    Parameters relevant                   = parameters;
+    relevant.motor.name                   = defaults.motor.name;
+    relevant.motor.accepts_unusual_values = defaults.motor.accepts_unusual_values;
+    relevant.loading.control              = defaults.loading.control;
+    relevant.loading.values               = defaults.loading.values;
+    relevant.loading.n_curve_points       = defaults.loading.n_curve_points;
+    if (!is_marched(parameters)) // marching goes on until what changes is small against the target
+      relevant.accuracy.contact_target = defaults.accuracy.contact_target;
+    relevant.accuracy.time_limit           = defaults.accuracy.time_limit;
+    relevant.accuracy.mode                 = defaults.accuracy.mode;
+    relevant.accuracy.interface_refinement = defaults.accuracy.interface_refinement;
+    relevant.output                        = defaults.output;
+    relevant.modes                         = defaults.modes;
+    relevant.support                       = defaults.support;
+    reset_loss_factors(relevant.materials);
+    if (motor_model(parameters).rotor_vibrates)
+      relevant.materials.rotor_metal.loss_factor = parameters.materials.rotor_metal.loss_factor;
+    forget_effects_that_are_off(relevant);
+    return relevant;
+  }
+
+  Parameters relevant_for_condensation(const Parameters &parameters)
+  {
+    const Parameters defaults;
+    Parameters relevant                   = relevant_for_points(parameters);
+    relevant.loading                      = defaults.loading;
+    relevant.accuracy.contact_target      = defaults.accuracy.contact_target;
+    relevant.friction.law                 = defaults.friction.law;
+    relevant.friction.static_coefficient  = defaults.friction.static_coefficient;
+    relevant.friction.dynamic_coefficient = defaults.friction.dynamic_coefficient;
+    relevant.friction.decay_velocity      = defaults.friction.decay_velocity;
+    relevant.friction.weakening_length    = defaults.friction.weakening_length;
+    relevant.time                         = defaults.time;
+    relevant.initial_deformation          = defaults.initial_deformation;
+    if (motor_model(parameters).has_inertia())
+      relevant.time.spectral_radius = parameters.time.spectral_radius;
+    return relevant;
+  }
+
+  Parameters relevant_for_wave(const Parameters &parameters)
+  {
+    const Parameters defaults;
+    Parameters relevant                   = parameters;
+    relevant.motor.name                   = defaults.motor.name;
+    relevant.motor.accepts_unusual_values = defaults.motor.accepts_unusual_values;
+    relevant.rotor                        = defaults.rotor;
+    relevant.materials.rotor_metal        = defaults.materials.rotor_metal;
+    relevant.modes                        = defaults.modes;
+    relevant.loading                      = defaults.loading;
+    relevant.friction                     = defaults.friction;
+    relevant.initial_deformation          = defaults.initial_deformation;
+    relevant.contact                      = defaults.contact;
+    relevant.time                         = defaults.time;
+    relevant.accuracy                     = defaults.accuracy;
+    relevant.output                       = defaults.output;
+    reset_loss_factors(relevant.materials);
+    for (const auto &effect : all_effects())
+      if (effect->stage != EffectStage::stator)
+        relevant.effects.*effect->entry = defaults.effects.*effect->entry;
+    forget_effects_that_are_off(relevant);
+    return relevant;
+  }
+
+  std::string text_of(const Parameters &parameters)
+  {
+    Parameters copy = parameters;
+    for (std::string *const mesh_file : {&copy.stator.mesh_file, &copy.rotor.mesh_file})
+      if (!mesh_file->empty())
+        *mesh_file = "content " + fingerprint_of_file(*mesh_file);
+    ParameterHandler prm;
+    copy.declare(prm);
+    std::ostringstream text;
+    prm.print_parameters(text, ParameterHandler::ShortPRM | ParameterHandler::KeepDeclarationOrder);
+    return text.str();
+  }
+
+  std::string difference(const std::string &text, const Parameters &parameters)
+  {
+    const std::vector<PrmFile::Assignment> there = parse_prm(text, "stored").assignments,
+                                           here =
+                                               parse_prm(text_of(parameters), "given").assignments;
+    for (unsigned int i = 0; i < std::max(there.size(), here.size()); ++i)
+      if (i >= there.size() || i >= here.size() || there[i].path != here[i].path)
+        return "other entries there than here";
+      else if (there[i].value != here[i].value)
+        return here[i].path + " = " + there[i].value + " there, " + here[i].value + " here";
+    return "";
+  }
+} // namespace ringmotor

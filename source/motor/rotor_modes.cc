@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/motor_model.h>
+#include <ringmotor/motor/rotor_modes.h>
+#include <ringmotor/structure/modes.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace ringmotor
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Complex = std::complex<double>;
+
+    /** Nodal diameters that the harmonics of the wave have. */
+    std::set<unsigned int> nodal_diameters(const Motor &motor, const unsigned int n_harmonics)
+    {
+      std::set<unsigned int> diameters;
+      for (unsigned int m = 1; m <= n_harmonics; ++m)
+      {
+        const unsigned int around = m * motor.n_waves % motor.n_teeth;
+        diameters.insert(std::min(around, motor.n_teeth - around));
+      }
+      diameters.erase(0);
+      diameters.erase(1);
+      return diameters;
+    }
+
+    ContactDiscretisation mesh_for_modes(const unsigned int level)
+    {
+      ContactDiscretisation discretisation;
+      discretisation.lip         = {1, 1}; // modes move the lip smoothly
+      discretisation.rotor_level = level;
+      return discretisation;
+    }
+  } // namespace
+
+  std::vector<std::array<Complex, 3>> at_contact_points(const std::vector<double> &half,
+                                                        const std::vector<MirroredNode> &origin,
+                                                        const MortarCoupling &mortar,
+                                                        const double turn)
+  {
+    const std::vector<std::array<Complex, 3>> rotor = sector_motion(half, origin);
+    std::vector<std::array<Complex, 3>> motions;
+    for (const MortarCoupling::Node &node : mortar.nodes)
+    {
+      std::array<Complex, 3> motion{};
+      for (const MortarCoupling::Weight &weight : node.weights)
+        for (unsigned int c = 0; c < 3; ++c)
+          motion[c] +=
+              weight.weight * std::polar(1., -weight.sector * turn) * rotor[weight.rotor_node][c];
+      motions.push_back(motion);
+    }
+    return motions;
+  }
+
+  LipModes::LipModes(const Parameters &parameters, const unsigned int level, const double up_to,
+                     const unsigned int n_harmonics)
+      : n_teeth(parameters.motor.n_teeth), modes(n_teeth / 2 + 1)
+  {
+    const RotorBody body(parameters, mesh_for_modes(level));
+    lip                                         = body.whole_lip;
+    const std::vector<LinearForm> displacements = displacement_forms(body.lip);
+    ModeSolver solver(body.sector);
+    for (const unsigned int k : nodal_diameters(parameters.motor, n_harmonics))
+      for (const Mode &mode : solver.below(k, std::pow(up_to, 2)))
+        modes[k].push_back(
+            {std::sqrt(mode.eigenvalue), on_surface(body.sector, displacements, mode)});
+    if (!motor_model(parameters).rotor_gives_way_along)
+      for (auto &of_diameter : modes)
+        for (LipMode &mode : of_diameter)
+          for (std::size_t i = 0; i < mode.motion.size(); ++i)
+            if (i % 3 != 0)
+              mode.motion[i] = 0.;
+  }
+
+  RingModes LipModes::at(const ContactSurface &tooth_top, const double lip_turn) const
+  {
+    const double pitch          = 2. * numbers::PI / n_teeth;
+    const MortarCoupling mortar = couple(tooth_top, lip.surface, pitch, lip_turn);
+    RingModes at_nodes(modes.size());
+    for (unsigned int k = 0; k < modes.size(); ++k)
+      for (const LipMode &mode : modes[k])
+      {
+        at_nodes[k].push_back({mode.angular_frequency,
+                               at_contact_points(mode.motion, lip.origin, mortar, k * pitch)});
+        for (std::array<Complex, 3> &motion : at_nodes[k].back().motion)
+          for (Complex &component : motion)
+            component *= std::sqrt(0.5); // two halves make a sector
+      }
+    return at_nodes;
+  }
+
+  namespace
+  {
+    LipModes coarse_modes_of(const Parameters &parameters, const double frequency)
+    {
+      return LipModes(parameters, 1, 8.5 * frequency, 13);
+    }
+  } // namespace
+
+  RotorVibration::RotorVibration(const Parameters &parameters, const double frequency)
+      : fine(parameters, 2, highest_harmonic * frequency, 19),
+        coarse(coarse_modes_of(parameters, frequency))
+  {
+  }
+
+  RotorVibration RotorVibration::coarse_only(const Parameters &parameters, const double frequency)
+  {
+    const LipModes modes = coarse_modes_of(parameters, frequency);
+    return RotorVibration(modes, modes);
+  }
+} // namespace ringmotor

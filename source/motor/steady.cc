@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/contact/given_coefficients.h>
+#include <ringmotor/motor/steady.h>
+#include <ringmotor/parameters/errors.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace ringmotor
+{
+  namespace
+  {
+    constexpr unsigned int most_rounds = 60; ///< of an update of the memory
+
+    /** What points remember in the steady state: what happened one step earlier. */
+    std::vector<FrictionMemory> travelled(const RingContact &contact,
+                                          const ContactSolution &solution)
+    {
+      const unsigned int n_points = contact.n_points();
+      std::vector<FrictionMemory> memory(n_points);
+      for (unsigned int point = 0; point < n_points; ++point)
+      {
+        unsigned int before  = contact.earlier(point);
+        memory[point].stuck  = solution.status[before] == PointStatus::stick;
+        unsigned int n_steps = 0;
+        while (solution.status[before] == PointStatus::slip && n_steps++ < n_points)
+        {
+          memory[point].slipped += tangential_norm(solution.motion[before]);
+          before = contact.earlier(before);
+        }
+      }
+      return memory;
+    }
+
+    /**
+     * Makes what points remember and what happened a step earlier agree. The law with a jump has
+     * more than one such state. A point that slips loses the static coefficient; one without it
+     * whose predecessor stuck gets it, but once only, so that the search ends.
+     */
+    class MemoryUpdate
+    {
+    public:
+      MemoryUpdate(const Friction &friction, const std::vector<FrictionMemory> &start)
+          : friction(friction)
+      {
+        for (const FrictionMemory &memory : start)
+          had_stuck.push_back(memory.stuck);
+      }
+
+      /** Changes @p memory where it does not agree with @p found; whether it did. */
+      bool settled(const std::vector<FrictionMemory> &found, const std::vector<PointStatus> &status,
+                   std::vector<FrictionMemory> &memory)
+      {
+        bool settled = true;
+        for (unsigned int point = 0; point < memory.size(); ++point)
+          if (friction.law == FrictionLaw::static_dynamic && status[point] != PointStatus::open)
+          {
+            const bool sticks   = memory[point].stuck
+                                      ? found[point].stuck && status[point] == PointStatus::stick
+                                      : found[point].stuck && !had_stuck[point];
+            settled             = settled && sticks == memory[point].stuck;
+            memory[point].stuck = sticks;
+            had_stuck[point]    = had_stuck[point] || sticks;
+          }
+          else if (friction.law == FrictionLaw::slip_weakening)
+          {
+            settled = settled && std::abs(found[point].slipped - memory[point].slipped) <=
+                                     1e-9 * *friction.weakening_length;
+            memory[point] = found[point];
+          }
+        return settled;
+      }
+
+    private:
+      const Friction &friction;
+      std::vector<char> had_stuck; ///< points that have had the static coefficient
+    };
+
+    /** What a user can do where the law itself stands in the way. */
+    std::string remedy(const FrictionLaw law)
+    {
+      if (law == FrictionLaw::velocity)
+        return "; friction that falls with the velocity falls the faster with the slip of a step "
+               "the shorter the step is, and points may then stick or slip at the same load: try a "
+               "smaller Time/Snapshots, Time/Scheme = marching, or a larger Friction/Decay "
+               "velocity";
+      if (law == FrictionLaw::slip_weakening)
+        return "; friction that falls with the slip can make teeth stick and slip in turn, which "
+               "is no steady state: try Time/Scheme = marching";
+      return {};
+    }
+  } // namespace
+
+  std::vector<FrictionMemory> next_memory(const ContactSolution &solution,
+                                          const std::vector<FrictionMemory> &earlier)
+  {
+    std::vector<FrictionMemory> memory(earlier.size());
+    for (unsigned int point = 0; point < memory.size(); ++point)
+    {
+      memory[point].stuck = solution.status[point] == PointStatus::stick;
+      if (solution.status[point] == PointStatus::slip)
+        memory[point].slipped = earlier[point].slipped + tangential_norm(solution.motion[point]);
+    }
+    return memory;
+  }
+
+  SteadyDriver::SteadyDriver(const CondensedMotor &motor, const Friction &friction,
+                             const SteadyStep &step)
+      : motor(motor), friction(friction), step(step)
+  {
+    if (!motor.modes.empty())
+      dynamics = std::make_shared<const SteadyDynamics>(motor, step, motor.dynamics);
+  }
+
+  OperatingState SteadyDriver::find(const RotorLoad &load, Start from) const
+  {
+    return find(load, std::move(from), dynamics);
+  }
+
+  OperatingState SteadyDriver::find(const RotorLoad &load, Start from,
+                                    std::shared_ptr<const SteadyDynamics> with_inertia) const
+  try
+  {
+    const auto contact =
+        std::make_shared<const RingContact>(motor, load, step, std::move(with_inertia));
+    RowSolver solver;
+    unsigned int n_iterations = 0;
+    from.state.rigid.resize(contact->n_rigid());
+    if (load.torque)
+      from.state.rigid.back() = from.speed * contact->time_step();
+    if (friction.law == FrictionLaw::slip_weakening)
+      from = by_coefficients(*contact, std::move(from), solver, n_iterations);
+    MemoryUpdate update(friction, from.memory);
+    const PointFriction law = [&](const unsigned int point, const double slip)
+    { return friction_coefficient(friction, from.memory[point], slip, contact->time_step()); };
+    for (unsigned int round = 0; round < most_rounds; ++round)
+    {
+      ContactSolution solution =
+          solve_contact(*contact, law, motor.constants, from.state, from.motion, solver);
+      n_iterations = solution.n_iterations += n_iterations;
+      from.state   = solution.state;
+      from.motion.clear();
+      if (update.settled(travelled(*contact, solution), solution.status, from.memory))
+      {
+        OperatingState state{contact, std::move(solution), std::move(from.memory)};
+        state.modal_power  = contact->modal_power(state.solution.state);
+        state.modal_motion = contact->modal_motion(state.solution.state);
+        return state;
+      }
+    }
+    throw ComputationError("the memory of the friction law did not settle in " +
+                           std::to_string(most_rounds) + " rounds");
+  }
+  catch (const ComputationError &error)
+  {
+    throw ComputationError(error.what() + remedy(friction.law));
+  }
+
+  SteadyDriver::Start SteadyDriver::by_coefficients(const RingContact &contact, Start from,
+                                                    RowSolver &solver,
+                                                    unsigned int &n_iterations) const
+  {
+    constexpr unsigned int most_states = 40;
+    constexpr double nearly            = 1e-4; // of the coefficients
+    const PointFriction law            = [&](const unsigned int point, const double slip)
+    { return friction_coefficient(friction, from.memory[point], slip, contact.time_step()); };
+    GivenCoefficients coefficients(law, contact.n_points(), from.motion);
+    double change = 1.;
+    for (unsigned int k = 0; k < most_states && change > nearly; ++k)
+    {
+      const ContactSolution solution = solve_contact(
+          contact,
+          [&](const unsigned int i, const double) {
+            return FrictionCoefficient{coefficients[i], 0.};
+          },
+          motor.constants, from.state, from.motion, solver);
+      n_iterations += solution.n_iterations;
+      from   = {solution.state, solution.motion, travelled(contact, solution), from.speed};
+      change = coefficients.update(from.state, from.motion);
+    }
+    return from;
+  }
+
+  SteadyDriver::Start SteadyDriver::from_rest(const RotorLoad &load) const
+  {
+    // Without load the rotor turns somewhat slower than the wave's crests.
+    const RotorLoad with_speed{
+        load.preload, {}, load.torque ? 0.97 * motor.crest_speed() : load.speed};
+    const RingContact contact(motor, with_speed, step);
+    // The law with a jump starts with the static limit everywhere.
+    const Start pressed{contact.pressed_down(),
+                        {},
+                        std::vector<FrictionMemory>(contact.n_points(), {true, 0.}),
+                        with_speed.speed};
+    if (!load.torque && !dynamics)
+      return pressed;
+    const OperatingState state = find(with_speed, pressed, nullptr);
+    const Start start{state.solution.state, state.solution.motion,
+                      travelled(*state.contact, state.solution), with_speed.speed};
+    return dynamics ? by_damping(with_speed, start) : start;
+  }
+
+  SteadyDriver::Start SteadyDriver::by_damping(const RotorLoad &load, Start from) const
+  {
+    std::vector<RingDynamics> stages;
+    const RingDynamics &last        = motor.dynamics;
+    const InertiaScheme dissipative = InertiaScheme::newmark(1.);
+    for (double loss_factor = 0.3; loss_factor > 1.5 * last.loss_factor && loss_factor > 1e-3;
+         loss_factor *= std::sqrt(0.1))
+      stages.push_back({loss_factor, dissipative});
+    stages.push_back({last.loss_factor, dissipative});
+    for (const RingDynamics &stage : stages)
+    {
+      const OperatingState state =
+          find(load, from, std::make_shared<const SteadyDynamics>(motor, step, stage));
+      from = {state.solution.state, state.solution.motion,
+              travelled(*state.contact, state.solution), load.speed};
+    }
+    return from;
+  }
+
+  OperatingState SteadyDriver::at(const RotorLoad &load)
+  {
+    const OperatingState state = find(load, next ? *next : from_rest(load));
+    next                       = Start{state.solution.state, state.solution.motion,
+                 travelled(*state.contact, state.solution),
+                 state.contact->speed(state.solution.state)};
+    return state;
+  }
+
+  SteadyDriver::Start SteadyDriver::at_other_moments(const RingContact &coarse,
+                                                     const ContactSolution &solution,
+                                                     const RingContact &fine, const double speed)
+  {
+    const unsigned int n_coarse = coarse.n_times(), n_fine = fine.n_times(),
+                       n_points = coarse.n_points() / n_coarse, n_rigid = coarse.n_rigid_motions();
+    const std::vector<FrictionMemory> memory = travelled(coarse, solution);
+    const ContactState &known                = solution.state;
+    Start start{{std::vector<PointVector>(fine.n_points()), std::vector<double>(fine.n_rigid())},
+                {},
+                {},
+                speed};
+    for (unsigned int m = 0; m < n_fine; ++m)
+    {
+      const unsigned int before = m * n_coarse / n_fine;
+      const double later        = m * n_coarse / static_cast<double>(n_fine) - before;
+      for (unsigned int i = 0; i < n_points; ++i)
+      {
+        const unsigned int point = before * n_points + i;
+        start.memory.push_back(memory[point]);
+        start.state.force[m * n_points + i] += (1. - later) * known.force[point];
+        // After the last moment a tooth is what another one is at the first.
+        const bool is_last = before + 1 == n_coarse;
+        start.state.force[m * n_points + (is_last ? coarse.earlier(i) % n_points : i)] +=
+            later * known.force[is_last ? i : point + n_points];
+      }
+      for (unsigned int r = 0; r < n_rigid; ++r)
+        start.state.rigid[m * n_rigid + r] = known.rigid[before * n_rigid + r];
+    }
+    return start;
+  }
+
+  void SteadyDriver::go_on_from(const RotorLoad &load, const ContactSolution &solution,
+                                const double speed)
+  {
+    const RingContact contact(motor, load, step);
+    if (solution.state.force.size() == contact.n_points())
+    {
+      next = Start{solution.state, solution.motion, travelled(contact, solution), speed};
+      return;
+    }
+    SteadyStep coarse_step;
+    coarse_step.n_moments = solution.state.force.size() / (contact.n_points() / contact.n_times());
+    next = at_other_moments(RingContact(motor, load, coarse_step), solution, contact, speed);
+  }
+} // namespace ringmotor

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/steady_dynamics.h>
+
+namespace ringmotor
+{
+  unsigned int steady_neighbour(const CondensedMotor &motor)
+  {
+    const unsigned int n = motor.n_teeth, fold = motor.n_repeats();
+    unsigned int s = 0;
+    while (motor.n_waves * s % n != fold % n)
+      ++s;
+    return s % (n / fold);
+  }
+
+  double step_length(const CondensedMotor &motor, const SteadyStep &step)
+  {
+    return motor.period() * step.n_joined / (motor.n_teeth / motor.n_repeats() * step.n_moments);
+  }
+
+  namespace
+  {
+    /** Which instant of its history each tooth shows, by moment and tooth. */
+    std::vector<unsigned int> instants(const CondensedMotor &motor, const SteadyStep &step)
+    {
+      const unsigned int n_sectors = motor.n_teeth / motor.n_repeats(), s = steady_neighbour(motor),
+                         n_instants = n_sectors * step.n_moments;
+      std::vector<unsigned int> instants(n_instants);
+      for (unsigned int m = 0; m < step.n_moments; ++m)
+        for (unsigned int n_steps = 0; n_steps < n_sectors; ++n_steps)
+          instants[m * n_sectors + s * n_steps % n_sectors] =
+              (m + step.n_moments * (n_sectors - n_steps)) % n_instants;
+      return instants;
+    }
+  } // namespace
+
+  SteadyDynamics::SteadyDynamics(const CondensedMotor &motor, const SteadyStep &step,
+                                 const RingDynamics &dynamics)
+      : inertia(motor.modes, motor.n_waves, motor.n_teeth, motor.period(),
+                motor.n_teeth / motor.n_repeats() * step.n_moments, step_length(motor, step),
+                dynamics),
+        compliance(motor.repeating(), step.n_moments, inertia.compliance(), instants(motor, step))
+  {
+  }
+} // namespace ringmotor

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/step_history.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+namespace ringmotor
+{
+  namespace
+  {
+    /** The sum of squares (N^2) by which forces differ. */
+    double distance(const StepEnd &a, const StepEnd &b)
+    {
+      double sum = 0.;
+      for (unsigned int i = 0; i < a.state.force.size(); ++i)
+        sum += (a.state.force[i] - b.state.force[i]).norm_square();
+      return sum;
+    }
+  } // namespace
+
+  StepEnd turned(const StepEnd &end, const unsigned int by, const unsigned int n_teeth)
+  {
+    StepEnd result  = end;
+    const auto turn = [&](std::vector<PointVector> &of_points)
+    {
+      const std::size_t n_moved = of_points.size() / n_teeth * (by % n_teeth);
+      std::rotate(of_points.begin(), of_points.end() - n_moved, of_points.end());
+    };
+    turn(result.state.force);
+    turn(result.motion);
+    // After the rise come cosine and sine parts of motions with one wave around the ring.
+    const std::complex<double> phase = std::polar(1., 2. * dealii::numbers::PI * by / n_teeth);
+    std::vector<double> &rigid       = result.state.rigid;
+    for (unsigned int r = 1; r + 1 < rigid.size(); r += 2)
+    {
+      const std::complex<double> part = phase * std::complex<double>(rigid[r], rigid[r + 1]);
+      rigid[r]                        = part.real();
+      rigid[r + 1]                    = part.imag();
+    }
+    return result;
+  }
+
+  StepHistory::StepHistory(const CondensedMotor &motor, const Warp &warp)
+      : period(motor.period()), n_teeth(motor.n_teeth),
+        repetition(repetition_of({motor.n_waves, motor.n_teeth, warp.n_waves}))
+  {
+  }
+
+  void StepHistory::add(StepEnd end)
+  {
+    // Extrapolation is close where steps are so short that there are more of them in a period.
+    constexpr std::size_t most_ends = 120;
+    repeats = by_repetition && distance(*by_repetition, end) < distance(by_extrapolation, end);
+    if (ends.size() == most_ends)
+      ends.pop_front();
+    ends.push_back(std::move(end));
+  }
+
+  const StepEnd &StepHistory::predict(const double length)
+  {
+    by_extrapolation = extrapolated(length);
+    by_repetition    = repeated(length);
+    return by_repetition && repeats ? *by_repetition : by_extrapolation;
+  }
+
+  StepEnd StepHistory::extrapolated(const double length) const
+  {
+    StepEnd next = last();
+    // What follows a state at rest is not like it.
+    const StepEnd *before = ends.size() > 1 ? &ends[ends.size() - 2] : nullptr;
+    if (!before || before->motion.empty())
+    {
+      next.motion.clear();
+      return next;
+    }
+    const double share = length / next.length;
+    for (unsigned int i = 0; i < next.motion.size(); ++i)
+    {
+      PointVector &force = next.state.force[i], &motion = next.motion[i];
+      const double gap = motion[0] + share * (motion[0] - before->motion[i][0]);
+      force += share * (force - before->state.force[i]);
+      if (force[0] <= 0.)
+        force = 0.;
+      motion *= share; // slips
+      motion[0] = gap;
+    }
+    for (unsigned int r = 0; r < next.state.rigid.size(); ++r)
+      next.state.rigid[r] += share * (next.state.rigid[r] - before->state.rigid[r]);
+    return next;
+  }
+
+  std::optional<StepEnd> StepHistory::repeated(const double length) const
+  {
+    constexpr double tolerance = 0.05; // of a step, by which the wave is too early or too late
+    const double now = last().time + length, part = period / repetition.n_parts;
+    const StepEnd *best  = nullptr;
+    unsigned int n_parts = 0; // since then
+    double least         = tolerance * length;
+    for (const StepEnd &end : ends)
+    {
+      const double since  = now - end.time;
+      const auto n_since  = static_cast<unsigned int>(std::lround(since / part));
+      const double missed = std::abs(since - n_since * part);
+      if (end.motion.empty() || std::abs(end.length - length) > tolerance * length ||
+          n_since == 0 || missed > least)
+        continue;
+      best    = &end;
+      n_parts = n_since;
+      least   = missed;
+    }
+    if (!best)
+      return {};
+    return turned(*best, n_parts * repetition.n_teeth % n_teeth, n_teeth);
+  }
+} // namespace ringmotor
