@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the program contact left in the folder of a case, for the scripts that draw or print it."""
 import csv
+import os
 
 import h5py
 import numpy as np
@@ -16,6 +17,7 @@ class ContactCase(Results):
     summary     content of summary.json
     parameters  "Section/Entry" -> text, from used.prm
     curve       list of dict, the rows of torque_speed.csv
+    lip         list of dict, the rows of lip.csv; empty where inertia could not take part
     radius, angle  of the contact points of a tooth, in m and rad from the tooth's centre
     """
 
@@ -27,6 +29,9 @@ class ContactCase(Results):
         self.load("used.prm", self.read_parameters)
         self.load("torque_speed.csv", self.read_curve)
         self.load("contact.h5", self.read_contact_points)
+        self.lip = []
+        if os.path.exists(os.path.join(self.folder, "lip.csv")):
+            self.load("lip.csv", self.read_lip)
 
     def read_parameters(self, path):
         super().read_parameters(path)
@@ -37,6 +42,9 @@ class ContactCase(Results):
 
     def read_curve(self, path):
         self.curve = read_table(path, texts=["control"])
+
+    def read_lip(self, path):
+        self.lip = read_table(path)
 
     def read_contact_points(self, path):
         with h5py.File(path, "r") as file:

@@ -63,3 +63,24 @@ def draw_torque_speed(case, others=()):
     for axes in (upper, lower):
         finish_axes(axes)
     return figure
+
+
+def draw_lip_amplification(case):
+    """What inertia makes of the lip's compliance, for the first harmonics of the wave; dots where it counts."""
+    figure = start_figure(case, "how much farther the lip gives way with inertia", (6.2, 3.6))
+    axes = figure.subplots()
+    frequency = case.angular_frequency / (2e3 * np.pi)
+    for number, (color, _) in enumerate(CASE_STYLE, start=1):
+        rows = [row for row in case.lip if row["harmonic"] == number]
+        if not rows:
+            continue
+        x, y = (np.array([row[key] for row in rows]) for key in ("frequency_kHz", "amplification"))
+        axes.plot(x, abs(y), color=color, lw=1.3, label=f"{rows[0]['nodal_diameter']:.0f} waves")
+        axes.plot(number * frequency, abs(np.interp(number * frequency, x, y)), "o", color=color, ms=5)
+    axes.axhline(1, color=GREY, lw=0.8, ls="--")
+    axes.set(xlabel="frequency in kHz", ylabel="with inertia over without", yscale="log", ylim=(0.05, 100),
+             xlim=(0, 5 * frequency))
+    axes.yaxis.set_major_formatter("{x:g}")
+    axes.legend(frameon=False, fontsize=8)
+    finish_axes(axes)
+    return figure

@@ -30,7 +30,7 @@ from case import CaseError
 from contact_case import ContactCase
 from contact_figures import (draw_contact_forces, draw_contact_shape, draw_friction_history, draw_normal_displacement,
                              draw_warped_displacement, history_touches)
-from curve_figures import draw_torque_speed
+from curve_figures import draw_lip_amplification, draw_torque_speed
 from drawing import figures_folder, save
 from loss_figures import draw_efficiency, draw_energy, draw_losses
 from losses_case import read_case
@@ -40,7 +40,8 @@ STATOR_FIGURES = {"elliptic_paths": draw_elliptic_paths, "tooth_edge": draw_toot
 NEED_WAVE = (draw_elliptic_paths, draw_tooth_edge)
 CONTACT_FIGURES = {"contact_shape": draw_contact_shape, "normal_displacement": draw_normal_displacement,
                    "contact_forces": draw_contact_forces, "friction_history": draw_friction_history,
-                   "warped_displacement": draw_warped_displacement, "torque_speed": draw_torque_speed}
+                   "warped_displacement": draw_warped_displacement, "torque_speed": draw_torque_speed,
+                   "lip_amplification": draw_lip_amplification}
 LOSSES_FIGURES = {"losses": draw_losses, "efficiency": draw_efficiency, "energy": draw_energy}
 
 
@@ -61,7 +62,7 @@ def draw_stator(case, folder):
 
 def draw_contact(case, others, folder):
     for name, draw in CONTACT_FIGURES.items():
-        if draw is draw_warped_displacement and case.warp == 0:
+        if draw is draw_warped_displacement and case.warp == 0 or draw is draw_lip_amplification and not case.lip:
             remove_figure(folder, name)
         elif draw is draw_friction_history and not history_touches(case):
             remove_figure(folder, name)

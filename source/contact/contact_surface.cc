@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/contact/contact_surface.h>
 #include <ringmotor/parameters/errors.h>
+#include <ringmotor/structure/mirror.h>
 
 #include <deal.II/fe/fe_q.h>
 
@@ -193,18 +194,15 @@ namespace ringmotor
       if (place[1] < 1e-10)
         continue;
       image[i] = whole.surface.nodes.size();
-      whole.surface.nodes.push_back({Point<2>(place[0], -place[1]), {}});
+      whole.surface.nodes.push_back({mirrored(place), {}});
       whole.origin.push_back({i, true});
     }
     for (unsigned int face = 0; face < meshed.faces.size(); ++face)
     {
       // Mirrored and turned round again: the local axes change places.
-      const auto mirrored = [&](const unsigned int v)
-      {
-        const Point<2> &corner = meshed.corners[face][v];
-        return Point<2>(corner[0], -corner[1]);
-      };
-      whole.surface.corners.push_back({{mirrored(0), mirrored(2), mirrored(1), mirrored(3)}});
+      const auto &corners = meshed.corners[face];
+      whole.surface.corners.push_back({{mirrored(corners[0]), mirrored(corners[2]),
+                                        mirrored(corners[1]), mirrored(corners[3])}});
       const FE_Q<2> element(meshed.degree);
       std::vector<unsigned int> nodes(meshed.faces[face].size());
       for (unsigned int i = 0; i < nodes.size(); ++i)

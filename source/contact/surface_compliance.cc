@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/contact/surface_compliance.h>
+#include <ringmotor/structure/mirror.h>
 
 #include <cmath>
 
 namespace ringmotor
 {
   using namespace dealii;
-
-  namespace
-  {
-    /** The sign with which a component of a point vector is mirrored: -theta turns round. */
-    double mirror_sign(const unsigned int component)
-    {
-      return component == 1 ? -1. : 1.;
-    }
-  } // namespace
 
   SurfaceCompliance sector_compliance(const InterfaceCompliance &meshed,
                                       const std::vector<MirroredNode> &origin)
@@ -51,12 +43,8 @@ namespace ringmotor
     {
       std::array<std::complex<double>, 3> motion;
       for (unsigned int c = 0; c < 3; ++c)
-      {
-        const std::complex<double> u(half[3 * node.node + c],
-                                     half[half.size() / 2 + 3 * node.node + c]);
-        motion[c] = node.mirrored ? mirror_sign(c) * std::conj(u) : u;
-      }
-      motions.push_back(motion);
+        motion[c] = {half[3 * node.node + c], half[half.size() / 2 + 3 * node.node + c]};
+      motions.push_back(node.mirrored ? mirrored(motion) : motion);
     }
     return motions;
   }

@@ -21,6 +21,15 @@ namespace ringmotor
     return {alpha, 0.5 - alpha, 0.25 * std::pow(1. - alpha, 2)};
   }
 
+  InertiaScheme InertiaScheme::dissipating_otherwise() const
+  {
+    constexpr double markedly = 0.3;
+    if (alpha == 0. && gamma > 0.5) // Newmark's method
+      return newmark(0.5 * (0.5 + gamma));
+    const double spectral_radius = (1. + alpha) / (1. - alpha);
+    return second_order(spectral_radius + (spectral_radius > 0.5 ? -markedly : markedly));
+  }
+
   namespace
   {
     /** Displacement by acceleration times (z - 1)^2, which vanishes at rest with the acceleration.

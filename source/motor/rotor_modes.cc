@@ -20,23 +20,18 @@ namespace ringmotor
     {
       std::set<unsigned int> diameters;
       for (unsigned int m = 1; m <= n_harmonics; ++m)
-      {
-        const unsigned int around = m * motor.n_waves % motor.n_teeth;
-        diameters.insert(std::min(around, motor.n_teeth - around));
-      }
+        diameters.insert(nodal_diameter_of_harmonic(motor, m));
       diameters.erase(0);
       diameters.erase(1);
       return diameters;
     }
-
-    ContactDiscretisation mesh_for_modes(const unsigned int level)
-    {
-      ContactDiscretisation discretisation;
-      discretisation.lip         = {1, 1}; // modes move the lip smoothly
-      discretisation.rotor_level = level;
-      return discretisation;
-    }
   } // namespace
+
+  unsigned int nodal_diameter_of_harmonic(const Motor &motor, const unsigned int harmonic)
+  {
+    const unsigned int around = harmonic * motor.n_waves % motor.n_teeth;
+    return std::min(around, motor.n_teeth - around);
+  }
 
   std::vector<std::array<Complex, 3>> at_contact_points(const std::vector<double> &half,
                                                         const std::vector<MirroredNode> &origin,
@@ -57,11 +52,19 @@ namespace ringmotor
     return motions;
   }
 
+  ContactDiscretisation LipModes::discretisation(const unsigned int level)
+  {
+    ContactDiscretisation discretisation;
+    discretisation.lip         = {1, 1}; // modes move the lip smoothly
+    discretisation.rotor_level = level;
+    return discretisation;
+  }
+
   LipModes::LipModes(const Parameters &parameters, const unsigned int level, const double up_to,
                      const unsigned int n_harmonics)
       : n_teeth(parameters.motor.n_teeth), modes(n_teeth / 2 + 1)
   {
-    const RotorBody body(parameters, mesh_for_modes(level));
+    const RotorBody body(parameters, discretisation(level));
     lip                                         = body.whole_lip;
     const std::vector<LinearForm> displacements = displacement_forms(body.lip);
     ModeSolver solver(body.sector);

@@ -136,4 +136,19 @@ namespace ringmotor
         }
     table.write(path);
   }
+
+  void write_lip(const std::string &path, const LipAmplification &lip,
+                 const double angular_frequency)
+  {
+    constexpr unsigned int n_frequencies = 400; // up to that of the harmonic after the last one
+    CsvTable table({"harmonic", "nodal_diameter", "frequency_kHz", "amplification"});
+    for (unsigned int m = 1; m <= lip.n_harmonics(); ++m)
+      for (unsigned int i = 0; i <= n_frequencies; ++i)
+      {
+        const double frequency = angular_frequency * (lip.n_harmonics() + 1.) * i / n_frequencies;
+        table.add_row({m, lip.nodal_diameter(m), 1e-3 * frequency / (2. * numbers::PI),
+                       lip.at(m, frequency)});
+      }
+    table.write(path);
+  }
 } // namespace ringmotor

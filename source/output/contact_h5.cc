@@ -34,6 +34,7 @@ namespace ringmotor
               {"teeth_in_contact_per_wave", &result.teeth_in_contact},
               {"stick_fraction", &result.stick_fraction},
               {"modal_power_W", &point.result.modal_power},
+              {"detuning", &point.result.detuning},
               {"rotor_power_per_loss_factor_W", &point.rotor_power}};
     }
 

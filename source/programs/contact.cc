@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/lip_amplification.h>
 #include <ringmotor/motor/rotor_modes.h>
 #include <ringmotor/output/contact_files.h>
 #include <ringmotor/output/contact_h5.h>
@@ -72,6 +73,8 @@ namespace ringmotor
 
       /** Switches effects on or off that are `auto`, by what they do. */
       Parameters with_effects_chosen();
+      /** Says what inertia does to the lip. */
+      void look_at_lip();
 
       const Parameters &given;
       const std::string folder; ///< of the results, ends in a slash
@@ -81,6 +84,7 @@ namespace ringmotor
       const StatorWave wave;
       std::map<std::string, EffectOnPoints> measured; ///< effects that operating points tell
       std::vector<EffectRow> effects;
+      std::optional<LipAmplification> lip;     ///< if inertia may take part
       const Parameters parameters;             ///< no effect of the contact is `auto`
       std::optional<RotorVibration> vibration; ///< of a rotor with inertia, on all meshes
       std::optional<ContactKeep> keep;         ///< of run(); a study measures what it costs without
@@ -144,9 +148,23 @@ namespace ringmotor
                         }};
       effects = choose_effects(chosen, EffectStage::contact, scene, given.accuracy.contact_target);
       for (const EffectRow &row : effects)
-        if (row.is_automatic && row.indicator)
+        if (row.is_automatic && row.indicator && *row.indicator != 0.)
           log.line(describe(row));
+      if (given.effects.rotor_inertia != EffectChoice::off)
+        look_at_lip();
       return chosen;
+    }
+
+    void ContactProgram::look_at_lip()
+    {
+      constexpr unsigned int n_harmonics = 6;
+      lip.emplace(given, n_harmonics, 2. * n_harmonics * wave.angular_frequency);
+      std::string numbers;
+      for (unsigned int m = 1; m <= n_harmonics; ++m)
+        numbers += (m > 1 ? ", " : "") + text(lip->at(m, m * wave.angular_frequency), 2);
+      log.line("the lip gives way to pressure with 1, 2, ... times the wave's frequency and number "
+               "of waves by " +
+               numbers + " times as much as without inertia");
     }
 
     void ContactProgram::run(const bool resumes)
@@ -209,7 +227,8 @@ namespace ringmotor
           (setting.n_joined > 1 ? std::to_string(setting.n_joined)
                                 : "1/" + std::to_string(setting.n_parts)) +
           (setting.wave_factor == 1. ? "" : ", wave changed") +
-          (setting.has_coarse_modes ? ", coarse modes" : ""));
+          (setting.has_coarse_modes ? ", coarse modes" : "") +
+          (setting.has_other_scheme ? ", scheme changed" : ""));
       tell_price(motor, setting, requests.size());
       unsigned int n_found        = 0;
       const double seconds_before = seconds();
@@ -325,12 +344,14 @@ namespace ringmotor
       {
         const auto scope = phases.measure("output");
         prepare_results(folder,
-                        "used\\.prm|torque_speed\\.csv|history\\.csv|contact\\.h5|"
+                        "used\\.prm|torque_speed\\.csv|lip\\.csv|history\\.csv|contact\\.h5|"
                         "summary\\.json|(contact|motor)\\.pvd|(contact|rotor|teeth)_[0-9]+\\.vtu");
         write_used_prm(folder + "used.prm", "contact", given);
         write_torque_speed(folder + "torque_speed.csv", search.points());
         write_history(folder + "history.csv", search.motor(), search.points(),
                       !is_marched(parameters), parameters.output.history_points);
+        if (lip)
+          write_lip(folder + "lip.csv", *lip, wave.angular_frequency);
         write_contact_h5(folder + "contact.h5", given, wave, search.motor(), search.points());
       }
       if (parameters.output.vtu)

@@ -40,6 +40,8 @@ namespace ringmotor
     // Of first order, C / n with n steps per pitch: C follows from two of them.
     errors.time = change(point, point_of(other, request));
     errors.time *= other.n_steps() / std::abs(other.n_steps() - own.n_steps());
+    if (!motor().modes.empty())
+      errors.scheme = change(point_of(plain, request), point_of(other_scheme(), request));
     if (has_inertia())
     {
       // The error falls with the third power of the highest frequency, and the meshes' in half.
@@ -77,6 +79,13 @@ namespace ringmotor
   {
     CurveSetting setting     = steps.plain(reached_level);
     setting.has_coarse_modes = true;
+    return setting;
+  }
+
+  CurveSetting CurveSearch::other_scheme() const
+  {
+    CurveSetting setting     = steps.plain(reached_level);
+    setting.has_other_scheme = true;
     return setting;
   }
 

@@ -24,8 +24,8 @@ namespace ringmotor
       return std::ceil(factor * n_parts);
     }
 
-    /** The same motor with a wave that moves its surface faster, but not higher, or with coarse
-     * modes of its rotor. */
+    /** The same motor with a wave that moves its surface faster, but not higher, with coarse
+     * modes of its rotor, or with another scheme. */
     CondensedMotor changed(const CondensedMotor &motor, const CurveSetting &setting)
     {
       CondensedMotor other = motor;
@@ -34,6 +34,8 @@ namespace ringmotor
           node.free_motion[c] *= setting.wave_factor;
       if (setting.has_coarse_modes)
         other.modes = other.coarse_modes;
+      if (setting.has_other_scheme)
+        other.dynamics.scheme = other.dynamics.scheme.dissipating_otherwise();
       return other;
     }
 
@@ -200,10 +202,10 @@ namespace ringmotor
     for (const unsigned int request : missing)
       asked.push_back(requests[request]);
     const CondensedMotor &motor = motor_of(setting.level);
-    const bool is_changed       = setting.wave_factor != 1. || setting.has_coarse_modes;
     std::vector<CurvePoint> points =
-        is_changed ? sources.points(parameters, changed(motor, setting), setting, asked, starts)
-                   : sources.points(parameters, motor, setting, asked, starts);
+        setting.has_changed_motor()
+            ? sources.points(parameters, changed(motor, setting), setting, asked, starts)
+            : sources.points(parameters, motor, setting, asked, starts);
     for (unsigned int i = 0; i < missing.size(); ++i)
       known[setting][missing[i]] = std::move(points[i]);
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/quantities/mode_content.h>
+#include <ringmotor/structure/mirror.h>
 #include <ringmotor/structure/shell_trace.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -89,14 +90,12 @@ namespace ringmotor
         sample_shells(sector, mode, samples);
       if (sector.sector_mesh().form == SectorForm::half)
       {
-        // The mirrored half moves as U(-theta) = S conj(U(theta)).
         const std::size_t n_half = samples.size();
         for (std::size_t i = 0; i < n_half; ++i)
         {
-          Sample mirrored = samples[i];
-          mirrored.motion = {{std::conj(mirrored.motion[0]), -std::conj(mirrored.motion[1]),
-                              std::conj(mirrored.motion[2])}};
-          samples.push_back(mirrored);
+          Sample image = samples[i];
+          image.motion = mirrored(image.motion);
+          samples.push_back(image);
         }
       }
       return samples;

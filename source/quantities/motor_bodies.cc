@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/quantities/motor_bodies.h>
+#include <ringmotor/structure/mirror.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,18 +27,19 @@ namespace ringmotor
       const std::size_t n_forms = 3 * n_half;
       std::vector<CondensationLoad> loads(2, {std::vector<double>(2 * n_forms, 0.), {}, {}});
       for (unsigned int a = 0; a < forces.size(); ++a)
+      {
+        const auto [node, is_mirrored]     = surface.origin[a];
+        const std::array<Complex, 3> force = is_mirrored ? mirrored(forces[a]) : forces[a];
         for (unsigned int c = 0; c < 3; ++c)
         {
-          const auto [node, is_mirrored] = surface.origin[a];
-          const Complex force =
-              is_mirrored ? (c == 1 ? -1. : 1.) * std::conj(forces[a][c]) : forces[a][c];
-          const Complex first  = 0.5 * force,
-                        second = (is_mirrored ? -1. : 1.) * 0.5 * force / Complex(0., 1.);
+          const Complex first  = 0.5 * force[c],
+                        second = (is_mirrored ? -1. : 1.) * 0.5 * force[c] / Complex(0., 1.);
           loads[0].forces[3 * node + c] += first.real();
           loads[0].forces[n_forms + 3 * node + c] += first.imag();
           loads[1].forces[3 * node + c] += second.real();
           loads[1].forces[n_forms + 3 * node + c] += second.imag();
         }
+      }
       return loads;
     }
   } // namespace

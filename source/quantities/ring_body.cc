@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/quantities/ring_body.h>
+#include <ringmotor/structure/mirror.h>
 
 #include <deal.II/base/quadrature.h>
 #include <deal.II/fe/fe_values.h>
@@ -29,11 +30,6 @@ namespace ringmotor
       Tensor<1, 3> vector;
       vector[direction] = 1.;
       return vector;
-    }
-
-    Point<3> mirrored(const Point<3> &point)
-    {
-      return Point<3>(point[0], -point[1], point[2]);
     }
   } // namespace
 
@@ -198,11 +194,11 @@ namespace ringmotor
     for (unsigned int p = 0; p < n_half; ++p)
     {
       const auto first = value(samples[p], one), second = value(samples[p], two);
+      const auto image_of_first = mirrored(first), image_of_second = mirrored(second);
       for (unsigned int d = 0; d < 3; ++d)
       {
-        const double sign        = d == 1 ? -1. : 1.;
         amplitude[p][d]          = first[d] + i * second[d];
-        amplitude[n_half + p][d] = sign * (std::conj(first[d]) + i * std::conj(second[d]));
+        amplitude[n_half + p][d] = image_of_first[d] + i * image_of_second[d];
       }
     }
     return amplitude;

@@ -2,6 +2,7 @@
 #include <ringmotor/elements/shell.h>
 #include <ringmotor/elements/solid.h>
 #include <ringmotor/quantities/sector_field.h>
+#include <ringmotor/structure/mirror.h>
 #include <ringmotor/structure/shell_trace.h>
 
 #include <deal.II/base/quadrature.h>
@@ -24,22 +25,18 @@ namespace ringmotor
       return Quadrature<dim>(Quadrature<1>(points));
     }
 
-    /** The mirror image at theta -> -theta, with U(-theta) = S conj(U(theta)). */
-    SectorField::Cell mirrored(const SectorField::Cell &cell, const unsigned int order)
+    SectorField::Cell image_of(const SectorField::Cell &cell, const unsigned int order)
     {
       SectorField::Cell image = cell;
       for (unsigned int point = 0; point < cell.points.size(); ++point)
       {
         // The mirror turns a right-handed lattice into a left-handed one: count its first index
         // backwards.
-        const unsigned int i      = point % (order + 1);
-        const unsigned int source = point - i + (order - i);
-        image.points[point]       = cell.points[source];
-        image.points[point][1] *= -1.;
+        const unsigned int i       = point % (order + 1);
+        const unsigned int source  = point - i + (order - i);
+        image.points[point]        = mirrored(cell.points[source]);
         image.strain_energy[point] = cell.strain_energy[source];
-        for (unsigned int d = 0; d < 3; ++d)
-          image.displacement[point][d] =
-              (d == 1 ? -1. : 1.) * std::conj(cell.displacement[source][d]);
+        image.displacement[point]  = mirrored(cell.displacement[source]);
       }
       return image;
     }
@@ -49,7 +46,7 @@ namespace ringmotor
     {
       field.cells.push_back(cell);
       if (form == SectorForm::half)
-        field.cells.push_back(mirrored(cell, field.order));
+        field.cells.push_back(image_of(cell, field.order));
     }
 
     void add_solids(const CyclicSector &sector, const Mode &mode, SectorField &field)

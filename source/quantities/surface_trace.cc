@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/mesh/ids.h>
 #include <ringmotor/quantities/surface_trace.h>
+#include <ringmotor/structure/mirror.h>
 #include <ringmotor/structure/shell_trace.h>
 
 #include <deal.II/fe/fe_values.h>
@@ -105,8 +106,8 @@ namespace ringmotor
       {
         const Point<3> x               = trace.points[i];
         const std::array<Complex, 3> u = trace.displacement[i];
-        trace.points.emplace_back(x[0], -x[1], x[2]);
-        trace.displacement.push_back({{std::conj(u[0]), -std::conj(u[1]), std::conj(u[2])}});
+        trace.points.push_back(mirrored(x));
+        trace.displacement.push_back(mirrored(u));
       }
       trace.n_faces *= 2;
     }

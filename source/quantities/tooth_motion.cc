@@ -2,6 +2,7 @@
 #include <ringmotor/mesh/ids.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/quantities/tooth_motion.h>
+#include <ringmotor/structure/mirror.h>
 
 #include <boost/math/tools/roots.hpp>
 
@@ -148,9 +149,8 @@ namespace ringmotor
                                 [](const auto &a, const auto &b) { return a.theta < b.theta; });
         const Candidate center = at_center(sector, faces, Point<3>(r, 0., high->position[2]));
         const std::string name = level + "_" + place;
-        const Point<3> mirrored(high->position[0], -high->position[1], high->position[2]);
         if (half)
-          points.push_back({name + "_L", mirrored, high->cell, high->unit, true});
+          points.push_back({name + "_L", mirrored(high->position), high->cell, high->unit, true});
         else
           points.push_back({name + "_L", low->position, low->cell, low->unit, false});
         points.push_back({name + "_C", center.position, center.cell, center.unit, false});
@@ -191,9 +191,7 @@ namespace ringmotor
     for (unsigned int i = 0; i < dofs.size(); ++i)
       value[fe.system_to_component_index(i).first] +=
           fe.shape_value(i, point.unit) * Complex(field.real[dofs[i]], field.imaginary[dofs[i]]);
-    if (point.mirrored)
-      return {{std::conj(value[0]), -std::conj(value[1]), std::conj(value[2])}};
-    return value;
+    return point.mirrored ? mirrored(value) : value;
   }
 
   EllipticMotion elliptic_motion(const ToothPoint &point, const Mode &mode)

@@ -34,6 +34,7 @@ namespace ringmotor
         {"meshes of bodies and interface", &PointErrors::mesh},
         {"modes of the rotor", &PointErrors::modes},
         {"time step", &PointErrors::time},
+        {"dissipation of the scheme", &PointErrors::scheme},
         {"averaging window", &PointErrors::window},
         {by_wave, &PointErrors::wave},
         {"effects left out", &PointErrors::effects},
@@ -103,7 +104,7 @@ namespace ringmotor
     // With inertia the neighbour on the curve is nearer than the same point with other steps, but
     // not than that with a wave or with modes that differ little.
     const bool neighbour_is_nearer =
-        model.has_inertia() && steady.has_state() && !setting.differs_little();
+        model.has_inertia() && steady.has_state() && !setting.has_changed_motor();
     if (start && !is_marched(parameters) && !neighbour_is_nearer)
       steady.go_on_from(load_of(parameters.loading, request), solution_of(*start),
                         start->result.speed);

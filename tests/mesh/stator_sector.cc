@@ -166,6 +166,9 @@ TEST(StatorSector, MarksAllFaces)
   const double c       = 0.5 * stator.slot_width;
   const double top = integral([&](const double r) { return r * (half_pitch - std::asin(c / r)); },
                               stator.tip_inner_radius, stator.tip_outer_radius);
+  const double bottom =
+      0.5 * half_pitch *
+      (std::pow(stator.base_outer_radius, 2) - std::pow(stator.base_inner_radius, 2));
 
   for (const SectorForm form : {SectorForm::half, SectorForm::whole})
   {
@@ -174,14 +177,16 @@ TEST(StatorSector, MarksAllFaces)
     std::map<dealii::types::boundary_id, double> area = boundary_areas(*mesh.triangulation, 6);
     if (form == SectorForm::half)
     {
-      EXPECT_EQ(area.size(), 4u);
+      EXPECT_EQ(area.size(), 5u);
+      EXPECT_NEAR(area[ids::bottom] / bottom, 1., 1e-11);
       EXPECT_NEAR(area[ids::mirror] / all, 1., 1e-11);
       EXPECT_NEAR(area[ids::cut] / below, 1., 1e-11);
       EXPECT_NEAR(area[ids::tooth_top] / top, 1., 1e-11);
     }
     else
     {
-      EXPECT_EQ(area.size(), 4u);
+      EXPECT_EQ(area.size(), 5u);
+      EXPECT_NEAR(area[ids::bottom] / (2. * bottom), 1., 1e-11);
       EXPECT_NEAR(area[ids::cut_low] / below, 1., 1e-11);
       EXPECT_NEAR(area[ids::cut_high] / below, 1., 1e-11);
       EXPECT_NEAR(area[ids::tooth_top] / (2. * top), 1., 1e-11);

@@ -57,7 +57,14 @@ namespace
                                             "Support/Felt modulus",
                                             "Support/Felt loss factor",
                                             "Support/Felt inner radius",
-                                            "Support/Felt outer radius"};
+                                            "Support/Felt outer radius",
+                                            // of effects that are off
+                                            "Stator/Target plate cross-section",
+                                            "Materials/Target plate/Young modulus",
+                                            "Materials/Target plate/Poisson ratio",
+                                            "Materials/Target plate/Density",
+                                            "Friction/Lining normal stiffness",
+                                            "Friction/Lining tangential stiffness"};
   const std::set<std::string> not_of_condensation{"Loading/Preload",
                                                   "Friction/Law",
                                                   "Friction/Static coefficient",
@@ -102,6 +109,20 @@ TEST(ContactKeepKeys, HoldTheTargetThatMarchedPointsSettleTo)
   const Parameters warped = with({warp}), other = with({warp, "Accuracy/Contact target = 0.01"});
   EXPECT_NE(points_key(warped, wave, 1), points_key(other, wave, 1));
   EXPECT_EQ(condensation_key(warped, wave, 1), condensation_key(other, wave, 1));
+}
+
+TEST(ContactKeepKeys, HoldTheLiningWhereItTakesPart)
+{
+  const StatorWave wave = some_wave();
+  const std::vector<std::string> lining{"Effects/Friction lining = on",
+                                        "Friction/Lining tangential stiffness = 1e13"};
+  const auto key = [&](const std::string &normal_stiffness)
+  {
+    std::vector<std::string> all = lining;
+    all.push_back("Friction/Lining normal stiffness = " + normal_stiffness);
+    return condensation_key(with(all), wave, 1);
+  };
+  EXPECT_NE(key("1e13"), key("2e13"));
 }
 
 TEST(ContactKeepKeys, HoldWhatARotorWithInertiaVibratesBy)

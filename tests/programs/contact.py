@@ -142,7 +142,7 @@ class Mistakes(WithContact):
                 (["Loading/Preload = 0"], "Loading/Preload"),
                 (["Friction/Dynamic coefficient = 0"], "Friction/Dynamic coefficient"),
                 (["Friction/Law = velocity"], "Friction/Decay velocity"),
-                (["Effects/Tooth inertia = on"], "Effects/Tooth inertia = on is not available"),
+                (["Effects/Spin convection = on"], "Effects/Spin convection = on is not available"),
                 (["Effects/Rotor inertia = on", "Initial deformation/Amplitude = 4e-6"],
                  "Effects/Rotor inertia = on is not available with Initial deformation/Amplitude = 4e-06"),
                 (["Effects/Damping = on"], "Effects/Damping = on is available with Effects/Rotor inertia = on | auto"),

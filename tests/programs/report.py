@@ -151,7 +151,7 @@ class Report(WithMotor):
                     "" if effect["indicator"] is None else f"{100 * effect['indicator']:+.2g} %", f"{effect['seconds']:.2g}",
                     str(effect["dofs"]), f"{effect['bytes'] / 1e6:.2g}", summary["program"]]
                    for summary in summaries for effect in summary["effects"]]
-        self.assertEqual(self.page_table("Effects")[1:1 + len(effects)], effects)
+        self.assertEqual(self.page_table("Effects")[2:2 + len(effects)], effects)
         for cells, summary in zip(self.page_table("Cost")[2:], summaries, strict=True):
             self.assertEqual(cells[0], summary["program"])
             self.assertAlmostEqual(float(cells[1]), sum(summary["seconds"].values()), delta=0.0051)

@@ -14,6 +14,7 @@
 #include "support/motor_model.h"
 #include "support/record.h"
 
+#include <ringmotor/motor/lip_amplification.h>
 #include <ringmotor/motor/marching.h>
 #include <ringmotor/motor/rotor_modes.h>
 #include <ringmotor/motor/tooth_modes.h>
@@ -454,5 +455,46 @@ TEST(ToothModes, GiveTheDynamicComplianceThatTheToothHasWithoutThem)
         largest = std::max(largest, std::abs(vibrating(i, j) - at_rest(i, j)));
       }
     EXPECT_LT(error, 0.03 * largest) << frequency;
+  }
+}
+
+TEST(LipAmplification, IsThatOfTheShiftedStiffness)
+{
+  // The same pressure on the rotor with stiffness K - Omega^2 M, without modes.
+  const Parameters parameters = reference_motor();
+  const double drive          = 2. * M_PI * 30e3;
+  const LipAmplification amplification(parameters, 3, 30. * drive);
+  const RotorBody body(parameters, LipModes::discretisation(1));
+  const auto work = [&](const unsigned int k, const double frequency)
+  {
+    const std::vector<unsigned int> held;
+    const Condensation condensation(body.sector, displacement_forms(body.lip), {}, {},
+                                    frequency * frequency);
+    const InterfaceCompliance interface(condensation);
+    const dealii::FullMatrix<double> compliance = interface.compliance(k, held);
+    double outer = 0., last = 0., sum = 0.;
+    for (const SurfaceNode &node : body.lip.nodes)
+    {
+      outer = std::max(outer, node.place[0]);
+      last  = std::max(last, node.place[1]);
+    }
+    std::vector<double> force(compliance.m());
+    for (unsigned int i = 0; i < body.lip.nodes.size(); ++i)
+      if (const auto &place = body.lip.nodes[i].place; place[0] > outer - 1e-9)
+      {
+        const double share              = place[1] < 1e-9 || place[1] > last - 1e-9 ? 0.5 : 1.;
+        force[3 * i]                    = share * std::cos(k * place[1]);
+        force[3 * i + force.size() / 2] = -share * std::sin(k * place[1]);
+      }
+    for (unsigned int i = 0; i < force.size(); ++i)
+      for (unsigned int j = 0; j < force.size(); ++j)
+        sum += force[i] * compliance(i, j) * force[j];
+    return sum;
+  };
+  for (const unsigned int m : {1u, 2u, 3u})
+  {
+    EXPECT_EQ(amplification.nodal_diameter(m), 7 * m);
+    const double expected = work(7 * m, m * drive) / work(7 * m, 1.);
+    EXPECT_NEAR(amplification.at(m, m * drive), expected, 0.01 * std::abs(expected)) << m;
   }
 }

@@ -67,8 +67,7 @@ namespace ringmotor
     /** The shapes of Far for the sum of some compliances of the same sectors. */
     static dealii::FullMatrix<double> far_shapes(const std::vector<const RingCompliance *> &rings);
     /** Motions of given shapes by forces on them, by distance. */
-    std::vector<dealii::FullMatrix<double>>
-    between(const dealii::FullMatrix<double> &shapes) const;
+    std::vector<dealii::FullMatrix<double>> between(const dealii::FullMatrix<double> &shapes) const;
 
     /** Adds the motions (m) of all sectors under forces (N); both by ring, sector, node, component;
      * several equal rings at once. */

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/motor/condensed_motor.h>
 #include <ringmotor/motor/motor_model.h>
 
 #include <cstdint>
@@ -14,6 +13,8 @@
 namespace ringmotor
 {
   class Effect;
+  struct CondensedMotor;
+  struct StatorWave;
 
   /** A motor before it is computed, of which effects say how much they matter. */
   struct Scene
@@ -70,6 +71,13 @@ namespace ringmotor
     const std::string name;
     EffectChoice Effects::*const entry;
     const EffectStage stage;
+
+  protected:
+    /** An indicator that only a computation tells. */
+    std::optional<double> measured_in(const Scene &scene) const
+    {
+      return scene.measure ? std::optional<double>(scene.measure(*this)) : std::nullopt;
+    }
   };
 
   /** All of them, in the order of the entries. */

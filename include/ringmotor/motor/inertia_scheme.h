@@ -28,6 +28,10 @@ namespace ringmotor
      * one step to the next; 0 .. 1. */
     static InertiaScheme second_order(const double spectral_radius);
 
+    /** One of the same order that dissipates markedly more or less: what the difference changes
+     * tells how much dissipation matters. */
+    InertiaScheme dissipating_otherwise() const;
+
     /** Displacement by force of the same mass, s^2, where each step multiplies both by @p z. */
     std::complex<double> response(const std::complex<double> &z, const double dt,
                                   const double frequency, const double loss_factor) const;

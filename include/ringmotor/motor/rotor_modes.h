@@ -5,6 +5,9 @@
 
 namespace ringmotor
 {
+  /** The nodal diameter, 0 .. N / 2, that a harmonic of the wave has as the teeth see it. */
+  unsigned int nodal_diameter_of_harmonic(const Motor &motor, const unsigned int harmonic);
+
   /** How a wave on the surface of a half sector, real field, then imaginary one, moves the contact
    * points, whose rotor nodes may be of neighbouring sectors. @param turn the wave's phase from one
    * sector to the next (rad) */
@@ -26,6 +29,9 @@ namespace ringmotor
      * wave that may matter */
     LipModes(const Parameters &parameters, const unsigned int level, const double up_to,
              const unsigned int n_harmonics);
+
+    /** The rotor's mesh of a level for its modes. */
+    static ContactDiscretisation discretisation(const unsigned int level);
 
     /** As the contact points on @p tooth_top see them. @param lip_turn see ContactDiscretisation */
     RingModes at(const ContactSurface &tooth_top, const double lip_turn) const;

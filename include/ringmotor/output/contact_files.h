@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/motor/lip_amplification.h>
 #include <ringmotor/quantities/torque_speed.h>
 
 #include <string>
@@ -17,4 +18,9 @@ namespace ringmotor
   void write_history(const std::string &path, const CondensedMotor &motor,
                      const std::vector<CurvePoint> &points, const bool is_steady,
                      const std::vector<HistoryPoint> &places);
+
+  /** `lip.csv`: how much farther the lip gives way with inertia, against frequency, for the first
+   * harmonics of a wave of an angular frequency (rad/s). */
+  void write_lip(const std::string &path, const LipAmplification &lip,
+                 const double angular_frequency);
 } // namespace ringmotor

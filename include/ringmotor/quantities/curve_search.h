@@ -140,6 +140,7 @@ namespace ringmotor
     CurveSetting compared_step(const unsigned int request) const;
     CurveSetting changed_wave() const;
     CurveSetting coarse_modes() const;
+    CurveSetting other_scheme() const;
     bool has_inertia() const;
     /** Loads a rotor that nearly sticks at rest, to see whether it stands still. */
     void find_held_torque();

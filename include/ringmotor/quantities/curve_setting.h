@@ -22,15 +22,18 @@ namespace ringmotor
     double wave_factor = 1.;
     /** Whether a rotor with inertia vibrates in its coarse modes, by which their error is felt. */
     bool has_coarse_modes = false;
+    /** Whether the scheme that steps what has inertia dissipates otherwise, by which that is felt.
+     */
+    bool has_other_scheme = false;
     /** Whether a marched point has to tell what the steps miss that `Time` averages over. Not
      * compared: a point that tells it will do for one that need not. */
     bool tells_window = false;
 
     bool operator<(const CurveSetting &other) const
     {
-      return std::tie(level, n_parts, n_joined, wave_factor, has_coarse_modes) <
+      return std::tie(level, n_parts, n_joined, wave_factor, has_coarse_modes, has_other_scheme) <
              std::tie(other.level, other.n_parts, other.n_joined, other.wave_factor,
-                      other.has_coarse_modes);
+                      other.has_coarse_modes, other.has_other_scheme);
     }
 
     bool operator==(const CurveSetting &other) const
@@ -42,8 +45,12 @@ namespace ringmotor
      * or `Time/Time step`. */
     double n_steps() const { return n_parts / static_cast<double>(n_joined); }
 
-    /** Whether it differs from another setting in little more than the motor's wave or modes. */
-    bool differs_little() const { return wave_factor != 1. || has_coarse_modes; }
+    /** Whether its motor is not quite the one that is asked for: of another wave, with other modes
+     * or another scheme. */
+    bool has_changed_motor() const
+    {
+      return wave_factor != 1. || has_coarse_modes || has_other_scheme;
+    }
 
     /** The same with steps of half the length. */
     CurveSetting halved() const;

@@ -68,6 +68,7 @@ namespace ringmotor
     PointError mesh;    ///< meshes of bodies and interface
     PointError modes;   ///< of a rotor with inertia: their mesh and their number
     PointError time;    ///< time step
+    PointError scheme;  ///< dissipation of the scheme that steps what has inertia
     PointError window;  ///< see CurvePoint::window
     PointError wave;    ///< the stator's wave, as the program `stator` knows it
     PointError effects; ///< left out by `auto`

@@ -2,6 +2,8 @@
 #include <ringmotor/motor/effects/list.h>
 #include <ringmotor/parameters/errors.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <cmath>
 
 namespace ringmotor::effects

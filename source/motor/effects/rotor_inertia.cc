@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/motor/effects/list.h>
+#include <ringmotor/motor/rotor_modes.h>
 #include <ringmotor/parameters/check_geometry.h>
 #include <ringmotor/parameters/errors.h>
-
-#include <algorithm>
 
 namespace ringmotor::effects
 {
@@ -28,15 +27,12 @@ namespace ringmotor::effects
         constexpr unsigned int highest = 6; // harmonic that must not move the rotor as a whole
         const Motor &motor             = parameters.motor;
         for (unsigned int m = 1; m <= highest; ++m)
-        {
-          const unsigned int around = m * motor.n_waves % motor.n_teeth;
-          if (std::min(around, motor.n_teeth - around) <= 1)
+          if (nodal_diameter_of_harmonic(motor, m) <= 1)
             throw UserError(given(parameters) + " is not available with " +
                             ringmotor::entry("Motor/Number of waves", motor.n_waves) + " and " +
                             ringmotor::entry("Motor/Number of teeth", motor.n_teeth) +
                             " in this version: harmonic " + std::to_string(m) +
                             " of the wave moves the rotor as a whole; allowed: off");
-        }
       }
 
       void enter(const Parameters &, MotorModel &model) const override
@@ -46,7 +42,7 @@ namespace ringmotor::effects
 
       std::optional<double> indicator(const Scene &scene) const override
       {
-        return scene.measure ? std::optional<double>(scene.measure(*this)) : std::nullopt;
+        return measured_in(scene);
       }
     };
   } // namespace

@@ -50,7 +50,7 @@ namespace ringmotor::effects
 
       std::optional<double> indicator(const Scene &scene) const override
       {
-        return scene.measure ? std::optional<double>(scene.measure(*this)) : std::nullopt;
+        return measured_in(scene);
       }
     };
   } // namespace
