@@ -175,8 +175,8 @@ class Page:
             for effect in part.summary["effects"]:
                 told.add(effect["name"])
                 rows.append([effect["name"], ("auto: " if effect["automatic"] else "") + effect["choice"],
-                             "" if effect["indicator"] is None else f"{100 * effect['indicator']:+.2g} %",
-                             f"{effect['seconds']:.2g}", str(effect["dofs"]), f"{effect['bytes'] / 1e6:.2g}", part.program])
+                             "-" if effect["indicator"] is None else f"{100 * effect['indicator']:+.2g} %",
+                             f"{effect['seconds']:.1f}", str(effect["dofs"]), f"{effect['bytes'] / 1e6:.1f}", part.program])
         notes = []
         parameters = self.programs[-1].parameters
         for choice in ("on", "off", "auto"):

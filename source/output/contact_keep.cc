@@ -154,13 +154,9 @@ namespace ringmotor
                       const std::function<void(const CurvePoint &)> &after_point,
                       const std::vector<CurvePoint> &starts)
   {
-    std::ostringstream key;
-    key << std::setprecision(std::numeric_limits<double>::max_digits10)
-        << points_key(parameters, wave, setting.level) << "step " << setting.n_joined << "/"
-        << setting.n_parts << "\nwave times " << setting.wave_factor << "\n"
-        << (setting.has_coarse_modes ? "coarse modes\n" : "")
-        << (setting.tells_window ? "with its window\n" : "");
-    Points memory(points_folder, key.str(), counts);
+    const std::string key = points_key(parameters, wave, setting.level) + setting.text() + "\n" +
+                            (setting.tells_window ? "with its window\n" : "");
+    Points memory(points_folder, key, counts);
     return find_points(parameters, motor, setting, requests, communicator, after_point, &memory,
                        starts);
   }

@@ -222,13 +222,7 @@ namespace ringmotor
                                                  const std::vector<PointRequest> &requests,
                                                  const std::vector<CurvePoint> &starts)
     {
-      const auto scope = phases.measure(
-          "operating points, interface mesh " + std::to_string(setting.level) + ", step " +
-          (setting.n_joined > 1 ? std::to_string(setting.n_joined)
-                                : "1/" + std::to_string(setting.n_parts)) +
-          (setting.wave_factor == 1. ? "" : ", wave changed") +
-          (setting.has_coarse_modes ? ", coarse modes" : "") +
-          (setting.has_other_scheme ? ", scheme changed" : ""));
+      const auto scope = phases.measure("operating points, " + setting.text());
       tell_price(motor, setting, requests.size());
       unsigned int n_found        = 0;
       const double seconds_before = seconds();

@@ -40,15 +40,15 @@ namespace ringmotor
     // Of first order, C / n with n steps per pitch: C follows from two of them.
     errors.time = change(point, point_of(other, request));
     errors.time *= other.n_steps() / std::abs(other.n_steps() - own.n_steps());
-    if (!motor().modes.empty())
-      errors.scheme = change(point_of(plain, request), point_of(other_scheme(), request));
-    if (has_inertia())
+    if (motor().rotor_vibrates)
     {
       // The error falls with the third power of the highest frequency, and the meshes' in half.
       constexpr double of_change = 0.6;
       errors.modes = change(point_of(plain, request), point_of(coarse_modes(), request));
       errors.modes *= of_change;
     }
+    if (!motor().modes.empty())
+      errors.scheme = change(point_of(plain, request), point_of(other_scheme(), request));
     errors.wave = change(point_of(plain, request), point_of(changed_wave(), request));
     // What a window given by the user misses does not depend on the steps.
     errors.window  = parameters.time.n_steps ? point_of(plain, request).window : point.window;
@@ -89,9 +89,14 @@ namespace ringmotor
     return setting;
   }
 
-  bool CurveSearch::has_inertia() const
+  std::vector<CurveSetting> CurveSearch::changed_motors() const
   {
-    return motor_model(parameters).rotor_vibrates;
+    std::vector<CurveSetting> settings{changed_wave()};
+    if (motor().rotor_vibrates)
+      settings.push_back(coarse_modes());
+    if (!motor().modes.empty())
+      settings.push_back(other_scheme());
+    return settings;
   }
 
   double CurveSearch::worst_error() const

@@ -357,9 +357,8 @@ namespace ringmotor
   {
     // Together as far as possible: ranks share them.
     find_on_both_meshes();
-    find_points_of(changed_wave(), all_requests());
-    if (has_inertia())
-      find_points_of(coarse_modes(), all_requests());
+    for (const CurveSetting &setting : changed_motors())
+      find_points_of(setting, all_requests());
     find_with_own_steps();
     results.clear();
     for (const unsigned int i : all_requests())

@@ -4,10 +4,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <limits>
 #include <numeric>
+#include <sstream>
 
 namespace ringmotor
 {
+  std::string CurveSetting::text() const
+  {
+    std::ostringstream text;
+    text << std::setprecision(std::numeric_limits<double>::max_digits10) << "interface mesh "
+         << level << ", step " << n_joined << "/" << n_parts;
+    if (wave_factor != 1.)
+      text << ", wave times " << wave_factor;
+    text << (has_coarse_modes ? ", coarse modes" : "")
+         << (has_other_scheme ? ", other scheme" : "");
+    return text.str();
+  }
+
   CurveSetting CurveSetting::halved() const
   {
     CurveSetting halved = *this;

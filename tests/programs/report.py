@@ -148,8 +148,8 @@ class Report(WithMotor):
                   for summary in summaries for check in summary["certificate"]["checks"]]
         self.assertEqual(self.page_table("Certificates")[1:], checks)
         effects = [[effect["name"], ("auto: " if effect["automatic"] else "") + effect["choice"],
-                    "" if effect["indicator"] is None else f"{100 * effect['indicator']:+.2g} %", f"{effect['seconds']:.2g}",
-                    str(effect["dofs"]), f"{effect['bytes'] / 1e6:.2g}", summary["program"]]
+                    "-" if effect["indicator"] is None else f"{100 * effect['indicator']:+.2g} %", f"{effect['seconds']:.1f}",
+                    str(effect["dofs"]), f"{effect['bytes'] / 1e6:.1f}", summary["program"]]
                    for summary in summaries for effect in summary["effects"]]
         self.assertEqual(self.page_table("Effects")[2:2 + len(effects)], effects)
         for cells, summary in zip(self.page_table("Cost")[2:], summaries, strict=True):

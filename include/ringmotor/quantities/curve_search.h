@@ -141,7 +141,8 @@ namespace ringmotor
     CurveSetting changed_wave() const;
     CurveSetting coarse_modes() const;
     CurveSetting other_scheme() const;
-    bool has_inertia() const;
+    /** All of these that tell an error of this motor. */
+    std::vector<CurveSetting> changed_motors() const;
     /** Loads a rotor that nearly sticks at rest, to see whether it stands still. */
     void find_held_torque();
     /** Whether nearly all points stick at stall. */

@@ -4,6 +4,7 @@
 #include <ringmotor/motor/condensed_motor.h>
 #include <ringmotor/parameters/parameters.h>
 
+#include <string>
 #include <tuple>
 
 namespace ringmotor
@@ -51,6 +52,9 @@ namespace ringmotor
     {
       return wave_factor != 1. || has_coarse_modes || has_other_scheme;
     }
+
+    /** All of it in words, by which settings are told apart: "interface mesh 1, step 1/2". */
+    std::string text() const;
 
     /** The same with steps of half the length. */
     CurveSetting halved() const;
