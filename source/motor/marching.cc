@@ -31,11 +31,12 @@ namespace ringmotor
   {
     const RingContact &contact  = *steady.contact;
     const unsigned int n_points = motor.n_teeth * motor.nodes.size();
-    AssertThrow(contact.n_repeats() == 1, dealii::ExcMessage("all teeth must differ"));
-    const auto first_moment = [&](auto values)
+    const auto first_moment     = [&](const auto &values)
     {
-      values.resize(n_points);
-      return values;
+      std::decay_t<decltype(values)> of_ring;
+      for (unsigned int i = 0; i < n_points; ++i)
+        of_ring.push_back(values[i % (n_points / contact.n_repeats())]);
+      return of_ring;
     };
     const ContactState &state = steady.solution.state;
     positions                 = first_moment(contact.positions(state));
@@ -46,6 +47,8 @@ namespace ringmotor
                   {first_moment(state.force), state.rigid},
                   first_moment(steady.solution.motion)};
     start.state.rigid.resize(contact.n_rigid_motions());
+    // A part of a ring that repeats itself has no loose motions, which the whole one has.
+    start.state.rigid.resize(1 + 2 * motor.loose_motions.size());
     if (!motor.modes.empty())
     {
       modes.emplace(motor.modes, motor.n_teeth, motor.dynamics);

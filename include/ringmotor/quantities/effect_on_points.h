@@ -11,10 +11,9 @@ namespace ringmotor
   /** What an effect does to a motor, at least approximately. */
   struct EffectOnPoints
   {
-    double speed    = 0.; ///< rad/s, the larger change, without load and at half the stall torque
-    double torque   = 0.; ///< N m, change at stall; where speeds are given, also at half of it
-    double loss     = 0.; ///< relative change of the friction loss, the larger one of both
-    double relative = 0.; ///< the largest of speed and torque, by those at no load and at stall
+    /** The largest change without load, at half the stall torque and at stall. */
+    PointError change;
+    double relative = 0.; ///< of speed and torque, by those at no load and at stall
   };
 
   /**
@@ -39,6 +38,6 @@ namespace ringmotor
 
   private:
     double relative = 0.; ///< of effects that change all results alike
-    EffectOnPoints others;
+    PointError others;
   };
 } // namespace ringmotor

@@ -85,7 +85,8 @@ namespace ringmotor
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &mesh &modes &time &window &wave &effects &algebra;
+      for (const auto &[cause, member] : members())
+        archive &this->*member;
     }
   };
 

@@ -25,6 +25,14 @@ namespace ringmotor::effects
       {
         model.rotor_loss_factor = parameters.materials.rotor_metal.loss_factor;
       }
+
+      /** None without a rotor that vibrates; else it takes part. */
+      std::optional<double> indicator(const Scene &scene) const override
+      {
+        return scene.parameters.effects.rotor_inertia == EffectChoice::off
+                   ? std::optional<double>(0.)
+                   : std::nullopt;
+      }
     };
   } // namespace
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/motor/effects/list.h>
 
-#include <cmath>
-
 namespace ringmotor::effects
 {
   namespace
@@ -21,13 +19,14 @@ namespace ringmotor::effects
         model.friction.law = parameters.friction.law;
       }
 
-      /** The excess of the coefficient, which at most all points feel. */
+      /** None where there is no excess; else only a run can tell, see
+       * CurveSearch::static_friction_effect(). */
       std::optional<double> indicator(const Scene &scene) const override
       {
         const Friction &friction = scene.parameters.friction;
-        return friction.law == FrictionLaw::coulomb
-                   ? 0.
-                   : std::abs(friction.static_coefficient / friction.dynamic_coefficient - 1.);
+        const bool is_one        = friction.law == FrictionLaw::coulomb ||
+                            friction.static_coefficient == friction.dynamic_coefficient;
+        return is_one ? std::optional<double>(0.) : std::nullopt;
       }
     };
   } // namespace
