@@ -17,11 +17,9 @@ import tempfile
 
 sys.dont_write_bytecode = True
 from motor_run import OUTPUT_OFF, table, write_markdown  # noqa: E402
-from timed_run import ROOT, arguments, limited_run, program  # noqa: E402
+from timed_run import PAPERS_MODEL as OFF, ROOT, arguments, limited_run, program  # noqa: E402
 
 MOTORS = [ROOT / "prm" / name for name in ("canon_ring.prm", "canon_stiff_spring.prm")]
-OFF = {f"Effects/{name}": "off" for name in ("Rotor inertia", "Tooth inertia", "Damping", "Stator back-reaction",
-                                             "Spin convection", "Target plates", "Felt support")}
 OF_CONTACT = {"Rotor inertia": {"Effects/Rotor inertia": "on", "Effects/Damping": "on"},
               "Damping (with inertia)": {"Effects/Rotor inertia": "on", "Effects/Damping": "on"},
               "Tooth inertia": {"Effects/Tooth inertia": "on"},
