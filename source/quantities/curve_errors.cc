@@ -48,7 +48,11 @@ namespace ringmotor
       errors.modes *= of_change;
     }
     if (!motor().modes.empty())
+    {
+      // It falls with the step: with its square for a mode, for impacts at least evenly.
       errors.scheme = change(point_of(plain, request), point_of(other_scheme(), request));
+      errors.scheme *= plain.n_steps() / own.n_steps();
+    }
     errors.wave = change(point_of(plain, request), point_of(changed_wave(), request));
     // What a window given by the user misses does not depend on the steps.
     errors.window  = parameters.time.n_steps ? point_of(plain, request).window : point.window;
