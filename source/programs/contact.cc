@@ -162,9 +162,10 @@ namespace ringmotor
       std::string numbers;
       for (unsigned int m = 1; m <= n_harmonics; ++m)
         numbers += (m > 1 ? ", " : "") + text(lip->at(m, m * wave.angular_frequency), 2);
-      log.line("the lip gives way to pressure with 1, 2, ... times the wave's frequency and number "
-               "of waves by " +
-               numbers + " times as much as without inertia");
+      log.line(
+          "give of the lip with inertia over that without, to pressure with 1, 2, ... times the "
+          "frequency and the waves: " +
+          numbers);
     }
 
     void ContactProgram::run(const bool resumes)
