@@ -159,13 +159,11 @@ namespace ringmotor
     {
       constexpr unsigned int n_harmonics = 6;
       lip.emplace(given, n_harmonics, 2. * n_harmonics * wave.angular_frequency);
-      std::string numbers;
+      std::string line =
+          "motion of the lip with inertia over that without, at the wave's harmonics:";
       for (unsigned int m = 1; m <= n_harmonics; ++m)
-        numbers += (m > 1 ? ", " : "") + text(lip->at(m, m * wave.angular_frequency), 2);
-      log.line(
-          "give of the lip with inertia over that without, to pressure with 1, 2, ... times the "
-          "frequency and the waves: " +
-          numbers);
+        line += " " + text(lip->at(m, m * wave.angular_frequency), 2);
+      log.line(line);
     }
 
     void ContactProgram::run(const bool resumes)
