@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What each effect says it changes, what it changes, and what it costs: on two motors and the paper's.
+"""What each effect says it changes, what it changes, and what it costs, on two motors.
 
 usage: benchmarks/effects.py [FILE.prm ...] [--markdown FILE]
 
 Each effect of the contact alone against none of those that are off in the paper: speeds at no load and at half of the
 stall torque, on interface mesh 0 with four moments. The indicator is that of the run that leaves the effect out (of
-inertia: of one that has to choose). Effects of the stator: the frequency of the wave at `Accuracy/Target = 1e-5`.
+inertia: of one that has to choose). Effects of the stator: the frequency of the wave, elements of degree 3.
 """
 import argparse
 import csv

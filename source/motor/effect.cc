@@ -59,10 +59,10 @@ namespace ringmotor
     return model;
   }
 
-  void check_effects(const Parameters &parameters, const EffectStage stage)
+  void check_effects(const Parameters &parameters, const EffectStage last)
   {
     for (const auto &effect : all_effects())
-      if (effect->stage == stage && effect->choice(parameters) != EffectChoice::off)
+      if (effect->stage <= last && effect->choice(parameters) != EffectChoice::off)
       {
         if (effect->choice(parameters) == EffectChoice::on && !effect->is_available())
           throw UserError(effect->given(parameters) +

@@ -24,8 +24,15 @@ namespace ringmotor
         (materials.*material).loss_factor = (defaults.*material).loss_factor;
     }
 
-    void forget_effects_that_are_off(Parameters &parameters)
+    /** What no wave and no point depends on. */
+    void forget_what_never_matters(Parameters &parameters)
     {
+      const Parameters defaults;
+      parameters.motor.name                   = defaults.motor.name;
+      parameters.motor.accepts_unusual_values = defaults.motor.accepts_unusual_values;
+      parameters.modes                        = defaults.modes;
+      parameters.output                       = defaults.output;
+      reset_loss_factors(parameters.materials);
       for (const auto &effect : all_effects())
         if (effect->choice(parameters) == EffectChoice::off)
           effect->forget(parameters);
@@ -35,24 +42,19 @@ namespace ringmotor
   Parameters relevant_for_points(const Parameters &parameters)
   {
     const Parameters defaults;
-    Parameters relevant                   = parameters;
-    relevant.motor.name                   = defaults.motor.name;
-    relevant.motor.accepts_unusual_values = defaults.motor.accepts_unusual_values;
-    relevant.loading.control              = defaults.loading.control;
-    relevant.loading.values               = defaults.loading.values;
-    relevant.loading.n_curve_points       = defaults.loading.n_curve_points;
+    Parameters relevant             = parameters;
+    relevant.loading.control        = defaults.loading.control;
+    relevant.loading.values         = defaults.loading.values;
+    relevant.loading.n_curve_points = defaults.loading.n_curve_points;
     if (!is_marched(parameters)) // marching goes on until what changes is small against the target
       relevant.accuracy.contact_target = defaults.accuracy.contact_target;
     relevant.accuracy.time_limit           = defaults.accuracy.time_limit;
     relevant.accuracy.mode                 = defaults.accuracy.mode;
     relevant.accuracy.interface_refinement = defaults.accuracy.interface_refinement;
-    relevant.output                        = defaults.output;
-    relevant.modes                         = defaults.modes;
     relevant.support                       = defaults.support;
-    reset_loss_factors(relevant.materials);
+    forget_what_never_matters(relevant);
     if (motor_model(parameters).rotor_vibrates)
       relevant.materials.rotor_metal.loss_factor = parameters.materials.rotor_metal.loss_factor;
-    forget_effects_that_are_off(relevant);
     return relevant;
   }
 
@@ -77,24 +79,19 @@ namespace ringmotor
   Parameters relevant_for_wave(const Parameters &parameters)
   {
     const Parameters defaults;
-    Parameters relevant                   = parameters;
-    relevant.motor.name                   = defaults.motor.name;
-    relevant.motor.accepts_unusual_values = defaults.motor.accepts_unusual_values;
-    relevant.rotor                        = defaults.rotor;
-    relevant.materials.rotor_metal        = defaults.materials.rotor_metal;
-    relevant.modes                        = defaults.modes;
-    relevant.loading                      = defaults.loading;
-    relevant.friction                     = defaults.friction;
-    relevant.initial_deformation          = defaults.initial_deformation;
-    relevant.contact                      = defaults.contact;
-    relevant.time                         = defaults.time;
-    relevant.accuracy                     = defaults.accuracy;
-    relevant.output                       = defaults.output;
-    reset_loss_factors(relevant.materials);
+    Parameters relevant            = parameters;
+    relevant.rotor                 = defaults.rotor;
+    relevant.materials.rotor_metal = defaults.materials.rotor_metal;
+    relevant.loading               = defaults.loading;
+    relevant.friction              = defaults.friction;
+    relevant.initial_deformation   = defaults.initial_deformation;
+    relevant.contact               = defaults.contact;
+    relevant.time                  = defaults.time;
+    relevant.accuracy              = defaults.accuracy;
     for (const auto &effect : all_effects())
       if (effect->stage != EffectStage::stator)
         relevant.effects.*effect->entry = defaults.effects.*effect->entry;
-    forget_effects_that_are_off(relevant);
+    forget_what_never_matters(relevant);
     return relevant;
   }
 

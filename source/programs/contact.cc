@@ -150,7 +150,7 @@ namespace ringmotor
       for (const EffectRow &row : effects)
         if (row.is_automatic && row.indicator && *row.indicator != 0.)
           log.line(describe(row));
-      if (given.effects.rotor_inertia != EffectChoice::off)
+      if (motor_model(given).rotor_vibrates)
         look_at_lip();
       return chosen;
     }
@@ -389,7 +389,6 @@ int main(int argc, char **argv)
                       [](const Parameters &parameters)
                       {
                         check_for_contact(parameters);
-                        check_effects(parameters, EffectStage::stator);
                         check_effects(parameters, EffectStage::contact);
                       },
                       [](const Parameters &parameters) { ContactProgram(parameters).run(false); },

@@ -116,7 +116,6 @@ int main(int argc, char **argv)
                       [](const Parameters &parameters)
                       {
                         check_for_losses(parameters);
-                        check_effects(parameters, EffectStage::stator);
                         check_effects(parameters, EffectStage::contact);
                       },
                       [](const Parameters &parameters) { LossesProgram(parameters).run(); }});

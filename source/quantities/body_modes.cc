@@ -176,20 +176,23 @@ namespace ringmotor
       mesh = make_rotor_sector(parameters.rotor, n_teeth, SectorForm::half, level, communicator);
     else if (parameters.modes.body == Body::tooth)
       mesh = make_tooth(parameters.stator, n_teeth, SectorGrading::level(level), communicator);
-    else if (is_generated())
-      make_stator_mesh();
     else
-    {
-      mesh = read_sector(parameters.stator.mesh_file, n_teeth, communicator);
-      mesh.triangulation->refine_global(level);
-    }
+      mesh = stator_mesh(level, motor_model(parameters));
   }
 
-  void BodyModes::make_stator_mesh()
+  SectorMesh BodyModes::stator_mesh(const unsigned int of_level, const MotorModel &model) const
   {
-    mesh = make_stator_sector(parameters.stator, parameters.motor.n_teeth, SectorForm::half,
-                              SectorGrading::level(level), communicator);
-    add_to_stator(motor_model(parameters), mesh);
+    const unsigned int n_teeth = parameters.motor.n_teeth;
+    if (!is_generated())
+    {
+      SectorMesh stator = read_sector(parameters.stator.mesh_file, n_teeth, communicator);
+      stator.triangulation->refine_global(of_level);
+      return stator;
+    }
+    SectorMesh stator = make_stator_sector(parameters.stator, n_teeth, SectorForm::half,
+                                           SectorGrading::level(of_level), communicator);
+    add_to_stator(model, stator);
+    return stator;
   }
 
   void BodyModes::choose_effects()
@@ -203,11 +206,7 @@ namespace ringmotor
     if (parameters.modes.body != Body::stator ||
         std::none_of(all.begin(), all.end(), has_to_choose))
       return;
-    SectorMesh bare =
-        is_generated()
-            ? make_stator_sector(parameters.stator, parameters.motor.n_teeth, SectorForm::half,
-                                 SectorGrading::level(scout.level), communicator)
-            : read_sector(parameters.stator.mesh_file, parameters.motor.n_teeth, communicator);
+    SectorMesh bare = stator_mesh(scout.level, MotorModel());
     ModeSearch search(material_table(parameters.materials, parameters.modes.body),
                       request_for(parameters));
     search.compute(bare, scout.degree);

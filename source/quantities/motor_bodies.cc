@@ -140,13 +140,16 @@ namespace ringmotor
   {
     const unsigned int n_teeth = parameters.motor.n_teeth, n_nodes = mortar.nodes.size();
     const Condensation condensation = tooth_body.condensed(0., true);
+    const Warp &warp                = model.warp;
+    const SectorMotion at_rest      = tooth_body.sector.at_rest();
+    const auto following            = [&](const Condensation &tooth) {
+      return tooth.inside(0, {}, {{{}, tooth_body.foot_motion(wave.foot), {}}}).front();
+    };
     // Contact forces move a tooth nearly as they would without its inertia.
-    const Condensation vibrating =
-        tooth_body.condensed(model.teeth_vibrate ? wave.angular_frequency : 0., true);
-    const Warp &warp                      = model.warp;
-    const SectorMotion at_rest            = tooth_body.sector.at_rest();
     const RingBody::Amplitude free_motion = tooth_ring.amplitude(
-        vibrating.inside(0, {}, {{{}, tooth_body.foot_motion(wave.foot), {}}}).front(), at_rest);
+        model.teeth_vibrate ? following(tooth_body.condensed(wave.angular_frequency, true))
+                            : following(condensation),
+        at_rest);
     const RingBody::Amplitude lift = tooth_ring.lift(
         [&](const double theta) { return std::polar(warp.amplitude, warp.n_waves * theta); });
 

@@ -26,7 +26,7 @@ namespace ringmotor
     std::function<double(const Effect &)> measure;
   };
 
-  /** The program that takes an effect in. */
+  /** The program that takes an effect in; later ones need what earlier ones have computed. */
   enum class EffectStage
   {
     stator, ///< in the modes
@@ -83,8 +83,8 @@ namespace ringmotor
   /** All of them, in the order of the entries. */
   const std::vector<std::unique_ptr<const Effect>> &all_effects();
 
-  /** Looks at all effects of a stage that are not off. @throws UserError */
-  void check_effects(const Parameters &parameters, const EffectStage stage);
+  /** Looks at all effects up to a stage that are not off. @throws UserError */
+  void check_effects(const Parameters &parameters, const EffectStage last);
 
   /** What became of an effect in a run, and what it cost. */
   struct EffectRow

@@ -69,7 +69,8 @@ namespace ringmotor
   private:
     bool is_generated() const;
     void make_mesh(const unsigned int new_level);
-    void make_stator_mesh();
+    /** The stator on a level of refinement with what @p model puts on it. */
+    SectorMesh stator_mesh(const unsigned int of_level, const MotorModel &model) const;
     /** Chooses effects that are `auto` by the modes of a coarse mesh without them. Collective. */
     void choose_effects();
     /** How much effects matter in the modes of @p search. */
