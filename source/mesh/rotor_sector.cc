@@ -147,43 +147,61 @@ namespace ringmotor
       mesh.shell->set_manifold(0, CylindricalManifold<2, 3>(2));
       mesh.sections[ids::rotor] = mesh.sections[ids::lip_shell] = {rotor.flange_thickness, 0.};
     }
+
+    /** The lines of the cross-section along r; @p first: the first width at a notch (m). */
+    std::vector<double> radial_lines(const RotorGeometry &rotor, const double first,
+                                     const InterfaceGrading &lip)
+    {
+      std::vector<double> r_lines{rotor.ring_inner_radius};
+      if (rotor.flange_element == ElementKind::solid)
+        append_flange_lines(r_lines, rotor, first, lip);
+      else
+        append_lines(r_lines, rotor.ring_inner_radius, root_radius(rotor), first);
+      append_lines(r_lines, rotor.ring_inner_radius, rotor.ring_outer_radius, first);
+      return sorted(r_lines);
+    }
+
+    double flange_top(const RotorGeometry &rotor)
+    {
+      return rotor.flange_lower_face + rotor.flange_thickness;
+    }
+
+    /** Those along z. */
+    std::vector<double> axial_lines(const RotorGeometry &rotor, const double first,
+                                    const InterfaceGrading &lip)
+    {
+      const double flange_top    = ringmotor::flange_top(rotor);
+      const double flange_middle = 0.5 * (rotor.flange_lower_face + flange_top);
+      std::vector<double> z_lines{rotor.flange_lower_face, flange_top};
+      append_lines(z_lines, rotor.flange_lower_face, rotor.ring_lower_face, first);
+      if (rotor.flange_element == ElementKind::solid && lip.n_across > 1)
+      {
+        for (const double distance : squared_lines(rotor.flange_thickness, lip.n_across + 1))
+          z_lines.push_back(rotor.flange_lower_face + distance);
+      }
+      else
+      {
+        append_lines(z_lines, rotor.flange_lower_face, flange_middle, first);
+        append_lines(z_lines, flange_top, flange_middle, first);
+      }
+      append_lines(z_lines, flange_top, rotor.ring_upper_face - rotor.radial_bar_height, first);
+      z_lines.push_back(rotor.ring_upper_face);
+      z_lines = sorted(z_lines);
+      // The flange was met from both sides.
+      z_lines.erase(std::unique(z_lines.begin(), z_lines.end(),
+                                [](const double a, const double b) { return b - a < 1e-12; }),
+                    z_lines.end());
+      return z_lines;
+    }
   } // namespace
 
   SectorMesh make_rotor_sector(const RotorGeometry &rotor, const unsigned int n_teeth,
                                const SectorForm form, const unsigned int level,
                                MPI_Comm communicator, const InterfaceGrading &lip)
   {
-    const double flange_top    = rotor.flange_lower_face + rotor.flange_thickness;
-    const double flange_middle = 0.5 * (rotor.flange_lower_face + flange_top);
-    const double first         = 0.5 * rotor.flange_thickness * std::pow(0.3, level);
-    const bool solid_flange    = rotor.flange_element == ElementKind::solid;
-
-    std::vector<double> r_lines{rotor.ring_inner_radius};
-    if (solid_flange)
-      append_flange_lines(r_lines, rotor, first, lip);
-    else
-      append_lines(r_lines, rotor.ring_inner_radius, root_radius(rotor), first);
-    append_lines(r_lines, rotor.ring_inner_radius, rotor.ring_outer_radius, first);
-    std::vector<double> z_lines{rotor.flange_lower_face, flange_top};
-    append_lines(z_lines, rotor.flange_lower_face, rotor.ring_lower_face, first);
-    if (solid_flange && lip.n_across > 1)
-    {
-      for (const double distance : squared_lines(rotor.flange_thickness, lip.n_across + 1))
-        z_lines.push_back(rotor.flange_lower_face + distance);
-    }
-    else
-    {
-      append_lines(z_lines, rotor.flange_lower_face, flange_middle, first);
-      append_lines(z_lines, flange_top, flange_middle, first);
-    }
-    append_lines(z_lines, flange_top, rotor.ring_upper_face - rotor.radial_bar_height, first);
-    z_lines.push_back(rotor.ring_upper_face);
-    r_lines = sorted(r_lines);
-    z_lines = sorted(z_lines);
-    // The flange was met from both sides.
-    z_lines.erase(std::unique(z_lines.begin(), z_lines.end(),
-                              [](const double a, const double b) { return b - a < 1e-12; }),
-                  z_lines.end());
+    const double first                = 0.5 * rotor.flange_thickness * std::pow(0.3, level);
+    const std::vector<double> r_lines = radial_lines(rotor, first, lip),
+                              z_lines = axial_lines(rotor, first, lip);
 
     const double half_pitch = numbers::PI / n_teeth;
     std::vector<double> angles;
@@ -198,9 +216,10 @@ namespace ringmotor
       for (unsigned int j = 0; j < theta_widths.size(); ++j)
         for (unsigned int k = 0; k + 1 < z_lines.size(); ++k)
         {
-          const bool in_ring   = r_lines[i] >= rotor.ring_inner_radius;
-          const bool in_flange = z_lines[k] >= rotor.flange_lower_face && z_lines[k] < flange_top;
-          materials(i, j, k)   = in_ring || in_flange ? ids::rotor : numbers::invalid_material_id;
+          const bool in_ring = r_lines[i] >= rotor.ring_inner_radius;
+          const bool in_flange =
+              z_lines[k] >= rotor.flange_lower_face && z_lines[k] < flange_top(rotor);
+          materials(i, j, k) = in_ring || in_flange ? ids::rotor : numbers::invalid_material_id;
         }
 
     SectorMesh mesh;
@@ -215,7 +234,7 @@ namespace ringmotor
     GridTools::transform(bent, triangulation);
     triangulation.set_all_manifold_ids(0);
     triangulation.set_manifold(0, CylindricalManifold<3>(2));
-    if (!solid_flange)
+    if (rotor.flange_element != ElementKind::solid)
       add_flange_shell(mesh, rotor, angles, level, lip);
     if (rotor.radial_bar_stiffness > 0.)
       mesh.foundations[ids::radial_bars] = rotor.radial_bar_stiffness / rotor.radial_bar_height;

@@ -150,6 +150,16 @@ namespace ringmotor
     return std::gcd(n_waves, n_teeth);
   }
 
+  bool CondensedMotor::has_rotor_modes() const
+  {
+    return std::any_of(modes.begin(), modes.end(),
+                       [](const std::vector<RingMode> &of_diameter)
+                       {
+                         return std::any_of(of_diameter.begin(), of_diameter.end(),
+                                            [](const RingMode &mode) { return !mode.of_tooth; });
+                       });
+  }
+
   double CondensedMotor::period() const
   {
     return 2. * numbers::PI / angular_frequency;
@@ -176,6 +186,7 @@ namespace ringmotor
       MortarCoupling mortar;
       RingCompliance compliance;
       std::vector<CondensedMotor::LooseMotion> loose_motions;
+      double mass; ///< kg, as CondensedMotor::rotor_mass
       unsigned int n_dofs;
     };
 
@@ -195,7 +206,7 @@ namespace ringmotor
         throw UserError(
             "the lip (Rotor/Lip inner radius to Lip outer radius) covers no part of the tooth tops "
             "(Stator/Tip inner radius to Tip outer radius); let them overlap");
-      const Condensation condensation = body.condensed();
+      const Condensation condensation = body.condensed(model.rotor_moves_as_whole);
       const InterfaceCompliance interface(condensation);
       SurfaceCompliance of_lip = sector_compliance(interface, whole.origin);
       if (!model.rotor_gives_way_along)
@@ -210,8 +221,11 @@ namespace ringmotor
         // Two halves make a sector, and the mean square of a wave is half of its amplitude's.
         rotor.loose_motions.push_back(
             {at_contact_points(motion.interface, whole.origin, rotor.mortar, pitch),
-             n_teeth * motion.stiffness});
+             n_teeth * motion.stiffness,
+             model.rotor_moves_as_whole ? n_teeth * body.inertia(condensation, 1, support) : 0.});
       }
+      rotor.mass =
+          model.rotor_moves_as_whole ? 2. * n_teeth * body.inertia(condensation, 0, 0) : 0.;
       return rotor;
     }
   } // namespace
@@ -224,12 +238,12 @@ namespace ringmotor
                    const Parameters &parameters, const MotorModel &model,
                    const RotorVibration *vibration)
     {
-      motor.dynamics       = {model.rotor_loss_factor,
-                              InertiaScheme::second_order(parameters.time.spectral_radius)};
-      motor.rotor_vibrates = model.rotor_vibrates;
+      motor.dynamics = {model.rotor_loss_factor,
+                        InertiaScheme::second_order(parameters.time.spectral_radius),
+                        model.rotor_needs_modes() && !model.rotor_vibrates};
       motor.modes.resize(motor.n_teeth / 2 + 1);
       motor.coarse_modes.resize(motor.modes.size());
-      if (model.rotor_vibrates)
+      if (model.rotor_needs_modes())
       {
         const RotorVibration of_rotor =
             vibration ? *vibration : RotorVibration(parameters, motor.angular_frequency);
@@ -261,6 +275,7 @@ namespace ringmotor
     motor.angular_frequency = wave.angular_frequency;
     motor.wave_energy       = wave.strain_energy;
     motor.loose_motions     = std::move(rotor.loose_motions);
+    motor.rotor_mass        = rotor.mass;
     motor.compliance        = std::move(rotor.compliance);
     motor.degree            = discretisation.degree;
     motor.n_dofs            = tooth.n_dofs + rotor.n_dofs;
@@ -269,7 +284,7 @@ namespace ringmotor
     if (motor.n_repeats() > 1)
       motor.folded = motor.compliance.folded(motor.n_repeats());
     motor.constants = constants_for(motor.compliance);
-    if (model.has_inertia())
+    if (model.needs_modes())
       add_modes(motor, tooth.surface, rotor.mortar, discretisation, parameters, model, vibration);
     return motor;
   }

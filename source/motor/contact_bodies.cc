@@ -4,6 +4,7 @@
 #include <ringmotor/mesh/rotor_sector.h>
 #include <ringmotor/mesh/stator_sector.h>
 #include <ringmotor/motor/contact_bodies.h>
+#include <ringmotor/structure/motion_products.h>
 #include <ringmotor/structure/surface_load.h>
 
 #include <algorithm>
@@ -151,5 +152,16 @@ namespace ringmotor
     if (k > 1)
       return {};
     return k == 1 && has_bars ? std::vector<unsigned int>{0} : std::vector<unsigned int>{0, 1};
+  }
+
+  double RotorBody::inertia(const Condensation &condensation, const unsigned int k,
+                            const unsigned int support) const
+  {
+    const std::vector<unsigned int> held = this->held(k);
+    CondensationLoad unit;
+    for (const unsigned int each : held)
+      unit.supports.push_back(each == support ? 1. : 0.);
+    const SectorMotion motion = condensation.inside(k, held, {unit}).front();
+    return motion_products(sector, {&motion}).front().mass;
   }
 } // namespace ringmotor

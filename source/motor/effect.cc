@@ -64,10 +64,10 @@ namespace ringmotor
     for (const auto &effect : all_effects())
       if (effect->stage <= last && effect->choice(parameters) != EffectChoice::off)
       {
-        if (effect->choice(parameters) == EffectChoice::on && !effect->is_available())
+        effect->check(parameters);
+        if (effect->choice(parameters) == EffectChoice::on && !effect->is_available(parameters))
           throw UserError(effect->given(parameters) +
                           " is not available in this version; allowed: off | auto");
-        effect->check(parameters);
       }
   }
 
@@ -93,7 +93,7 @@ namespace ringmotor
         const bool is_on                  = std::abs(*row.indicator) > share * target;
         parameters.effects.*effect->entry = is_on ? EffectChoice::on : EffectChoice::off;
         row.choice                        = is_on ? "on" : "off";
-        if (is_on && !effect->is_available())
+        if (is_on && !effect->is_available(parameters))
           throw ComputationError(
               "Effects/" + effect->name + " = auto: it would change the results by " +
               per_cent(*row.indicator) + ", more than a third of the target, " + per_cent(target) +

@@ -53,39 +53,36 @@ namespace ringmotor
   }
 
   Complex InertiaScheme::response(const Complex &z, const double dt, const double frequency,
-                                  const double loss_factor) const
+                                  const double damping) const
   {
-    return 1. / ((1. - alpha + alpha / z) * acceleration(z, dt) +
-                 loss_factor * frequency * velocity(z, dt) + frequency * frequency);
+    return 1. / ((1. - alpha + alpha / z) * acceleration(z, dt) + damping * velocity(z, dt) +
+                 frequency * frequency);
   }
 
   double InertiaScheme::response_in_step(const double dt, const double frequency,
-                                         const double loss_factor) const
+                                         const double damping) const
   {
     return beta * dt * dt /
-           (1. - alpha + gamma * dt * loss_factor * frequency +
-            beta * dt * dt * frequency * frequency);
+           (1. - alpha + gamma * dt * damping + beta * dt * dt * frequency * frequency);
   }
 
   ModalState without_force(const InertiaScheme &scheme, const ModalState &begin, const double dt,
-                           const double frequency, const double loss_factor)
+                           const double frequency, const double damping)
   {
     ModalState end{begin.displacement + dt * begin.velocity +
                        dt * dt * (0.5 - scheme.beta) * begin.acceleration,
                    begin.velocity + dt * (1. - scheme.gamma) * begin.acceleration, 0.};
-    const Complex force = -scheme.alpha * begin.acceleration -
-                          loss_factor * frequency * end.velocity -
+    const Complex force = -scheme.alpha * begin.acceleration - damping * end.velocity -
                           frequency * frequency * end.displacement;
-    add_force(scheme, force, dt, frequency, loss_factor, end);
+    add_force(scheme, force, dt, frequency, damping, end);
     return end;
   }
 
   void add_force(const InertiaScheme &scheme, const Complex &force, const double dt,
-                 const double frequency, const double loss_factor, ModalState &end)
+                 const double frequency, const double damping, ModalState &end)
   {
-    const Complex acceleration =
-        force / (1. - scheme.alpha + scheme.gamma * dt * loss_factor * frequency +
-                 scheme.beta * dt * dt * frequency * frequency);
+    const Complex acceleration = force / (1. - scheme.alpha + scheme.gamma * dt * damping +
+                                          scheme.beta * dt * dt * frequency * frequency);
     end.acceleration += acceleration;
     end.velocity += scheme.gamma * dt * acceleration;
     end.displacement += scheme.beta * dt * dt * acceleration;

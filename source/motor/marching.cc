@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/motor/marching.h>
 
+#include <algorithm>
 #include <numeric>
 
 namespace ringmotor
@@ -21,6 +22,8 @@ namespace ringmotor
       modes.emplace(motor.modes, motor.n_teeth, motor.dynamics);
       modes->rest(start.state.force);
     }
+    if (motor.rotor_mass > 0.)
+      rigid_motions.emplace(motor, start.state.rigid);
     history.add(std::move(start));
     memory.resize(n_points);
   }
@@ -54,6 +57,8 @@ namespace ringmotor
       modes.emplace(motor.modes, motor.n_teeth, motor.dynamics);
       modes->set(contact.modal_states(state), start.state.force);
     }
+    if (motor.rotor_mass > 0.)
+      rigid_motions.emplace(motor, start.state.rigid);
     history.add(std::move(start));
   }
 
@@ -78,9 +83,11 @@ namespace ringmotor
     }
     positions = contact->positions(solution.state);
     memory    = next_memory(solution, memory);
+    const std::vector<double> rigid(solution.state.rigid.begin(),
+                                    solution.state.rigid.end() - (load.torque ? 1 : 0));
     StepEnd end{time() + length, length, contact->speed(solution.state), solution.state,
                 solution.motion};
-    end.state.rigid.resize(contact->n_rigid() - (load.torque ? 1 : 0));
+    end.state.rigid = rigid;
     history.add(std::move(end));
     OperatingState state{contact, std::move(solution), std::move(limits)};
     if (modes)
@@ -88,7 +95,18 @@ namespace ringmotor
       state.modal_power  = modes->step(state.solution.state.force, length);
       state.modal_motion = modes->motion();
     }
+    if (rigid_motions)
+      state.modal_power.taken += rigid_motions->step(rigid, length);
     return state;
+  }
+
+  void MarchingDriver::damp(const double loss_factor)
+  {
+    if (modes)
+      modes->damp(std::max(loss_factor, motor.dynamics.loss_factor));
+    if (rigid_motions)
+      rigid_motions->damping = loss_factor * motor.angular_frequency;
+    step_length = 0.; // the compliance in a step depends on it
   }
 
   TimeStep MarchingDriver::next_step(const double length)
@@ -106,6 +124,8 @@ namespace ringmotor
     }
     step.compliance = compliance;
     step.vibration  = modes->free_motion(length);
+    if (rigid_motions)
+      step.rigid_inertia = rigid_motions->in_step(length);
     return step;
   }
 

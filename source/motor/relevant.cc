@@ -53,7 +53,7 @@ namespace ringmotor
     relevant.accuracy.interface_refinement = defaults.accuracy.interface_refinement;
     relevant.support                       = defaults.support;
     forget_what_never_matters(relevant);
-    if (motor_model(parameters).rotor_vibrates)
+    if (motor_model(parameters).rotor_needs_modes())
       relevant.materials.rotor_metal.loss_factor = parameters.materials.rotor_metal.loss_factor;
     return relevant;
   }
@@ -71,8 +71,11 @@ namespace ringmotor
     relevant.friction.weakening_length    = defaults.friction.weakening_length;
     relevant.time                         = defaults.time;
     relevant.initial_deformation          = defaults.initial_deformation;
-    if (motor_model(parameters).has_inertia())
+    const MotorModel model                = motor_model(parameters);
+    if (model.has_inertia())
       relevant.time.spectral_radius = parameters.time.spectral_radius;
+    if (model.rotor_moves_as_whole)
+      relevant.time.scheme = TimeScheme::marching;
     return relevant;
   }
 

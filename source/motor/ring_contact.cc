@@ -35,7 +35,7 @@ namespace ringmotor
         compliance(time_step.compliance
                        ? time_step.compliance
                        : std::make_shared<const BlockCompliance>(motor.compliance, n_moments)),
-        vibration(time_step.vibration)
+        vibration(time_step.vibration), rigid_inertia(time_step.rigid_inertia)
   {
     place_stator(time_step.time, warp);
     tabulate_rigid_motions();
@@ -238,8 +238,13 @@ namespace ringmotor
     {
       const unsigned int first = m * n_rigid_of_moment;
       balances[first] -= load.preload / fold;
-      for (unsigned int r = 1; r < n_rigid_of_moment; ++r)
-        balances[first + r] -= rigid_stiffness(r) * state.rigid[first + r];
+      for (unsigned int r = 0; r < n_rigid_of_moment; ++r)
+      {
+        double &balance = balances[first + r];
+        balance -= rigid_stiffness(r) * state.rigid[first + r] -
+                   (rigid_inertia.empty() ? 0. : rigid_inertia[r].load);
+        balance *= balance_factor(r);
+      }
     }
     if (load.torque) // as a force at the radius of contact, to be compared with the others
       balances.back() = (torque(state) - *load.torque) / fold / motor.nodes.front().radius;
@@ -254,14 +259,14 @@ namespace ringmotor
       for (unsigned int r = 0; r < n_rigid_of_moment; ++r)
       {
         const unsigned int row               = m * n_rigid_of_moment + r;
-        matrix(row, 3 * points.size() + row) = -rigid_stiffness(r);
+        matrix(row, 3 * points.size() + row) = -balance_factor(r) * rigid_stiffness(r);
       }
     for (unsigned int i = 0; i < points.size(); ++i)
     {
       for (unsigned int r = 0; r < n_rigid_of_moment; ++r)
         for (unsigned int c = 0; c < 3; ++c)
           matrix(moment(points[i]) * n_rigid_of_moment + r, 3 * i + c) =
-              rigid_motion(points[i], r)[c];
+              balance_factor(r) * rigid_motion(points[i], r)[c];
       if (load.torque)
         matrix(n_rigid() - 1, 3 * i + 1) =
             node(points[i]).radius / n_moments / motor.nodes.front().radius;
@@ -299,7 +304,7 @@ namespace ringmotor
       const double *motion = &state.rigid[m * n_rigid_of_moment];
       energy += load.preload / fold * motion[0];
       for (unsigned int r = 1; r < n_rigid_of_moment; ++r)
-        energy += 0.5 * rigid_stiffness(r) * motion[r] * motion[r];
+        energy += 0.5 * static_stiffness(r) * motion[r] * motion[r];
     }
     return fold * energy / n_moments;
   }

@@ -59,9 +59,10 @@ namespace ringmotor
       bool of_tooth;
       std::vector<Complex> shares; ///< of the shapes in motion / omega
 
-      double loss_factor(const RingDynamics &dynamics) const
+      /** 1/s */
+      double damping(const RingDynamics &dynamics) const
       {
-        return of_tooth ? 0. : dynamics.loss_factor;
+        return of_tooth ? 0. : dynamics.loss_factor * frequency;
       }
 
       /** omega motion^H f / omega^2: the static motion of this mode times omega. */
@@ -73,11 +74,19 @@ namespace ringmotor
         return sum;
       }
 
-      /** Motion against that at rest, where each step multiplies it by @p z. */
-      Complex amplification(const RingDynamics &dynamics, const Complex &z, const double dt) const
+      bool has_inertia(const RingDynamics &dynamics) const
       {
+        return of_tooth || !dynamics.is_hysteretic;
+      }
+
+      /** Motion in a wave against that at rest. */
+      Complex amplification(const RingDynamics &dynamics, const HistoryWave &wave,
+                            const double dt) const
+      {
+        if (!has_inertia(dynamics))
+          return 1. / Complex(1., wave.direction * dynamics.loss_factor);
         return frequency * frequency *
-               dynamics.scheme.response(z, dt, frequency, loss_factor(dynamics));
+               dynamics.scheme.response(wave.z, dt, frequency, damping(dynamics));
       }
 
       /** Adds @p factor motion motion^H / omega^2, by shapes, by rows. */
@@ -151,12 +160,13 @@ namespace ringmotor
   {
   }
 
-  SteadyInertia::Wave SteadyInertia::wave(const unsigned int m) const
+  HistoryWave SteadyInertia::wave(const unsigned int m) const
   {
     const unsigned int around = static_cast<std::size_t>(n_waves) * m % n_sectors;
     const bool conjugate      = 2 * around > n_sectors;
-    return {conjugate ? n_sectors - around : around, conjugate,
-            std::polar(1., (conjugate ? -1. : 1.) * m * angle)};
+    const double sign         = conjugate ? -1. : 1.;
+    return {conjugate ? n_sectors - around : around, conjugate, std::polar(1., sign * m * angle),
+            m == 0 || 2 * m == n_instants ? 0. : sign};
   }
 
   std::vector<Complex> SteadyInertia::on_shapes(const std::vector<PointVector> &forces,
@@ -176,9 +186,9 @@ namespace ringmotor
                                             std::vector<Complex>(n_shapes * n_shapes));
     for (unsigned int m = 1; m < waves.size(); ++m)
     {
-      const Wave around = wave(m);
+      const HistoryWave around = wave(m);
       for (const ModesByShapes::Mode &mode : modes->by_diameter[around.k])
-        mode.add(mode.amplification(dynamics, around.z, dt) - 1., waves[m]);
+        mode.add(mode.amplification(dynamics, around, dt) - 1., waves[m]);
       if (around.conjugate)
         for (Complex &entry : waves[m])
           entry = std::conj(entry);
@@ -191,7 +201,7 @@ namespace ringmotor
     std::vector<PointVector> motion(forces.size());
     for (unsigned int m = 0; 2 * m <= n_instants; ++m)
     {
-      const Wave around = wave(m);
+      const HistoryWave around = wave(m);
       if (modes->by_diameter[around.k].empty())
         continue;
       const std::vector<Complex> force = on_shapes(forces, m);
@@ -199,7 +209,7 @@ namespace ringmotor
       for (const ModesByShapes::Mode &mode : modes->by_diameter[around.k])
         amplitudes.push_back(
             mode.static_motion(force) / mode.frequency *
-            (mode.amplification(dynamics, around.z, dt) - (mode.of_tooth ? 1. : 0.)));
+            (mode.amplification(dynamics, around, dt) - (mode.of_tooth ? 1. : 0.)));
       modes->add_motion(around.k, amplitudes, around.conjugate, m, n_instants, motion);
     }
     return motion;
@@ -213,7 +223,7 @@ namespace ringmotor
       states.emplace_back(of_diameter.size());
     for (unsigned int m = 0; 2 * m <= n_instants; ++m)
     {
-      const Wave around = wave(m);
+      const HistoryWave around = wave(m);
       if (modes->by_diameter[around.k].empty())
         continue;
       const std::vector<Complex> force = on_shapes(forces, m);
@@ -223,7 +233,7 @@ namespace ringmotor
       {
         const ModesByShapes::Mode &mode = modes->by_diameter[around.k][r];
         const Complex displacement      = weight / mode.frequency * mode.static_motion(force) *
-                                     mode.amplification(dynamics, around.z, dt);
+                                     mode.amplification(dynamics, around, dt);
         ModalState &state = states[around.k][r];
         state.displacement += displacement;
         state.velocity += dynamics.scheme.velocity(around.z, dt) * displacement;
@@ -238,7 +248,7 @@ namespace ringmotor
     ModalPower power;
     for (unsigned int m = 1; 2 * m < n_instants; ++m) // the last one does no work in steps
     {
-      const Wave around = wave(m);
+      const HistoryWave around = wave(m);
       if (modes->by_diameter[around.k].empty())
         continue;
       const std::vector<Complex> force = on_shapes(forces, m);
@@ -246,13 +256,15 @@ namespace ringmotor
       for (const ModesByShapes::Mode &mode : modes->by_diameter[around.k])
       {
         const Complex at_rest  = mode.static_motion(force), // times the frequency, like the next
-            motion             = at_rest * mode.amplification(dynamics, around.z, dt),
+            motion             = at_rest * mode.amplification(dynamics, around, dt),
                       velocity = motion * dynamics.scheme.velocity(around.z, dt);
         // Forces at the middle of steps, against the motions in the steps.
         const Complex middle = 0.5 * (1. + 1. / around.z) * at_rest,
                       moved  = (1. - 1. / around.z) * (motion - at_rest);
         power.taken += weight * (std::conj(middle) * moved).real() / dt;
-        if (!mode.of_tooth)
+        if (!mode.has_inertia(dynamics))
+          power.damped_by_factor += weight / dt * std::abs(around.z.imag()) * std::norm(motion);
+        else if (!mode.of_tooth)
           power.damped_by_factor += weight / mode.frequency * std::norm(velocity);
       }
     }
@@ -264,6 +276,7 @@ namespace ringmotor
       : modes(std::make_shared<const ModesByShapes>(modes)), n_sectors(n_sectors),
         dynamics(dynamics)
   {
+    Assert(!dynamics.is_hysteretic, ExcMessage("hysteretic damping in single steps"));
   }
 
   MarchedModes::ByMode MarchedModes::modal_forces(const std::vector<PointVector> &forces) const
@@ -310,7 +323,7 @@ namespace ringmotor
     {
       for (const ModesByShapes::Mode &mode : modes->by_diameter[k])
         mode.add(std::pow(mode.frequency, 2) * dynamics.scheme.response_in_step(
-                                                   dt, mode.frequency, mode.loss_factor(dynamics)) -
+                                                   dt, mode.frequency, mode.damping(dynamics)) -
                      1.,
                  waves[k]);
       for (Complex &entry : waves[k]) // the ring compliance's waves are exp(+i k j alpha)
@@ -349,9 +362,9 @@ namespace ringmotor
       for (unsigned int r = 0; r < states[k].size(); ++r)
       {
         const ModesByShapes::Mode &mode = modes->by_diameter[k][r];
-        displacements[k].push_back(without_force(dynamics.scheme, states[k][r], dt, mode.frequency,
-                                                 mode.loss_factor(dynamics))
-                                       .displacement);
+        displacements[k].push_back(
+            without_force(dynamics.scheme, states[k][r], dt, mode.frequency, mode.damping(dynamics))
+                .displacement);
       }
     return motion_of(displacements);
   }
@@ -364,12 +377,12 @@ namespace ringmotor
       for (unsigned int r = 0; r < states[k].size(); ++r)
       {
         const ModesByShapes::Mode &mode = modes->by_diameter[k][r];
-        const double omega = mode.frequency, loss_factor = mode.loss_factor(dynamics),
+        const double omega = mode.frequency, damping = mode.damping(dynamics),
                      weight   = n_sectors * multiplicity(k, n_sectors);
         const ModalState from = states[k][r];
         ModalState &state     = states[k][r];
-        state                 = without_force(dynamics.scheme, from, dt, omega, loss_factor);
-        add_force(dynamics.scheme, now[k][r], dt, omega, loss_factor, state);
+        state                 = without_force(dynamics.scheme, from, dt, omega, damping);
+        add_force(dynamics.scheme, now[k][r], dt, omega, damping, state);
         const Complex moved =
             state.displacement - from.displacement - (now[k][r] - earlier[k][r]) / (omega * omega);
         power.taken += weight / dt * (std::conj(0.5 * (now[k][r] + earlier[k][r])) * moved).real();

@@ -15,10 +15,13 @@ namespace ringmotor
   {
     using Complex = std::complex<double>;
 
-    /** Nodal diameters that the harmonics of the wave have. */
-    std::set<unsigned int> nodal_diameters(const Motor &motor, const unsigned int n_harmonics)
+    /** Nodal diameters that the harmonics of the wave have; all if the rotor moves as a whole. */
+    std::set<unsigned int> nodal_diameters(const Motor &motor, const unsigned int n_harmonics,
+                                           const bool moves_as_whole)
     {
       std::set<unsigned int> diameters;
+      for (unsigned int k = 0; moves_as_whole && 2 * k <= motor.n_teeth; ++k)
+        diameters.insert(k);
       for (unsigned int m = 1; m <= n_harmonics; ++m)
         diameters.insert(nodal_diameter_of_harmonic(motor, m));
       diameters.erase(0);
@@ -67,12 +70,14 @@ namespace ringmotor
     const RotorBody body(parameters, discretisation(level));
     lip                                         = body.whole_lip;
     const std::vector<LinearForm> displacements = displacement_forms(body.lip);
+    const MotorModel model                      = motor_model(parameters);
     ModeSolver solver(body.sector);
-    for (const unsigned int k : nodal_diameters(parameters.motor, n_harmonics))
+    for (const unsigned int k :
+         nodal_diameters(parameters.motor, n_harmonics, model.rotor_moves_as_whole))
       for (const Mode &mode : solver.below(k, std::pow(up_to, 2)))
         modes[k].push_back(
             {std::sqrt(mode.eigenvalue), on_surface(body.sector, displacements, mode)});
-    if (!motor_model(parameters).rotor_gives_way_along)
+    if (!model.rotor_gives_way_along)
       for (auto &of_diameter : modes)
         for (LipMode &mode : of_diameter)
           for (std::size_t i = 0; i < mode.motion.size(); ++i)

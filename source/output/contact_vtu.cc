@@ -168,7 +168,7 @@ namespace ringmotor
     std::vector<PointMoment> last;
     for (const CurvePoint &point : points)
       last.push_back({point.fields, static_cast<unsigned int>(point.fields.times.size() - 1)});
-    const bool has_inertia                          = motor.rotor_vibrates;
+    const bool has_inertia                          = motor.has_rotor_modes();
     const std::vector<RingBody::Displacement> rotor = has_inertia
                                                           ? std::vector<RingBody::Displacement>()
                                                           : bodies.rotor_motions(last),

@@ -203,7 +203,7 @@ namespace ringmotor
       const auto scope    = phases.measure("condensation, interface mesh " + std::to_string(level));
       const auto condense = [&]
       {
-        if (!vibration && motor_model(parameters).rotor_vibrates)
+        if (!vibration && motor_model(parameters).rotor_needs_modes())
           vibration.emplace(parameters, wave.angular_frequency);
         return condense_motor(parameters, wave, ContactDiscretisation::level(level),
                               vibration ? &*vibration : nullptr);
@@ -360,7 +360,7 @@ namespace ringmotor
       write_contact_surfaces(folder, search.motor(), search.points(), height);
       const MotorBodies bodies(parameters, wave, ContactDiscretisation::level(search.level()));
       write_motor_bodies(folder, search.motor(), bodies, search.points(), height);
-      if (search.motor().rotor_vibrates)
+      if (search.motor().has_rotor_modes())
         log.line("the inside of a rotor with inertia is not drawn: motor.pvd shows the teeth, "
                  "contact.pvd the surfaces of both");
     }

@@ -40,14 +40,14 @@ namespace ringmotor
     // Of first order, C / n with n steps per pitch: C follows from two of them.
     errors.time = change(point, point_of(other, request));
     errors.time *= other.n_steps() / std::abs(other.n_steps() - own.n_steps());
-    if (motor().rotor_vibrates)
+    if (motor().has_rotor_modes())
     {
       // The error falls with the third power of the highest frequency, and the meshes' in half.
       constexpr double of_change = 0.6;
       errors.modes = change(point_of(plain, request), point_of(coarse_modes(), request));
       errors.modes *= of_change;
     }
-    if (!motor().modes.empty())
+    if (has_inertia)
     {
       // It falls with the step: with its square for a mode, for impacts at least evenly.
       errors.scheme = change(point_of(plain, request), point_of(other_scheme(), request));
@@ -96,9 +96,9 @@ namespace ringmotor
   std::vector<CurveSetting> CurveSearch::changed_motors() const
   {
     std::vector<CurveSetting> settings{changed_wave()};
-    if (motor().rotor_vibrates)
+    if (motor().has_rotor_modes())
       settings.push_back(coarse_modes());
-    if (!motor().modes.empty())
+    if (has_inertia)
       settings.push_back(other_scheme());
     return settings;
   }

@@ -51,7 +51,7 @@ namespace ringmotor
   CurveSearch::CurveSearch(const Parameters &parameters, const double wave_error,
                            const double period, const Sources &sources, const LeftOut &left_out)
       : parameters(parameters), wave_error(wave_error), steps(parameters, period), sources(sources),
-        left_out(left_out)
+        left_out(left_out), has_inertia(motor_model(parameters).has_inertia())
   {
   }
 

@@ -18,7 +18,7 @@ namespace ringmotor
     with.effects.*effect.entry             = EffectChoice::on;
     without.effects.*effect.entry          = EffectChoice::off;
     std::optional<RotorVibration> vibration;
-    if (motor_model(with).rotor_vibrates)
+    if (motor_model(with).rotor_needs_modes())
       vibration.emplace(RotorVibration::coarse_only(with, wave.angular_frequency));
     const auto condensed = [&](const Parameters &parameters)
     {

@@ -84,6 +84,9 @@ namespace ringmotor
       /** Of a step, s: a period of the solution is a whole number of them. */
       double step_length() const;
 
+      /** Marches a motor with inertia on with damping that falls, until transients of the start
+       * have died out as far as they do at once. */
+      void calm(MarchedRun &run) const;
       /** Marches on until the means have settled. @returns the last span */
       MarchedSpan settle(MarchedRun &run);
       /** How far the last span may be from where they lead to. */
@@ -140,6 +143,19 @@ namespace ringmotor
               span.mean.friction_loss(),
               power_per_loss_factor(energies_of(span), motor.angular_frequency) +
                   span.mean.modal_damping};
+    }
+
+    void Settling::calm(MarchedRun &run) const
+    {
+      // Amplitudes fall by exp(pi eta) in a period.
+      constexpr double decay = 2.;
+      for (const double loss_factor : {0.3, 0.1, 0.03})
+      {
+        run.damp(loss_factor);
+        const double n_periods = std::ceil(decay / (numbers::PI * loss_factor));
+        run.advance(std::lround(n_periods * motor.period() / step_length()), step_length());
+      }
+      run.damp(0.);
     }
 
     MarchedSpan Settling::settle(MarchedRun &run)
@@ -259,6 +275,8 @@ namespace ringmotor
     else
     {
       run.advance(1, settling.step_length());
+      if (motor.rotor_mass > 0.)
+        settling.calm(run);
       point              = point_of(settling.settle(run), settling, motor.angular_frequency);
       point.window       = settling.remaining();
       point.tells_window = true;

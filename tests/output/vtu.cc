@@ -246,6 +246,52 @@ TEST(Vtu, NoRecordOfFramesThatWereNotWritten)
   EXPECT_FALSE(std::filesystem::exists(scratch.path("wave.pvd")));
 }
 
+namespace
+{
+  /** A closed ring of hexahedra: each face belongs to two cells or, on the skin, to one, and there
+   * are as many edges of the skin's faces as a torus wants (Euler: points - edges + faces = 0). */
+  void expect_closed_ring(const VtuFile &file)
+  {
+    const auto nodes                   = file.array<std::int32_t>("connectivity");
+    const auto offsets                 = file.array<std::int32_t>("offsets");
+    constexpr unsigned int sides[6][4] = {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4},
+                                          {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+    std::map<std::set<std::int32_t>, unsigned int> n_cells_of;
+    std::map<std::set<std::int32_t>, std::array<std::int32_t, 4>> around;
+    for (unsigned int cell = 0; cell < file.count("Cells"); ++cell)
+    {
+      EXPECT_EQ(offsets[cell], 8 * static_cast<int>(cell + 1));
+      for (const auto &side : sides)
+      {
+        std::array<std::int32_t, 4> corners;
+        for (unsigned int v = 0; v < 4; ++v)
+          corners[v] = nodes[8 * cell + side[v]];
+        const std::set<std::int32_t> key(corners.begin(), corners.end());
+        EXPECT_EQ(key.size(), 4u);
+        ++n_cells_of[key];
+        around[key] = corners;
+      }
+    }
+    std::set<std::int32_t> points;
+    std::map<std::set<std::int32_t>, unsigned int> edges;
+    unsigned int n_faces = 0;
+    for (const auto &[key, n] : n_cells_of)
+    {
+      EXPECT_LE(n, 2u);
+      if (n == 1)
+      {
+        ++n_faces;
+        points.insert(key.begin(), key.end());
+        for (unsigned int v = 0; v < 4; ++v)
+          ++edges[{around[key][v], around[key][(v + 1) % 4]}];
+      }
+    }
+    for (const auto &[edge, n] : edges)
+      EXPECT_EQ(n % 2, 0u);
+    EXPECT_EQ(points.size() + n_faces, edges.size());
+  }
+} // namespace
+
 TEST(Vtu, BodyIsWhatItWasGiven)
 {
   const Scratch scratch;
@@ -279,45 +325,7 @@ TEST(Vtu, BodyIsWhatItWasGiven)
     }
     EXPECT_EQ(std::isnan(gaps[i]), body.points()[i][0] > 0.);
   }
-  // A closed ring of hexahedra: each face belongs to two cells or, on the skin, to one, and there
-  // are as many edges of the skin's faces as a torus wants (Euler: points - edges + faces = 0).
-  const auto nodes                   = file.array<std::int32_t>("connectivity");
-  const auto offsets                 = file.array<std::int32_t>("offsets");
-  constexpr unsigned int sides[6][4] = {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4},
-                                        {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
-  std::map<std::set<std::int32_t>, unsigned int> n_cells_of;
-  std::map<std::set<std::int32_t>, std::array<std::int32_t, 4>> around;
-  for (unsigned int cell = 0; cell < file.count("Cells"); ++cell)
-  {
-    EXPECT_EQ(offsets[cell], 8 * static_cast<int>(cell + 1));
-    for (const auto &side : sides)
-    {
-      std::array<std::int32_t, 4> corners;
-      for (unsigned int v = 0; v < 4; ++v)
-        corners[v] = nodes[8 * cell + side[v]];
-      const std::set<std::int32_t> key(corners.begin(), corners.end());
-      EXPECT_EQ(key.size(), 4u);
-      ++n_cells_of[key];
-      around[key] = corners;
-    }
-  }
-  std::set<std::int32_t> points;
-  std::map<std::set<std::int32_t>, unsigned int> edges;
-  unsigned int n_faces = 0;
-  for (const auto &[key, n] : n_cells_of)
-  {
-    EXPECT_LE(n, 2u);
-    if (n == 1)
-    {
-      ++n_faces;
-      points.insert(key.begin(), key.end());
-      for (unsigned int v = 0; v < 4; ++v)
-        ++edges[{around[key][v], around[key][(v + 1) % 4]}];
-    }
-  }
-  for (const auto &[edge, n] : edges)
-    EXPECT_EQ(n % 2, 0u);
-  EXPECT_EQ(points.size() + n_faces, edges.size());
+  expect_closed_ring(file);
 }
 
 TEST(Vtu, NeighboursAtTheSameTimeArePartsOfOnePicture)

@@ -110,9 +110,9 @@ TEST(Effects, AreChosenByAThirdOfTheTarget)
     const Scene scene{parameters, nullptr, [&](const Effect &) { return indicator; }};
     for (const EffectRow &row : choose_effects(parameters, EffectStage::contact, scene, target))
       if (row.name == "Rotor inertia")
-        {
-          EXPECT_EQ(row.choice == "on", parameters.effects.rotor_inertia == EffectChoice::on);
-        }
+      {
+        EXPECT_EQ(row.choice == "on", parameters.effects.rotor_inertia == EffectChoice::on);
+      }
     return parameters.effects.rotor_inertia;
   };
   EXPECT_EQ(choice_of(0.011, 0.03), EffectChoice::on);

@@ -70,16 +70,16 @@ TEST(InertiaScheme, StepsSettleAtTheResponse)
     const unsigned int n_steps = 10000;
     for (unsigned int step = 1; step <= n_steps; ++step)
     {
-      state                = without_force(scheme, state, dt, omega, loss_factor);
+      state                = without_force(scheme, state, dt, omega, loss_factor * omega);
       const Complex before = state.displacement, force = std::polar(1., of_force * dt * step);
-      add_force(scheme, force, dt, omega, loss_factor, state);
+      add_force(scheme, force, dt, omega, loss_factor * omega, state);
       EXPECT_LT(std::abs(state.displacement - before -
-                         scheme.response_in_step(dt, omega, loss_factor) * force),
+                         scheme.response_in_step(dt, omega, loss_factor * omega) * force),
                 1e-14);
     }
     const Complex z            = std::polar(1., of_force * dt),
                   of_end       = std::polar(1., of_force * dt * n_steps),
-                  displacement = scheme.response(z, dt, omega, loss_factor) * of_end;
+                  displacement = scheme.response(z, dt, omega, loss_factor * omega) * of_end;
     EXPECT_LT(std::abs(state.displacement - displacement), 1e-9 * std::abs(displacement));
     EXPECT_LT(std::abs(state.velocity - scheme.velocity(z, dt) * displacement), 1e-8);
     EXPECT_LT(std::abs(state.acceleration - scheme.acceleration(z, dt) * displacement), 1e-8);

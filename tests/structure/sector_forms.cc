@@ -157,78 +157,97 @@ TEST(Sector, LeavesAGapAboveTheWantedModes)
   expect_equal(nearest, expected, 1e-9);
 }
 
+namespace
+{
+  /** That both fields of a mode together have mass 1 and Rayleigh's quotient. */
+  void expect_normalised(CoarseStator &stator, const Mode &mode)
+  {
+    double mass_norm = 0., stiffness_norm = 0.;
+    stator.sector.for_each_owned_cell(
+        [&](const auto &cell, SolidElement &element)
+        {
+          const unsigned int size = stator.sector.dofs().get_fe().n_dofs_per_cell();
+          dealii::FullMatrix<double> stiffness(size, size), mass(size, size);
+          element.matrices(stiffness, mass);
+          dealii::Vector<double> values(size);
+          for (const auto *field : {&mode.motion.solid.real, &mode.motion.solid.imaginary})
+          {
+            cell->get_dof_values(*field, values);
+            mass_norm += mass.matrix_norm_square(values);
+            stiffness_norm += stiffness.matrix_norm_square(values);
+          }
+        });
+    mass_norm      = dealii::Utilities::MPI::sum(mass_norm, MPI_COMM_WORLD);
+    stiffness_norm = dealii::Utilities::MPI::sum(stiffness_norm, MPI_COMM_WORLD);
+    EXPECT_NEAR(mass_norm, 1., 1e-12);
+    EXPECT_NEAR(stiffness_norm / mode.eigenvalue, 1., 1e-9);
+  }
+
+  /** Displacements on the two cuts of a sector by their place (r, z), and the largest one of all.
+   */
+  struct OnCuts
+  {
+    std::map<std::pair<long, long>, std::array<std::complex<double>, 3>> low, high;
+    double largest = 0.;
+  };
+
+  OnCuts on_cuts(CoarseStator &stator, const Mode &mode, const double alpha)
+  {
+    const dealii::DoFHandler<3> &dofs = stator.sector.dofs();
+    std::vector<dealii::Point<3>> positions(dofs.n_dofs());
+    dealii::DoFTools::map_dofs_to_support_points(stator.sector.geometry(), dofs, positions);
+    OnCuts cuts;
+    for (const auto &cell : dofs.active_cell_iterators())
+    {
+      std::vector<dealii::types::global_dof_index> cell_dofs(dofs.get_fe().n_dofs_per_cell());
+      cell->get_dof_indices(cell_dofs);
+      for (unsigned int i = 0; i < cell_dofs.size(); ++i)
+      {
+        const auto dof           = cell_dofs[i];
+        const dealii::Point<3> x = positions[dof];
+        const double theta       = std::atan2(x[1], x[0]);
+        const std::complex<double> value(mode.motion.solid.real[dof],
+                                         mode.motion.solid.imaginary[dof]);
+        cuts.largest         = std::max(cuts.largest, std::abs(value));
+        const unsigned int d = dofs.get_fe().system_to_component_index(i).first;
+        const auto place =
+            std::make_pair(std::lround(1e9 * std::hypot(x[0], x[1])), std::lround(1e9 * x[2]));
+        if (std::abs(theta - 0.5 * alpha) < 1e-9)
+          cuts.high[place][d] = value;
+        else if (std::abs(theta + 0.5 * alpha) < 1e-9)
+          cuts.low[place][d] = value;
+      }
+    }
+    return cuts;
+  }
+} // namespace
+
 TEST(Sector, ExpandsModesToFields)
 {
   // What a mode must be, read off its Cartesian field: normalised mass, Rayleigh's quotient, and
   // on the cuts U(high) = exp(-i k alpha) R(alpha) U(low) or, of a half sector, that it is its own
   // mirror image turned by the wave: V = S conj(V) exp(-i k alpha) across the cut.
-  const double alpha = 2. * dealii::numbers::PI / 90;
+  const double alpha              = 2. * dealii::numbers::PI / 90;
+  const std::complex<double> wave = std::polar(1., -7. * alpha);
+  const double c = std::cos(alpha), s = std::sin(alpha);
   for (const SectorForm form : {SectorForm::half, SectorForm::whole})
   {
     CoarseStator stator(form);
-    const dealii::DoFHandler<3> &dofs = stator.sector.dofs();
     for (const Mode &mode : nearest_elastic(stator.solver.lowest(7, 3), 3, 0.))
     {
-      double mass_norm = 0., stiffness_norm = 0.;
-      stator.sector.for_each_owned_cell(
-          [&](const auto &cell, SolidElement &element)
-          {
-            const unsigned int size = dofs.get_fe().n_dofs_per_cell();
-            dealii::FullMatrix<double> stiffness(size, size), mass(size, size);
-            element.matrices(stiffness, mass);
-            dealii::Vector<double> values(size);
-            for (const auto *field : {&mode.motion.solid.real, &mode.motion.solid.imaginary})
-            {
-              cell->get_dof_values(*field, values);
-              mass_norm += mass.matrix_norm_square(values);
-              stiffness_norm += stiffness.matrix_norm_square(values);
-            }
-          });
-      mass_norm      = dealii::Utilities::MPI::sum(mass_norm, MPI_COMM_WORLD);
-      stiffness_norm = dealii::Utilities::MPI::sum(stiffness_norm, MPI_COMM_WORLD);
-      EXPECT_NEAR(mass_norm, 1., 1e-12);
-      EXPECT_NEAR(stiffness_norm / mode.eigenvalue, 1., 1e-9);
-
-      std::vector<dealii::Point<3>> positions(dofs.n_dofs());
-      dealii::DoFTools::map_dofs_to_support_points(stator.sector.geometry(), dofs, positions);
-      std::map<std::pair<long, long>, std::array<std::complex<double>, 3>> low, high;
-      const auto place = [](const dealii::Point<3> &x) {
-        return std::make_pair(std::lround(1e9 * std::hypot(x[0], x[1])), std::lround(1e9 * x[2]));
-      };
-      double largest = 0.;
-      for (const auto &cell : dofs.active_cell_iterators())
-      {
-        std::vector<dealii::types::global_dof_index> cell_dofs(dofs.get_fe().n_dofs_per_cell());
-        cell->get_dof_indices(cell_dofs);
-        for (unsigned int i = 0; i < cell_dofs.size(); ++i)
-        {
-          const auto dof           = cell_dofs[i];
-          const dealii::Point<3> x = positions[dof];
-          const double theta       = std::atan2(x[1], x[0]);
-          const std::complex<double> value(mode.motion.solid.real[dof],
-                                           mode.motion.solid.imaginary[dof]);
-          largest              = std::max(largest, std::abs(value));
-          const unsigned int d = dofs.get_fe().system_to_component_index(i).first;
-          if (std::abs(theta - 0.5 * alpha) < 1e-9)
-            high[place(x)][d] = value;
-          else if (std::abs(theta + 0.5 * alpha) < 1e-9)
-            low[place(x)][d] = value;
-        }
-      }
-      const double half_turn = 0.5 * alpha;
+      expect_normalised(stator, mode);
+      OnCuts cuts = on_cuts(stator, mode, alpha);
       if (form == SectorForm::half)
-        for (const auto &[where, u] : high) // the mirror image U(-theta) = S conj(U(theta))
-          low[where] = {{std::conj(u[0]), -std::conj(u[1]), std::conj(u[2])}};
-      ASSERT_GT(high.size(), 10u);
-      ASSERT_EQ(high.size(), low.size());
-      const std::complex<double> wave = std::polar(1., -7. * alpha);
-      const double c = std::cos(2. * half_turn), s = std::sin(2. * half_turn);
-      for (const auto &[where, u] : high)
+        for (const auto &[where, u] : cuts.high) // the mirror image U(-theta) = S conj(U(theta))
+          cuts.low[where] = {{std::conj(u[0]), -std::conj(u[1]), std::conj(u[2])}};
+      ASSERT_GT(cuts.high.size(), 10u);
+      ASSERT_EQ(cuts.high.size(), cuts.low.size());
+      for (const auto &[where, u] : cuts.high)
       {
-        const auto &v = low.at(where);
-        EXPECT_LT(std::abs(u[0] - wave * (c * v[0] - s * v[1])), 1e-10 * largest);
-        EXPECT_LT(std::abs(u[1] - wave * (s * v[0] + c * v[1])), 1e-10 * largest);
-        EXPECT_LT(std::abs(u[2] - wave * v[2]), 1e-10 * largest);
+        const auto &v = cuts.low.at(where);
+        EXPECT_LT(std::abs(u[0] - wave * (c * v[0] - s * v[1])), 1e-10 * cuts.largest);
+        EXPECT_LT(std::abs(u[1] - wave * (s * v[0] + c * v[1])), 1e-10 * cuts.largest);
+        EXPECT_LT(std::abs(u[2] - wave * v[2]), 1e-10 * cuts.largest);
       }
     }
   }

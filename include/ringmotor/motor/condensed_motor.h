@@ -57,23 +57,24 @@ namespace ringmotor
       std::vector<std::array<std::complex<double>, 3>> motion; ///< of the rotor at each node of
                                                                ///< tooth 0; times exp(-i theta_j)
                                                                ///< for tooth j
-      double stiffness; ///< of the whole ring against the real or the imaginary part
+      double stiffness;    ///< of the whole ring against the real or the imaginary part
+      double inertia = 0.; ///< likewise; 0: it follows its loads at once
 
       template <class Archive>
       void serialize(Archive &archive, const unsigned int)
       {
-        archive &motion &stiffness;
+        archive &motion &stiffness &inertia;
       }
     };
 
     std::vector<Node> nodes;
     std::vector<LooseMotion> loose_motions;
-    bool rotor_vibrates = false; ///< whether the rotor has inertia
-    RingModes modes;             ///< of rotor and teeth, as far as they have inertia
-    RingModes coarse_modes;      ///< the rotor's on a coarser mesh, and fewer: tell the error
-    RingDynamics dynamics;       ///< of these modes
-    RingCompliance compliance;   ///< of rotor and teeth, relative motion of rotor against stator
-    RingCompliance folded; ///< the same of the part that repeats itself; empty if nothing does
+    double rotor_mass = 0.;    ///< kg, against its rise; 0: it follows its loads at once
+    RingModes modes;           ///< of rotor and teeth, as far as they have inertia or damping
+    RingModes coarse_modes;    ///< the rotor's on a coarser mesh, and fewer: tell the error
+    RingDynamics dynamics;     ///< of these modes
+    RingCompliance compliance; ///< of rotor and teeth, relative motion of rotor against stator
+    RingCompliance folded;     ///< the same of the part that repeats itself; empty if nothing does
     ComplementarityConstants constants{};
     dealii::FullMatrix<double> tooth_compliance;  ///< of a tooth alone, m/N
     std::vector<std::vector<unsigned int>> faces; ///< nodes of each face, as ContactSurface::faces
@@ -82,6 +83,8 @@ namespace ringmotor
 
     /** How often the wave repeats itself around the ring on equal teeth: gcd(n, N). */
     unsigned int n_repeats() const;
+    /** Whether modes of the rotor take part. */
+    bool has_rotor_modes() const;
     /** The compliance of the part that repeats itself. */
     const RingCompliance &repeating() const { return n_repeats() > 1 ? folded : compliance; }
 
@@ -96,7 +99,7 @@ namespace ringmotor
       archive &n_teeth &n_waves &angular_frequency &wave_energy &nodes &loose_motions &compliance
           &folded;
       archive &constants.normal &constants.tangential &tooth_compliance &faces &degree &n_dofs;
-      archive &rotor_vibrates &modes &coarse_modes &dynamics;
+      archive &rotor_mass &modes &coarse_modes &dynamics;
     }
   };
 

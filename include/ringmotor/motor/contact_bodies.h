@@ -69,6 +69,12 @@ namespace ringmotor
      * without bars it also shifts. */
     std::vector<unsigned int> held(const unsigned int k) const;
 
+    /** The inertia of the meshed half sector against the motion of one of these supports: twice its
+     * kinetic energy (both fields) at a unit speed of the support.
+     * @param condensation with its inside */
+    double inertia(const Condensation &condensation, const unsigned int k,
+                   const unsigned int support) const;
+
     const SectorMesh mesh;
     const CyclicSector sector;
     const ContactSurface lip;

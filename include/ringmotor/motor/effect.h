@@ -62,7 +62,7 @@ namespace ringmotor
     virtual std::optional<double> indicator(const Scene &) const { return {}; }
 
     /** Whether it can be taken in. One that cannot is refused where it would be needed. */
-    virtual bool is_available() const { return true; }
+    virtual bool is_available(const Parameters &) const { return true; }
 
     EffectChoice choice(const Parameters &parameters) const { return parameters.effects.*entry; }
     /** `Effects/Rotor inertia = auto`, with the choice that was given. */

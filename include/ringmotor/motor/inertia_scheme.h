@@ -8,15 +8,15 @@ namespace ringmotor
   /**
    * How the motion of a mode is stepped through time,
    *
-   *   (1 - alpha) a_1 + alpha a_0 + eta omega v_1 + omega^2 q_1 = p_1,
+   *   (1 - alpha) a_1 + alpha a_0 + d v_1 + omega^2 q_1 = p_1,
    *   v_1 = v_0 + dt ((1 - gamma) a_0 + gamma a_1),
    *   q_1 = q_0 + dt v_0 + dt^2 ((1/2 - beta) a_0 + beta a_1),
    *
    * from 0 to 1 for displacement q, velocity v, acceleration a, force p (by mass), frequency omega
-   * and loss factor eta. Newmark's method for alpha = 0; with alpha < 0 the one of Wood, Bossak and
-   * Zienkiewicz (1981), of second order for gamma = 1/2 - alpha. The force at the end of a step
-   * moves the mode in that step, as contact wants it. Impacts need dissipation: without it, modes
-   * take up energy at each of them.
+   * and damping d (1/s; a loss factor times omega). Newmark's method for alpha = 0; with alpha < 0
+   * the one of Wood, Bossak and Zienkiewicz (1981), of second order for gamma = 1/2 - alpha. The
+   * force at the end of a step moves the mode in that step, as contact wants it. Impacts need
+   * dissipation: without it, modes take up energy at each of them.
    */
   struct InertiaScheme
   {
@@ -34,15 +34,14 @@ namespace ringmotor
 
     /** Displacement by force of the same mass, s^2, where each step multiplies both by @p z. */
     std::complex<double> response(const std::complex<double> &z, const double dt,
-                                  const double frequency, const double loss_factor) const;
+                                  const double frequency, const double damping) const;
 
     /** Velocity (1/s) and acceleration (1/s^2) by displacement in such a motion. */
     std::complex<double> velocity(const std::complex<double> &z, const double dt) const;
     std::complex<double> acceleration(const std::complex<double> &z, const double dt) const;
 
     /** Displacement at the end of a step by the force there, s^2. */
-    double response_in_step(const double dt, const double frequency,
-                            const double loss_factor) const;
+    double response_in_step(const double dt, const double frequency, const double damping) const;
   };
 
   /** A mode in time. */
@@ -53,9 +52,9 @@ namespace ringmotor
 
   /** What a state becomes in a step @p dt (s) without a force at its end. */
   ModalState without_force(const InertiaScheme &scheme, const ModalState &begin, const double dt,
-                           const double frequency, const double loss_factor);
+                           const double frequency, const double damping);
 
   /** Adds what a force (by mass) at the end of the step does. */
   void add_force(const InertiaScheme &scheme, const std::complex<double> &force, const double dt,
-                 const double frequency, const double loss_factor, ModalState &end);
+                 const double frequency, const double damping, ModalState &end);
 } // namespace ringmotor

@@ -25,6 +25,11 @@ namespace ringmotor
     /** Goes on by one step (s) under a load. @throws ComputationError */
     OperatingState step(const RotorLoad &load, const double length);
 
+    /** Damps all motions that have inertia with a loss factor, but not less than the rotor itself
+     * does: transients of the start die out in fewer periods. The rotor as a whole, which has no
+     * frequency of its own, is damped as a mode with the wave's. */
+    void damp(const double loss_factor);
+
     double time() const { return history.last().time; }
 
   private:
@@ -39,7 +44,8 @@ namespace ringmotor
     const CondensedMotor &motor;
     const Friction friction;
     const Warp warp;
-    std::optional<MarchedModes> modes;                 ///< of a rotor with inertia
+    std::optional<MarchedModes> modes;                 ///< of bodies with inertia
+    std::optional<MarchedRigidMotions> rigid_motions;  ///< of a rotor that moves as a whole
     std::shared_ptr<const BlockCompliance> compliance; ///< with them, in steps of #step_length
     double step_length = 0.;
     StepHistory history;

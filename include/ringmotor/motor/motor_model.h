@@ -26,7 +26,8 @@ namespace ringmotor
     bool teeth_vibrate         = false; ///< with inertia
     bool rotor_gives_way_along = false; ///< elastic rotor also under friction
     bool rotor_vibrates        = false; ///< with inertia
-    double rotor_loss_factor   = 0.;    ///< by which its vibration is damped
+    bool rotor_moves_as_whole  = false; ///< its mass and its tilting inertia matter, too
+    double rotor_loss_factor   = 0.;    ///< of its internal damping, with inertia or without
 
     // What stands between them
     Warp warp;
@@ -36,6 +37,9 @@ namespace ringmotor
 
     /** Whether a body has inertia in the contact. */
     bool has_inertia() const { return teeth_vibrate || rotor_vibrates; }
+    /** Whether motions of the rotor depend on how forces change in time, which its modes tell. */
+    bool rotor_needs_modes() const { return rotor_vibrates || rotor_loss_factor > 0.; }
+    bool needs_modes() const { return teeth_vibrate || rotor_needs_modes(); }
   };
 
   /** The model with all effects that are not off; `auto` stands for `on` here. */

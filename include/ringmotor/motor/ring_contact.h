@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/motor/rigid_inertia.h>
 #include <ringmotor/motor/steady_dynamics.h>
 #include <ringmotor/motor/warp.h>
 
@@ -28,6 +29,8 @@ namespace ringmotor
      * at its end (m) without forces there. */
     std::shared_ptr<const BlockCompliance> compliance = nullptr;
     std::vector<PointVector> vibration                = {};
+    /** By rigid motion; empty if these follow their loads at once. */
+    std::vector<InertiaInStep> rigid_inertia = {};
   };
 
   /**
@@ -159,10 +162,23 @@ namespace ringmotor
     {
       return rigid[point % (n_sectors * n_nodes) * n_rigid_of_moment + which];
     }
-    /** The stiffness against a rigid motion of a moment. */
-    double rigid_stiffness(const unsigned int motion) const
+    /** What holds a rigid motion of a moment; with what inertia adds in a step. */
+    double static_stiffness(const unsigned int motion) const
     {
       return motion == 0 ? 0. : motor.loose_motions[(motion - 1) / 2].stiffness;
+    }
+    double rigid_stiffness(const unsigned int motion) const
+    {
+      return static_stiffness(motion) +
+             (rigid_inertia.empty() ? 0. : rigid_inertia[motion].stiffness);
+    }
+    /** Factor of a balance: forces that a motion with inertia resists with its huge stiffness in a
+     * short step become such as a contact point would resist it with. */
+    double balance_factor(const unsigned int motion) const
+    {
+      return rigid_inertia.empty()
+                 ? 1.
+                 : 1. / (1. + rigid_inertia[motion].stiffness / motor.constants.normal);
     }
     /** Points of one tooth at one moment that follow each other in a list. */
     struct PointsOfTooth
@@ -189,6 +205,7 @@ namespace ringmotor
     const std::shared_ptr<const BlockCompliance> compliance;
     std::vector<PointVector> stator;          ///< motion of all points without contact forces
     const std::vector<PointVector> vibration; ///< of the rotor without forces, if it has inertia
+    const std::vector<InertiaInStep> rigid_inertia; ///< likewise; or empty
     std::vector<PointVector> rigid; ///< motions of the points of a moment by unit rigid motions
   };
 } // namespace ringmotor

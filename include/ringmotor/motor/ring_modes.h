@@ -38,13 +38,17 @@ namespace ringmotor
   /** How a vibrating ring is damped and stepped through time. */
   struct RingDynamics
   {
-    double loss_factor = 0.; ///< eta of the rotor: eta omega times a mode's velocity holds it back
+    /** eta of the rotor: a mode is damped by eta omega times its velocity. Without inertia damping
+     * is hysteretic: the stiffness of a mode is (1 + i eta) omega^2 in all harmonics of a steady
+     * state. Single steps in time have no such law. */
+    double loss_factor = 0.;
     InertiaScheme scheme;
+    bool is_hysteretic = false; ///< rotor without inertia
 
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &loss_factor &scheme.alpha &scheme.gamma &scheme.beta;
+      archive &loss_factor &scheme.alpha &scheme.gamma &scheme.beta &is_hysteretic;
     }
   };
 
@@ -57,6 +61,15 @@ namespace ringmotor
   };
 
   class ModesByShapes;
+
+  /** A wave of a steady state's history around the ring. */
+  struct HistoryWave
+  {
+    unsigned int k;         ///< nodal diameter
+    bool conjugate;         ///< travels the other way
+    std::complex<double> z; ///< of it, or of its conjugate, which the modes know, in a step
+    double direction;       ///< of z in time: 1, -1 or, of a wave without one, 0
+  };
 
   /**
    * What inertia and damping of modes add to the static compliance of a ring that carries n waves,
@@ -87,14 +100,7 @@ namespace ringmotor
     ModalPower power(const std::vector<PointVector> &forces) const;
 
   private:
-    /** A wave of the history around the ring. */
-    struct Wave
-    {
-      unsigned int k;         ///< nodal diameter
-      bool conjugate;         ///< travels the other way
-      std::complex<double> z; ///< of it, or of its conjugate, which the modes know, in a step
-    };
-    Wave wave(const unsigned int m) const;
+    HistoryWave wave(const unsigned int m) const;
     /** The forces of a wave, or of its conjugate, on the shapes of modes. */
     std::vector<std::complex<double>> on_shapes(const std::vector<PointVector> &forces,
                                                 const unsigned int m) const;
@@ -124,6 +130,8 @@ namespace ringmotor
     std::vector<PointVector> motion() const;
     /** The same at the end of a step @p dt without forces there. */
     std::vector<PointVector> free_motion(const double dt) const;
+    /** From now on with this loss factor of the rotor. */
+    void damp(const double loss_factor) { dynamics.loss_factor = loss_factor; }
     /** Goes on by a step @p dt, with @p forces at its end. @return the mean over the step */
     ModalPower step(const std::vector<PointVector> &forces, const double dt);
 
@@ -135,7 +143,7 @@ namespace ringmotor
 
     const std::shared_ptr<const ModesByShapes> modes;
     const unsigned int n_sectors;
-    const RingDynamics dynamics;
+    RingDynamics dynamics;
     std::vector<std::vector<ModalState>> states;
     ByMode earlier; ///< modal forces at the end of the last step
   };

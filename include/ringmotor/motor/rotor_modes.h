@@ -17,10 +17,11 @@ namespace ringmotor
 
   /**
    * The modes of the rotor on a mesh of their own, with two nodal diameters and more. With fewer
-   * the rotor moves as a whole, too: there it follows its loads at once, which in a uniform ring
-   * change no faster than the modes that are left out.
-   *
-   * Only nodal diameters that low harmonics of the wave have.
+   * the rotor moves as a whole, too. In a uniform ring it follows its loads there at once, which
+   * change no faster than the modes that are left out, and only nodal diameters matter that low
+   * harmonics of the wave have. A rotor that moves as a whole, see MotorModel, has the modes of all
+   * nodal diameters from two on, and beside them inertia of its rise and its near-rigid motions,
+   * about which its elastic deformation with less than two nodal diameters is static.
    */
   class LipModes
   {

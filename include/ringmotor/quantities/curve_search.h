@@ -158,6 +158,7 @@ namespace ringmotor
     const StepChoice steps;
     const Sources sources;
     const LeftOut left_out;
+    const bool has_inertia;
     CurvePoint stalled;       ///< on the first mesh; the loaded one if the rotor sticks
     double stall_torque = 0.; ///< N m; of the first motor that was computed
     std::vector<PointRequest> requests;

@@ -34,6 +34,9 @@ namespace ringmotor
      * fall into `Time/Snapshots` parts each. @throws ComputationError */
     MarchedSpan advance(const unsigned int n_steps, const double length);
 
+    /** See MarchingDriver::damp(). */
+    void damp(const double loss_factor) { driver.damp(loss_factor); }
+
     /** Has the certificate of all steps so far, and what it took to find them. */
     const CurvePoint &effort() const { return taken; }
 

@@ -6,7 +6,7 @@ namespace ringmotor::effects
 {
   namespace
   {
-    /** Internal damping of the rotor's vibration. */
+    /** Internal damping of the rotor: of its vibration or, without inertia, hysteretic. */
     class Damping : public Effect
     {
     public:
@@ -14,11 +14,17 @@ namespace ringmotor::effects
 
       void check(const Parameters &parameters) const override
       {
-        if (choice(parameters) == EffectChoice::on &&
+        if (choice(parameters) == EffectChoice::on && is_marched(parameters) &&
             parameters.effects.rotor_inertia == EffectChoice::off)
           throw UserError(given(parameters) +
-                          " is available with Effects/Rotor inertia = on | auto "
-                          "only; allowed: off | auto");
+                          " is not available with Effects/Rotor inertia = off when the motor is "
+                          "marched through time: hysteresis needs harmonics of a steady state; "
+                          "allowed: off | auto, or Effects/Rotor inertia = on | auto");
+      }
+
+      bool is_available(const Parameters &parameters) const override
+      {
+        return !is_marched(parameters) || parameters.effects.rotor_inertia != EffectChoice::off;
       }
 
       void enter(const Parameters &parameters, MotorModel &model) const override
@@ -26,11 +32,12 @@ namespace ringmotor::effects
         model.rotor_loss_factor = parameters.materials.rotor_metal.loss_factor;
       }
 
-      /** None without a rotor that vibrates; else it takes part. */
+      /** It takes part where the rotor vibrates. Hysteresis delays the rotor's motion by its share
+       * eta; single steps in time leave that out. */
       std::optional<double> indicator(const Scene &scene) const override
       {
         return scene.parameters.effects.rotor_inertia == EffectChoice::off
-                   ? std::optional<double>(0.)
+                   ? std::optional<double>(scene.parameters.materials.rotor_metal.loss_factor)
                    : std::nullopt;
       }
     };

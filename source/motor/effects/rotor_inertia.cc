@@ -16,12 +16,16 @@ namespace ringmotor::effects
 
       void check(const Parameters &parameters) const override
       {
-        if (is_warped(parameters))
-          throw UserError(
-              given(parameters) + " is not available with " +
-              ringmotor::entry("Initial deformation/Amplitude",
-                               parameters.initial_deformation.amplitude) +
-              " in this version: a warped ring tilts the rotor as a whole; allowed: off");
+        if (is_marched(parameters))
+        {
+          // Tilt and shift would be one motion with two inertias.
+          if (parameters.rotor.radial_bar_stiffness == 0.)
+            throw UserError(given(parameters) + " is not available with " +
+                            ringmotor::entry("Rotor/Radial bar stiffness", 0.) +
+                            " when the motor is marched through time: nothing centres the rotor; "
+                            "allowed: off, or radial bars");
+          return;
+        }
         // The motions as a whole follow their loads at once, which only slow ones and those of high
         // harmonics may do.
         constexpr unsigned int highest = 6; // harmonic that must not move the rotor as a whole
@@ -35,9 +39,10 @@ namespace ringmotor::effects
                             " of the wave moves the rotor as a whole; allowed: off");
       }
 
-      void enter(const Parameters &, MotorModel &model) const override
+      void enter(const Parameters &parameters, MotorModel &model) const override
       {
-        model.rotor_vibrates = true;
+        model.rotor_vibrates       = true;
+        model.rotor_moves_as_whole = is_marched(parameters);
       }
 
       std::optional<double> indicator(const Scene &scene) const override

@@ -18,7 +18,7 @@ namespace ringmotor::effects
 
       void enter(const Parameters &, MotorModel &) const override {}
 
-      bool is_available() const override { return false; }
+      bool is_available(const Parameters &) const override { return false; }
 
       /** Waves that a rotor as fast as the crests passes by its own turning, against those that
        * pass it. */
