@@ -82,6 +82,7 @@ namespace ringmotor
 
   void write_table(const std::string &path, const std::vector<NamedRow> &rows)
   {
+    Assert(!rows.empty(), ExcMessage("a table of rows with names has at least one row"));
     std::vector<std::string> columns;
     for (const auto &entry : rows.front())
       columns.push_back(entry.first);
