@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/output/contact_files.h>
 #include <ringmotor/output/table.h>
+#include <ringmotor/quantities/point_quantities.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,7 @@ namespace ringmotor
 
   namespace
   {
-    constexpr double micrometre = 1e-6, milli = 1e-3, rpm = numbers::PI / 30.;
+    constexpr double micrometre = 1e-6, milli = 1e-3;
 
     const char *name_of(const unsigned char status)
     {
@@ -88,24 +89,17 @@ namespace ringmotor
 
   void write_torque_speed(const std::string &path, const std::vector<CurvePoint> &points)
   {
-    CsvTable table({"control", "speed_rpm", "speed_error_rpm", "torque_mNm", "torque_error_mNm",
-                    "friction_loss_mW", "friction_loss_error_mW", "output_power_mW",
-                    "teeth_in_contact_per_wave", "stick_fraction", "newton_iterations", "seconds",
-                    "certificate", "tangential_loss_mW", "radial_loss_mW", "input_power_mW",
-                    "power_imbalance"});
+    std::vector<NamedRow> rows;
     for (const CurvePoint &point : points)
     {
-      const OperatingPoint &result = point.result;
-      const PointError error       = point.errors.total();
-      table.add_row({point.request.control == Control::torque ? "torque" : "speed",
-                     result.speed / rpm, error.speed / rpm, result.torque / milli,
-                     error.torque / milli, result.friction_loss() / milli, error.loss / milli,
-                     result.output_power() / milli, result.teeth_in_contact, result.stick_fraction,
-                     point.n_iterations, point.seconds, point.largest_violation,
-                     result.tangential_loss / milli, result.radial_loss / milli,
-                     result.input_power / milli, result.power_imbalance()});
+      NamedRow row{{"control", prescribed(point.request).name}};
+      add_entries(row, quantities_of(point));
+      row.insert(row.end(), {{"newton_iterations", point.n_iterations},
+                             {"seconds", point.seconds},
+                             {"certificate", point.largest_violation}});
+      rows.push_back(row);
     }
-    table.write(path);
+    write_table(path, rows);
   }
 
   void write_history(const std::string &path, const CondensedMotor &motor,

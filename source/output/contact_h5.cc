@@ -3,9 +3,11 @@
 #include <ringmotor/output/contact_h5.h>
 #include <ringmotor/output/hdf5.h>
 #include <ringmotor/parameters/errors.h>
+#include <ringmotor/quantities/point_quantities.h>
 
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace ringmotor
@@ -19,23 +21,45 @@ namespace ringmotor
       return "points/" + Utilities::int_to_string(point, 3);
     }
 
-    /** The plain numbers of a point by the names they have in the file. */
-    std::vector<std::pair<std::string, double *>> attributes_of(CurvePoint &point)
+    constexpr std::size_t n_errors = PointError::members.size();
+
+    std::string attribute_of(const PointQuantity &quantity)
     {
-      OperatingPoint &result = point.result;
-      return {{"speed_rad_per_s", &result.speed},
-              {"torque_Nm", &result.torque},
-              {"tangential_loss_W", &result.tangential_loss},
-              {"radial_loss_W", &result.radial_loss},
-              {"input_power_W", &result.input_power},
-              {"output_work_W", &result.output_work},
-              {"stored_power_W", &result.stored_power},
-              {"closing_work_W", &result.closing_work},
-              {"teeth_in_contact_per_wave", &result.teeth_in_contact},
-              {"stick_fraction", &result.stick_fraction},
-              {"modal_power_W", &point.result.modal_power},
-              {"detuning", &point.result.detuning},
-              {"rotor_power_per_loss_factor_W", &point.rotor_power}};
+      return name_with_unit(quantity.name, quantity.unit.si);
+    }
+
+    /** Error bars by cause, then by entry of PointError. */
+    void write_errors(Hdf5Writer &file, const std::string &name, const PointErrors &errors)
+    {
+      std::vector<double> numbers;
+      std::string causes, quantities;
+      for (const auto &[cause, error] : errors.causes())
+      {
+        for (double PointError::*const member : PointError::members)
+          numbers.push_back(error.*member);
+        causes += (causes.empty() ? "" : ", ") + cause;
+      }
+      for (double PointError::*const member : PointError::members)
+      {
+        const PointQuantity &quantity = quantity_with(member);
+        quantities +=
+            (quantities.empty() ? "" : ", ") + quantity.name + " (" + quantity.unit.si + ")";
+      }
+      std::replace(quantities.begin(), quantities.end(), '_', ' ');
+      file.write(name, numbers, {numbers.size() / n_errors, n_errors}, "SI",
+                 "error bars by cause (" + causes + ") of " + quantities);
+    }
+
+    PointErrors read_errors(const Hdf5Reader &file, const std::string &name)
+    {
+      PointErrors errors;
+      const std::vector<double> numbers =
+          file.read<double>(name, {PointErrors::members().size(), n_errors}, "SI");
+      auto number = numbers.begin();
+      for (const auto &[cause, of_cause] : PointErrors::members())
+        for (double PointError::*const member : PointError::members)
+          (errors.*of_cause).*member = *number++;
+      return errors;
     }
 
     std::vector<double> flat(const std::vector<PointVector> &vectors)
@@ -50,25 +74,11 @@ namespace ringmotor
                      const std::size_t n_nodes)
     {
       const ContactFields &fields = point.fields;
-      file.set_attribute(
-          group, "control",
-          std::string(point.request.control == Control::torque ? "torque" : "speed"));
+      file.set_attribute(group, "control", prescribed(point.request).name);
       file.set_attribute(group, "asked_for", point.request.value);
-      CurvePoint numbers = point;
-      for (const auto &[name, number] : attributes_of(numbers))
-        file.set_attribute(group, name, *number);
-      file.set_attribute(group, "power_imbalance", point.result.power_imbalance());
-      std::vector<double> errors;
-      std::string causes;
-      for (const auto &[cause, error] : point.errors.causes())
-      {
-        errors.insert(errors.end(), {error.speed, error.torque, error.loss, error.rotor_power});
-        causes += (causes.empty() ? "" : ", ") + cause;
-      }
-      file.write(group + "/errors", errors, {errors.size() / 4, 4}, "SI",
-                 "error bars by cause (" + causes +
-                     ") of speed (rad/s), torque (N m), friction loss (W), rotor power per loss "
-                     "factor (W)");
+      for (const PointQuantity &quantity : point_quantities())
+        file.set_attribute(group, attribute_of(quantity), quantity.value(point));
+      write_errors(file, group + "/errors", point.errors);
       file.write(group + "/rotor_energy", point.rotor_energies, {point.rotor_energies.size()}, "J",
                  "strain energy of the rotor by multiple of the wave's frequency");
       file.set_attribute(group, "time_step_s", fields.time_step);
@@ -95,18 +105,12 @@ namespace ringmotor
       const bool of_torque = file.attribute<std::string>(group, "control") == "torque";
       point.request        = {of_torque ? Control::torque : Control::speed,
                        file.attribute<double>(group, "asked_for")};
-      for (const auto &[name, number] : attributes_of(point))
-        *number = file.attribute<double>(group, name);
+      for (const PointQuantity &quantity : point_quantities())
+        if (double *const place = quantity.place(point))
+          *place = file.attribute<double>(group, attribute_of(quantity));
       point.rotor_energies =
           file.read<double>(group + "/rotor_energy", {Hdf5Reader::any_size}, "J");
-      const std::vector<double> errors =
-          file.read<double>(group + "/errors", {PointErrors::members().size(), 4}, "SI");
-      const double *error = errors.data();
-      for (const auto &[cause, member] : PointErrors::members())
-      {
-        point.errors.*member = {error[0], error[1], error[2], error[3]};
-        error += 4;
-      }
+      point.errors = read_errors(file, group + "/errors");
       return point;
     }
   } // namespace

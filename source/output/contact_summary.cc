@@ -2,51 +2,41 @@
 #include <ringmotor/output/contact_summary.h>
 #include <ringmotor/output/table.h>
 #include <ringmotor/output/text.h>
+#include <ringmotor/quantities/point_quantities.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 namespace ringmotor
 {
   namespace
   {
-    constexpr double rpm = dealii::numbers::PI / 30., milli = 1e-3;
-
-    /** Adds one quantity of a point, its errors being that component of PointError. */
-    void add_quantity(Summary &summary, const CurvePoint &point, const std::string &name,
-                      const double value, const std::string &unit,
-                      double PointError::*const component)
+    /** Names in `summary.json` that are not those of the list. */
+    std::string name_in_summary(const std::string &name, const PointRequest &request)
     {
-      const bool of_torque = point.request.control == Control::torque;
-      std::map<std::string, double> causes;
-      for (const auto &[cause, error] : point.errors.causes())
-        causes[cause] = error.*component;
-      summary.quantities.push_back(
-          {name,
-           value,
-           unit,
-           point.errors.total().*component,
-           causes,
-           point.seconds,
-           {{of_torque ? "torque_Nm" : "speed_rad_per_s", point.request.value}}});
+      static const std::map<std::string, std::string> others{
+          {"tangential_loss", "friction_loss_tangential"}, {"radial_loss", "friction_loss_radial"}};
+      if (request.value == 0. && name == "speed")
+        return "no_load_speed";
+      if (request.value == 0. && name == "torque")
+        return "stall_torque";
+      const auto other = others.find(name);
+      return other != others.end() ? other->second : name;
     }
   } // namespace
 
   std::string describe(const CurvePoint &point)
   {
-    const bool of_torque    = point.request.control == Control::torque;
-    const PointError error  = point.errors.total();
-    const std::string speed = text(point.result.speed / rpm, 2),
-                      torque =
-                          text((of_torque ? point.request.value : point.result.torque) / milli, 2);
-    return (of_torque
-                ? torque + " mN m: " + speed + " +- " + text(error.speed / rpm, 2) + " rpm"
-                : speed + " rpm: " + torque + " +- " + text(error.torque / milli, 2) + " mN m") +
-           ", friction loss " + text(point.result.friction_loss() / milli, 1) + " +- " +
-           text(error.loss / milli, 1) + " mW (" + text(point.result.tangential_loss / milli, 1) +
-           " along, " + text(point.result.radial_loss / milli, 1) + " across the ring), " +
-           text(point.result.teeth_in_contact, 2) + " teeth per wave";
+    const OperatingPoint &result = point.result;
+    const PointError error       = point.errors.total();
+    return text(point.request.value, prescribed(point.request).unit, 2) + ": " +
+           (point.request.control == Control::torque
+                ? text({result.speed, error.speed}, units::speed, 2)
+                : text({result.torque, error.torque}, units::torque, 2)) +
+           ", friction loss " + text({result.friction_loss(), error.loss}, units::power, 1) + " (" +
+           text(result.tangential_loss / units::power.size, 1) + " along, " +
+           text(result.radial_loss / units::power.size, 1) + " across the ring), " +
+           text(result.teeth_in_contact, 2) + " teeth per wave";
   }
 
   void add_points(Summary &summary, const std::vector<CurvePoint> &points)
@@ -54,20 +44,18 @@ namespace ringmotor
     double violation = 0., imbalance = 0.;
     for (const CurvePoint &point : points)
     {
-      const OperatingPoint &result = point.result;
-      if (point.request.control == Control::torque)
-        add_quantity(summary, point, point.request.value == 0. ? "no_load_speed" : "speed",
-                     result.speed, "rad/s", &PointError::speed);
-      else
-        add_quantity(summary, point, point.request.value == 0. ? "stall_torque" : "torque",
-                     result.torque, "N m", &PointError::torque);
-      for (const auto &[name, loss] :
-           {std::pair("friction_loss", result.friction_loss()),
-            std::pair("friction_loss_tangential", result.tangential_loss),
-            std::pair("friction_loss_radial", result.radial_loss)})
-        add_quantity(summary, point, name, loss, "W", &PointError::loss);
+      const PointQuantity &given = prescribed(point.request);
+      std::vector<Quantity> found;
+      for (Quantity &quantity : quantities_of(point))
+        if (quantity.name != given.name)
+        {
+          quantity.name = name_in_summary(quantity.name, point.request);
+          found.push_back(quantity);
+        }
+      add_quantities(summary, found, point.seconds,
+                     {{name_with_unit(given.name, given.unit.si), point.request.value}});
       violation = std::max(violation, point.largest_violation);
-      imbalance = std::max(imbalance, result.power_imbalance());
+      imbalance = std::max(imbalance, point.result.power_imbalance());
     }
     summary.certificate.push_back(
         {"largest violation of the laws of contact and friction and of the balances of forces",

@@ -17,8 +17,6 @@ namespace ringmotor
   {
     constexpr unsigned int body_order = 2; ///< of the lattice in cells, for pictures
 
-    constexpr double micrometre = 1e-6, millimetre = 1e-3, degree = numbers::PI / 180.;
-
     void write_mode_list(Hdf5Writer &file, const std::vector<FoundMode> &modes)
     {
       std::vector<unsigned int> nodal_diameter;
@@ -93,10 +91,10 @@ namespace ringmotor
       file.set_attribute(group, "angular_frequency_rad_per_s", wave.angular_frequency);
       file.set_attribute(group, "amplitude_m", wave.amplitude);
       file.set_attribute(group, "relative_error", wave.relative_error());
-      for (const WaveResult::ShapeNumber &number : wave.shape)
+      for (const Quantity &number : wave.shape)
       {
-        file.set_attribute(group + "/shape", number.name, number.estimate.value);
-        file.set_attribute(group + "/shape", number.name + " error", number.estimate.error);
+        file.set_attribute(group + "/shape", number.name, number.value);
+        file.set_attribute(group + "/shape", number.name + " error", *number.error);
       }
       file.set_attribute(
           group, "convention",
@@ -125,18 +123,13 @@ namespace ringmotor
 
   void write_ellipses(const std::string &path, const WaveResult &wave)
   {
-    CsvTable table({"point", "r_mm", "theta_deg", "z_mm", "A_n_um", "A_t_um", "A_r_um",
-                    "phase_n_deg", "phi_deg", "phase_r_deg"});
+    std::vector<NamedRow> rows;
     for (const PointResult &result : wave.points)
     {
-      const Point<3> &x            = result.point.position;
-      const EllipticMotion &motion = result.motion;
-      table.add_row({result.point.name, std::hypot(x[0], x[1]) / millimetre,
-                     std::atan2(x[1], x[0]) / degree, x[2] / millimetre, motion.normal / micrometre,
-                     motion.tangential / micrometre, motion.radial / micrometre,
-                     motion.phase_n / degree, motion.phi / degree, motion.phase_r / degree});
+      rows.push_back({{"point", result.point.name}});
+      add_entries(rows.back(), quantities_of(result));
     }
-    table.write(path);
+    write_table(path, rows);
   }
 
   void write_modes_h5(const std::string &path, const Parameters &parameters,

@@ -24,15 +24,26 @@ namespace ringmotor
       return number;
     }
 
-    Json to_json(const Summary::Quantity &quantity)
+    std::string owner_of(const Summary::Quantity &quantity)
     {
-      const std::string owner = "the quantity '" + quantity.name + "'";
+      return "the quantity '" + quantity.name + "'";
+    }
 
+    Json without_error(const Summary::Quantity &quantity)
+    {
       Json json = {{"name", quantity.name}};
       for (const auto &[key, label] : quantity.labels)
         std::visit([&json, &key = key](const auto &value) { json[key] = value; }, label);
-      json["value"]        = finite(quantity.value, owner);
-      json["unit"]         = quantity.unit;
+      json["value"] = finite(quantity.value, owner_of(quantity));
+      json["unit"]  = quantity.unit;
+      return json;
+    }
+
+    Json to_json(const Summary::Quantity &quantity)
+    {
+      const std::string owner = owner_of(quantity);
+
+      Json json            = without_error(quantity);
       json["error"]        = finite(quantity.error, "the error of " + owner);
       json["error_causes"] = Json::object();
       for (const auto &[cause, error] : quantity.error_causes)
@@ -71,6 +82,15 @@ namespace ringmotor
     }
   } // namespace
 
+  void add_quantities(Summary &summary, const std::vector<Quantity> &quantities,
+                      const double seconds, const Summary::Labels &labels)
+  {
+    for (const Quantity &quantity : quantities)
+      (quantity.error ? summary.quantities : summary.quantities_without_error)
+          .push_back({quantity.name, quantity.value, quantity.unit.si, quantity.error.value_or(0.),
+                      quantity.error_causes, seconds, labels});
+  }
+
   std::string describe(const EffectRow &row)
   {
     std::string line =
@@ -96,7 +116,7 @@ namespace ringmotor
     for (const auto &[phase, duration] : summary.seconds)
       seconds[phase] = duration;
 
-    const Json json = {
+    Json json = {
         {"program", summary.program},
         {"version", summary.version},
         {"git", summary.git},
@@ -108,6 +128,8 @@ namespace ringmotor
         {"quantities", list(summary.quantities)},
         {"effects", list(summary.effects)},
         {"certificate", {{"holds", is_certified(summary)}, {"checks", list(summary.certificate)}}}};
+    for (const Summary::Quantity &quantity : summary.quantities_without_error)
+      json["quantities_without_error"].push_back(without_error(quantity));
     // The prm is the user's text and may hold bytes that are not UTF-8: not worth losing a run.
     write_file(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
   }

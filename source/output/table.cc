@@ -69,4 +69,31 @@ namespace ringmotor
   {
     write_file(path, to_csv());
   }
+
+  void add_entries(NamedRow &row, const std::vector<Quantity> &quantities)
+  {
+    for (const auto &[name, unit, value, error, causes] : quantities)
+    {
+      row.emplace_back(name_with_unit(name, unit.shown), value / unit.size);
+      if (error)
+        row.emplace_back(name_with_unit(name + "_error", unit.shown), *error / unit.size);
+    }
+  }
+
+  void write_table(const std::string &path, const std::vector<NamedRow> &rows)
+  {
+    Assert(!rows.empty(), ExcMessage("a table of rows with names has at least one row"));
+    std::vector<std::string> columns;
+    for (const auto &entry : rows.front())
+      columns.push_back(entry.first);
+    CsvTable table(columns);
+    for (const NamedRow &row : rows)
+    {
+      std::vector<CsvTable::Entry> entries;
+      for (const auto &entry : row)
+        entries.push_back(entry.second);
+      table.add_row(entries);
+    }
+    table.write(path);
+  }
 } // namespace ringmotor

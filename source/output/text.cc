@@ -16,6 +16,16 @@ namespace ringmotor
                                                                                    : text;
   }
 
+  std::string text(const double value, const Unit &unit, const int digits)
+  {
+    return text(value / unit.size, digits) + " " + unit.shown;
+  }
+
+  std::string text(const Estimate &estimate, const Unit &unit, const int digits)
+  {
+    return text(estimate.value / unit.size, digits) + " +- " + text(estimate.error, unit, digits);
+  }
+
   std::string scientific(const double value)
   {
     std::ostringstream out;

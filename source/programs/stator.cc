@@ -164,7 +164,7 @@ namespace ringmotor
         throw ComputationError(
             "the motor's wave was recognised on the last mesh only, so that nothing tells the "
             "error of its shape; choose a finer mesh");
-      log.line("motor's wave: A_t/A_n = " + text(wave.shape.front().estimate.value, 4) +
+      log.line("motor's wave: A_t/A_n = " + text(wave.shape.front().value, 4) +
                " at the outer edge of the tooth top" +
                (wave.gap_above > 0.
                     ? ", next mode of n = " + std::to_string(parameters.motor.n_waves) + " " +
@@ -261,22 +261,16 @@ namespace ringmotor
       for (const auto &pass : pass_seconds)
         seconds += pass.second;
       for (const FoundMode &found : body.search().modes())
-        summary.quantities.push_back(
-            {"frequency",
-             found.frequency.value,
-             "Hz",
-             found.frequency.error,
-             {{"body mesh", found.frequency.error}},
-             seconds,
-             {{"n", found.mode.nodal_diameter}, {"family", to_string(found.content.family())}}});
+        add_quantities(
+            summary, {on_body_mesh("frequency", units::hertz, found.frequency)}, seconds,
+            {{"n", found.mode.nodal_diameter}, {"family", to_string(found.content.family())}});
       if (body.wave() != nullptr)
         add_wave_quantities(summary, *body.wave(), seconds);
       if (const auto ratio = of_stator ? std::nullopt : inertia_ratio())
-      {
-        const double error = 2. * *ratio * body.search().worst_relative_error();
-        summary.quantities.push_back(
-            {"(omega/omega_1)^2", *ratio, "1", error, {{"body mesh", error}}, seconds, {}});
-      }
+        add_quantities(summary,
+                       {on_body_mesh("(omega/omega_1)^2", units::one,
+                                     {*ratio, 2. * *ratio * body.search().worst_relative_error()})},
+                       seconds);
       summary.effects = effects;
       summary.certificate.push_back({"modes counted (Sturm) but not found",
                                      static_cast<double>(body.search().n_missed()), 0.});
@@ -298,20 +292,12 @@ namespace ringmotor
     void StatorProgram::add_wave_quantities(Summary &summary, const WaveResult &wave,
                                             const double seconds) const
     {
-      for (const WaveResult::ShapeNumber &number : wave.shape)
-        summary.quantities.push_back({number.name,
-                                      number.estimate.value,
-                                      number.unit,
-                                      number.estimate.error,
-                                      {{"body mesh", number.estimate.error}},
-                                      seconds,
-                                      {}});
+      add_quantities(summary, wave.shape, seconds);
       const double gap_error = 2. * body.search().worst_relative_error();
       for (const auto &[name, gap] : {std::make_pair("gap_above", wave.gap_above),
                                       std::make_pair("gap_below", wave.gap_below)})
         if (gap > 0.)
-          summary.quantities.push_back(
-              {name, gap, "1", gap_error, {{"body mesh", gap_error}}, seconds, {}});
+          add_quantities(summary, {on_body_mesh(name, units::one, {gap, gap_error})}, seconds);
     }
   } // namespace
 } // namespace ringmotor

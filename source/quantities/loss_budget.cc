@@ -46,6 +46,11 @@ namespace ringmotor
       budget.support = scaled(twice_omega * felt.felt_loss_factor, wave.felt);
       return budget;
     }
+
+    Quantity quantity(const std::string &name, const Unit &unit, const Estimate &estimate)
+    {
+      return {name, unit, estimate.value, estimate.error};
+    }
   } // namespace
 
   double felt_energy(const Support &felt, const StatorGeometry &stator, const unsigned int n_teeth,
@@ -83,6 +88,11 @@ namespace ringmotor
     return sum({friction, stator_metal, piezoceramic, rotor, support});
   }
 
+  Estimate LossBudget::input() const
+  {
+    return sum({output, total()});
+  }
+
   Estimate LossBudget::efficiency() const
   {
     const Estimate loss = total();
@@ -91,6 +101,24 @@ namespace ringmotor
       return {0., output.error / loss.value};
     return {output.value / input,
             (loss.value * output.error + output.value * loss.error) / (input * input)};
+  }
+
+  std::vector<Quantity> LossBudget::losses() const
+  {
+    return {quantity("friction_loss", units::power, friction),
+            quantity("internal_loss_stator_metal", units::power, stator_metal),
+            quantity("internal_loss_piezoceramic", units::power, piezoceramic),
+            quantity("internal_loss_stator", units::power, stator()),
+            quantity("internal_loss_rotor", units::power, rotor),
+            quantity("support_loss", units::power, support),
+            quantity("total_loss", units::power, total())};
+  }
+
+  std::vector<Quantity> LossBudget::powers() const
+  {
+    return {quantity("input_power", units::power, input()),
+            quantity("output_power", units::power, output),
+            quantity("efficiency", units::one, efficiency())};
   }
 
   std::vector<std::vector<double>> loss_density(const SectorField &wave, const Materials &materials)

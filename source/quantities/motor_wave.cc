@@ -17,7 +17,7 @@ namespace ringmotor
     const std::string tangential_ratio = "A_t/A_n";
 
     /** The numbers of the shape on this mesh, yet without error bars. */
-    std::vector<WaveResult::ShapeNumber> shape_of(const WaveResult &wave)
+    std::vector<Quantity> shape_of(const WaveResult &wave)
     {
       const auto motion = [&](const std::string &name)
       {
@@ -25,27 +25,45 @@ namespace ringmotor
                             [&](const PointResult &result) { return result.point.name == name; })
             ->motion;
       };
-      const EllipticMotion center = motion("top_outer_C");
-      const auto strain           = [&](const unsigned int part) {
-        return Estimate{wave.energy.strain.at(part), 0.};
-      };
-      return {{tangential_ratio, "1", {center.tangential / center.normal, 0.}},
-              {"A_r/A_n", "1", {center.radial / center.normal, 0.}},
-              {"phi_edge", "deg", {motion("top_outer_R").phi * 180. / numbers::PI, 0.}},
-              {"modal_mass", "kg", {wave.modal_mass, 0.}},
-              {"strain_energy", "J", {wave.energy.total_strain, 0.}},
-              {"strain_energy_base", "J", strain(ids::base)},
-              {"strain_energy_tooth", "J", strain(ids::tooth)},
-              {"strain_energy_piezoceramic", "J", strain(ids::piezoceramic)}};
+      const EllipticMotion center                        = motion("top_outer_C");
+      const std::map<types::material_id, double> &strain = wave.energy.strain;
+      return {{tangential_ratio, units::one, center.tangential / center.normal},
+              {"A_r/A_n", units::one, center.radial / center.normal},
+              {"phi_edge", units::degree, motion("top_outer_R").phi * 180. / numbers::PI},
+              {"modal_mass", units::kilogram, wave.modal_mass},
+              {"strain_energy", units::joule, wave.energy.total_strain},
+              {"strain_energy_base", units::joule, strain.at(ids::base)},
+              {"strain_energy_tooth", units::joule, strain.at(ids::tooth)},
+              {"strain_energy_piezoceramic", units::joule, strain.at(ids::piezoceramic)}};
     }
   } // namespace
 
+  std::vector<Quantity> quantities_of(const PointResult &result)
+  {
+    const Point<3> &x            = result.point.position;
+    const EllipticMotion &motion = result.motion;
+    return {{"r", units::length, std::hypot(x[0], x[1])},
+            {"theta", units::angle, std::atan2(x[1], x[0])},
+            {"z", units::length, x[2]},
+            {"A_n", units::amplitude, motion.normal},
+            {"A_t", units::amplitude, motion.tangential},
+            {"A_r", units::amplitude, motion.radial},
+            {"phase_n", units::angle, motion.phase_n},
+            {"phi", units::angle, motion.phi},
+            {"phase_r", units::angle, motion.phase_r}};
+  }
+
+  Quantity on_body_mesh(const std::string &name, const Unit &unit, const Estimate &estimate)
+  {
+    return {name, unit, estimate.value, estimate.error, {{"body mesh", estimate.error}}};
+  }
+
   double WaveResult::relative_error() const
   {
-    for (const ShapeNumber &number : shape)
+    for (const Quantity &number : shape)
       if (number.name == tangential_ratio)
         return found.frequency.error / found.frequency.value +
-               std::abs(number.estimate.error / number.estimate.value);
+               std::abs(*number.error / number.value);
     return std::numeric_limits<double>::infinity();
   }
 
@@ -64,11 +82,12 @@ namespace ringmotor
     const Sample now{shape_of(*wave), working->samples.back()};
     if (earlier)
     {
-      wave->shape = now.shape;
       for (unsigned int i = 0; i < now.shape.size(); ++i)
-        wave->shape[i].estimate = shape_estimate(
-            now.shape[i].estimate.value, earlier->shape[i].estimate.value, now.frequency,
-            earlier->frequency, working->frequency.error / working->frequency.value);
+        wave->shape.push_back(
+            on_body_mesh(now.shape[i].name, now.shape[i].unit,
+                         shape_estimate(now.shape[i].value, earlier->shape[i].value, now.frequency,
+                                        earlier->frequency,
+                                        working->frequency.error / working->frequency.value)));
     }
     earlier = now;
   }

@@ -128,13 +128,7 @@ namespace ringmotor
     AssertDimension(points.size(), lengths.size());
     const double whole = std::accumulate(lengths.begin(), lengths.end(), 0.);
     OperatingPoint mean;
-    for (double OperatingPoint::*quantity :
-         {&OperatingPoint::speed, &OperatingPoint::torque, &OperatingPoint::tangential_loss,
-          &OperatingPoint::radial_loss, &OperatingPoint::input_power, &OperatingPoint::output_work,
-          &OperatingPoint::stored_power, &OperatingPoint::modal_power,
-          &OperatingPoint::modal_damping, &OperatingPoint::gross_power,
-          &OperatingPoint::closing_work, &OperatingPoint::teeth_in_contact,
-          &OperatingPoint::stick_fraction})
+    for (double OperatingPoint::*const quantity : OperatingPoint::members())
       for (std::size_t i = 0; i < points.size(); ++i)
         mean.*quantity += points[i].*quantity * lengths[i] / whole;
     return mean;

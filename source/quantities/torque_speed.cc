@@ -2,6 +2,7 @@
 #include <ringmotor/motor/relevant.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/quantities/marched_point.h>
+#include <ringmotor/quantities/point_quantities.h>
 #include <ringmotor/quantities/torque_speed.h>
 
 #include <algorithm>
@@ -194,11 +195,11 @@ namespace ringmotor
 
   PointError change(const CurvePoint &from, const CurvePoint &to)
   {
-    const bool of_torque    = to.request.control == Control::torque;
-    const OperatingPoint &a = from.result, &b = to.result;
-    return PointError{of_torque ? std::abs(a.speed - b.speed) : 0.,
-                      of_torque ? 0. : std::abs(a.torque - b.torque),
-                      std::abs(a.friction_loss() - b.friction_loss()),
-                      std::abs(from.rotor_power - to.rotor_power)};
+    PointError change;
+    for (double PointError::*const member : PointError::members)
+      change.*member =
+          std::abs(quantity_with(member).value(from) - quantity_with(member).value(to));
+    change.*prescribed(to.request).error = 0.;
+    return change;
   }
 } // namespace ringmotor

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <ringmotor/motor/effect.h>
+#include <ringmotor/quantities/quantity.h>
 
 #include <cstdint>
 #include <map>
@@ -15,6 +16,9 @@ namespace ringmotor
   /** What a run computed, how well, and what it cost: the content of `summary.json`. */
   struct Summary
   {
+    /** What tells quantities of one name apart, e.g. n = 7, family = "axial". */
+    using Labels = std::map<std::string, std::variant<int, unsigned int, double, std::string>>;
+
     /** One result with its error bar. */
     struct Quantity
     {
@@ -24,8 +28,7 @@ namespace ringmotor
       double error = 0.;                          ///< absolute, in the unit of the value
       std::map<std::string, double> error_causes; ///< parts of the error, in the same unit
       double seconds = 0.;
-      /** What tells quantities of one name apart, e.g. n = 7, family = "axial". */
-      std::map<std::string, std::variant<int, unsigned int, double, std::string>> labels;
+      Labels labels;
     };
 
     /** One proof that the results stand: it holds if the value does not exceed the limit. */
@@ -46,9 +49,15 @@ namespace ringmotor
     double peak_memory_MB = 0.;
     std::uint64_t dofs    = 0;
     std::vector<Quantity> quantities;
+    std::vector<Quantity> quantities_without_error; ///< their errors are not known
     std::vector<EffectRow> effects;
     std::vector<Check> certificate;
   };
+
+  /** Adds results, those with an error bar and those without one each to their list.
+   * @param seconds that finding them took */
+  void add_quantities(Summary &summary, const std::vector<Quantity> &quantities,
+                      const double seconds, const Summary::Labels &labels = {});
 
   /** `Effects/Rotor inertia = auto: on; it changes the results by 31 %` */
   std::string describe(const EffectRow &row);
@@ -59,7 +68,8 @@ namespace ringmotor
   /**
    * Writes a summary as JSON with the keys named as the members above; `seconds` is an object with
    * one key per phase, the labels of a quantity stand beside its name, and `certificate` is an
-   * object with `holds` (see is_certified()) and `checks`.
+   * object with `holds` (see is_certified()) and `checks`. The list of quantities without errors is
+   * left out if it is empty.
    *
    * @throw ComputationError for a number that is not finite, naming it: no file is written
    * @throw UserError if the disk refuses

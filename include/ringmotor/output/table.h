@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/quantities/quantity.h>
+
 #include <string>
 #include <variant>
 #include <vector>
@@ -34,4 +36,14 @@ namespace ringmotor
     std::vector<std::string> columns;
     std::vector<std::vector<Entry>> rows;
   };
+
+  /** A row of a table, each entry with the name of its column. */
+  using NamedRow = std::vector<std::pair<std::string, CsvTable::Entry>>;
+
+  /** Adds quantities to a row, each in the unit in which it is shown and, if it is known, with its
+   * error bar: `speed_rpm`, `speed_error_rpm`. */
+  void add_entries(NamedRow &row, const std::vector<Quantity> &quantities);
+
+  /** Writes a CsvTable of at least one row; all rows have the columns of the first one. */
+  void write_table(const std::string &path, const std::vector<NamedRow> &rows);
 } // namespace ringmotor

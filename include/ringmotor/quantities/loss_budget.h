@@ -3,6 +3,7 @@
 
 #include <ringmotor/parameters/parameters.h>
 #include <ringmotor/quantities/frequency_error.h>
+#include <ringmotor/quantities/quantity.h>
 #include <ringmotor/quantities/sector_field.h>
 #include <ringmotor/quantities/torque_speed.h>
 
@@ -40,8 +41,14 @@ namespace ringmotor
 
     Estimate stator() const; ///< metal and piezoceramic
     Estimate total() const;  ///< all but the output
+    Estimate input() const;  ///< output and losses
     /** Output over output and total loss; 0 for a motor that is driven from outside. */
     Estimate efficiency() const;
+
+    /** The losses, for all outputs. */
+    std::vector<Quantity> losses() const;
+    /** Powers that go in and out, and the efficiency, for all outputs. */
+    std::vector<Quantity> powers() const;
   };
 
   /** Power lost per volume (W/m^3, the mean over a period) in the stator that moves by its wave: by

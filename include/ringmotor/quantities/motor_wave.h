@@ -4,6 +4,7 @@
 #include <ringmotor/parameters/modes.h>
 #include <ringmotor/quantities/energy.h>
 #include <ringmotor/quantities/mode_search.h>
+#include <ringmotor/quantities/quantity.h>
 #include <ringmotor/quantities/tooth_motion.h>
 
 #include <optional>
@@ -19,6 +20,12 @@ namespace ringmotor
     EllipticMotion motion;
   };
 
+  /** Place at rest, amplitudes and phases of a point: the columns of `ellipses.csv`. */
+  std::vector<Quantity> quantities_of(const PointResult &result);
+
+  /** A quantity whose whole error is that of the body's mesh. */
+  Quantity on_body_mesh(const std::string &name, const Unit &unit, const Estimate &estimate);
+
   /** The motor's travelling wave at its amplitude: what the contact needs to know of the stator. */
   struct WaveResult
   {
@@ -32,13 +39,8 @@ namespace ringmotor
                             ///< diameter; 0: none computed
     double gap_above = 0.;  ///< the same for the next faster one
 
-    /** A number that the wave's shape gives. */
-    struct ShapeNumber
-    {
-      std::string name, unit;
-      Estimate estimate;
-    };
-    std::vector<ShapeNumber> shape; ///< empty after the first mesh, which tells no error
+    /** What the wave's shape gives; empty after the first mesh, which tells no error. */
+    std::vector<Quantity> shape;
 
     /** Relative error of the speed of the tooth tops along the ring, which is what drives the
      * rotor: that of the frequency and that of A_t/A_n. Infinite without #shape. */
@@ -62,10 +64,10 @@ namespace ringmotor
     const WaveResult *result() const { return wave ? &*wave : nullptr; }
 
   private:
-    /** The shape's numbers in one pass; names and units without an error bar. */
+    /** The shape's numbers in one pass, without errors. */
     struct Sample
     {
-      std::vector<WaveResult::ShapeNumber> shape;
+      std::vector<Quantity> shape;
       FrequencySample frequency;
     };
 

@@ -36,12 +36,15 @@ namespace ringmotor
     /** What a result may have of it. */
     static constexpr double largest_imbalance = 1e-3;
 
+    /** All numbers above: what point_quantities() lists of them, and those that only serve to
+     * compute others. */
+    static const std::vector<double OperatingPoint::*> &members();
+
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &speed &torque &tangential_loss &radial_loss &input_power &output_work;
-      archive &detuning &modal_power &modal_damping &gross_power &stored_power &closing_work
-          &teeth_in_contact &stick_fraction;
+      for (double OperatingPoint::*const member : members())
+        archive &this->*member;
     }
   };
 

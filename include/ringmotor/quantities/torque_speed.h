@@ -55,7 +55,8 @@ namespace ringmotor
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &speed &torque &loss &rotor_power;
+      for (double PointError::*const member : members)
+        archive &this->*member;
     }
   };
 

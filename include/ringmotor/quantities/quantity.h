@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <deal.II/base/numbers.h>
+
+#include <map>
+#include <optional>
+#include <string>
+
+namespace ringmotor
+{
+  /** The SI unit of a number, and the unit in which people read it. */
+  struct Unit
+  {
+    const char *si, *shown; ///< as in `rad/s`; "1" for a pure number
+    double size;            ///< of the shown unit, in SI
+  };
+
+  namespace units
+  {
+    inline constexpr Unit one{"1", "1", 1.}, percent{"1", "%", 1e-2};
+    inline constexpr Unit hertz{"Hz", "Hz", 1.}, kilogram{"kg", "kg", 1.}, joule{"J", "J", 1.};
+    inline constexpr Unit speed{"rad/s", "rpm", dealii::numbers::PI / 30.};
+    inline constexpr Unit torque{"N m", "mN m", 1e-3};
+    inline constexpr Unit power{"W", "mW", 1e-3};
+    inline constexpr Unit length{"m", "mm", 1e-3}, amplitude{"m", "um", 1e-6};
+    inline constexpr Unit angle{"rad", "deg", dealii::numbers::PI / 180.};
+    /** Of angles that are computed in degrees. */
+    inline constexpr Unit degree{"deg", "deg", 1.};
+  } // namespace units
+
+  /** A result, with all that the outputs tell of it. */
+  struct Quantity
+  {
+    std::string name; ///< the same in all outputs
+    Unit unit;
+    double value;                                    ///< in SI units, as the errors
+    std::optional<double> error                = {}; ///< absolute; none if it is not known
+    std::map<std::string, double> error_causes = {}; ///< parts of the error
+  };
+
+  /** A name that carries a unit: `speed_rad_per_s`; that of a pure number carries none. */
+  std::string name_with_unit(const std::string &name, const std::string &unit);
+} // namespace ringmotor
