@@ -388,6 +388,7 @@ int main(int argc, char **argv)
                       [](const Parameters &parameters)
                       {
                         check_for_contact(parameters);
+                        law_of(parameters.friction).check(parameters.friction);
                         check_effects(parameters, EffectStage::contact);
                       },
                       [](const Parameters &parameters) { ContactProgram(parameters).run(false); },
