@@ -1,35 +1,48 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <ringmotor/contact/friction.h>
+#include <deal.II/base/exceptions.h>
 
-#include <cmath>
+#include <ringmotor/contact/laws/list.h>
+
+#include <algorithm>
 
 namespace ringmotor
 {
+  namespace
+  {
+    std::vector<std::unique_ptr<const FrictionLawBase>> make_laws()
+    {
+      std::vector<std::unique_ptr<const FrictionLawBase>> list;
+      for (const auto make :
+           {laws::coulomb, laws::static_dynamic, laws::velocity, laws::slip_weakening})
+        list.push_back(make());
+      return list;
+    }
+  } // namespace
+
+  const std::vector<std::unique_ptr<const FrictionLawBase>> &all_friction_laws()
+  {
+    static const std::vector<std::unique_ptr<const FrictionLawBase>> list = make_laws();
+    return list;
+  }
+
+  const FrictionLawBase &law_of(const Friction &friction)
+  {
+    const auto &laws = all_friction_laws();
+    const auto found = std::find_if(laws.begin(), laws.end(),
+                                    [&](const auto &law) { return law->word == friction.law; });
+    AssertThrow(found != laws.end(), dealii::ExcMessage("Friction/Law has a word without a class"));
+    return **found;
+  }
+
+  bool has_static_excess(const Friction &friction)
+  {
+    return law_of(friction).has_static_coefficient() &&
+           friction.static_coefficient != friction.dynamic_coefficient;
+  }
+
   FrictionCoefficient friction_coefficient(const Friction &friction, const FrictionMemory &memory,
                                            const double slip, const double time_step)
   {
-    const double dynamic = friction.dynamic_coefficient;
-    const double excess  = friction.static_coefficient - dynamic;
-    switch (friction.law)
-    {
-    case FrictionLaw::coulomb:
-      return {dynamic, 0.};
-    case FrictionLaw::static_dynamic:
-      return {memory.stuck ? dynamic + excess : dynamic, 0.};
-    case FrictionLaw::velocity:
-    {
-      const double decay_length = *friction.decay_velocity * time_step;
-      const double decayed      = excess * std::exp(-slip / decay_length);
-      return {dynamic + decayed, -decayed / decay_length};
-    }
-    case FrictionLaw::slip_weakening:
-    {
-      const double left = 1. - (memory.slipped + slip) / *friction.weakening_length;
-      if (left <= 0.)
-        return {dynamic, 0.};
-      return {dynamic + left * excess, -excess / *friction.weakening_length};
-    }
-    }
-    return {};
+    return law_of(friction).coefficient(friction, memory, slip, time_step);
   }
 } // namespace ringmotor

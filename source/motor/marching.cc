@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/contact/friction_law.h>
 #include <ringmotor/motor/marching.h>
 
 #include <algorithm>
@@ -132,15 +133,11 @@ namespace ringmotor
   bool MarchingDriver::lose_static_limits(const ContactSolution &solution,
                                           std::vector<FrictionMemory> &limits) const
   {
-    if (friction.law != FrictionLaw::static_dynamic)
-      return false;
-    bool lost = false;
+    const FrictionLawBase &law = law_of(friction);
+    bool lost                  = false;
     for (unsigned int point = 0; point < limits.size(); ++point)
-      if (limits[point].stuck && solution.status[point] == PointStatus::slip)
-      {
-        limits[point].stuck = false;
-        lost                = true;
-      }
+      if (law.lose_static_limit(solution.status[point], limits[point]))
+        lost = true;
     return lost;
   }
 } // namespace ringmotor

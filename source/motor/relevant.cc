@@ -61,17 +61,17 @@ namespace ringmotor
   Parameters relevant_for_condensation(const Parameters &parameters)
   {
     const Parameters defaults;
-    Parameters relevant                   = relevant_for_points(parameters);
-    relevant.loading                      = defaults.loading;
-    relevant.accuracy.contact_target      = defaults.accuracy.contact_target;
-    relevant.friction.law                 = defaults.friction.law;
-    relevant.friction.static_coefficient  = defaults.friction.static_coefficient;
-    relevant.friction.dynamic_coefficient = defaults.friction.dynamic_coefficient;
-    relevant.friction.decay_velocity      = defaults.friction.decay_velocity;
-    relevant.friction.weakening_length    = defaults.friction.weakening_length;
-    relevant.time                         = defaults.time;
-    relevant.initial_deformation          = defaults.initial_deformation;
-    const MotorModel model                = motor_model(parameters);
+    Parameters relevant              = relevant_for_points(parameters);
+    const Friction friction          = relevant.friction;
+    relevant.loading                 = defaults.loading;
+    relevant.accuracy.contact_target = defaults.accuracy.contact_target;
+    relevant.friction                = defaults.friction;
+    relevant.time                    = defaults.time;
+    relevant.initial_deformation     = defaults.initial_deformation;
+    // The bodies have the lining on them, and know no law.
+    relevant.friction.lining_normal_stiffness     = friction.lining_normal_stiffness;
+    relevant.friction.lining_tangential_stiffness = friction.lining_tangential_stiffness;
+    const MotorModel model = motor_model(parameters);
     if (model.has_inertia())
       relevant.time.spectral_radius = parameters.time.spectral_radius;
     if (model.rotor_moves_as_whole)

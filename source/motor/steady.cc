@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/contact/friction_law.h>
 #include <ringmotor/contact/given_coefficients.h>
 #include <ringmotor/motor/steady.h>
 #include <ringmotor/parameters/errors.h>
@@ -33,16 +34,12 @@ namespace ringmotor
       return memory;
     }
 
-    /**
-     * Makes what points remember and what happened a step earlier agree. The law with a jump has
-     * more than one such state. A point that slips loses the static coefficient; one without it
-     * whose predecessor stuck gets it, but once only, so that the search ends.
-     */
+    /** Makes what points remember and what happened a step earlier agree, as the law says. */
     class MemoryUpdate
     {
     public:
       MemoryUpdate(const Friction &friction, const std::vector<FrictionMemory> &start)
-          : friction(friction)
+          : friction(friction), law(law_of(friction))
       {
         for (const FrictionMemory &memory : start)
           had_stuck.push_back(memory.stuck);
@@ -54,42 +51,20 @@ namespace ringmotor
       {
         bool settled = true;
         for (unsigned int point = 0; point < memory.size(); ++point)
-          if (friction.law == FrictionLaw::static_dynamic && status[point] != PointStatus::open)
-          {
-            const bool sticks   = memory[point].stuck
-                                      ? found[point].stuck && status[point] == PointStatus::stick
-                                      : found[point].stuck && !had_stuck[point];
-            settled             = settled && sticks == memory[point].stuck;
-            memory[point].stuck = sticks;
-            had_stuck[point]    = had_stuck[point] || sticks;
-          }
-          else if (friction.law == FrictionLaw::slip_weakening)
-          {
-            settled = settled && std::abs(found[point].slipped - memory[point].slipped) <=
-                                     1e-9 * *friction.weakening_length;
-            memory[point] = found[point];
-          }
+        {
+          const bool agreed =
+              law.settle(friction, found[point], status[point], had_stuck[point], memory[point]);
+          settled          = settled && agreed;
+          had_stuck[point] = had_stuck[point] || memory[point].stuck;
+        }
         return settled;
       }
 
     private:
       const Friction &friction;
-      std::vector<char> had_stuck; ///< points that have had the static coefficient
+      const FrictionLawBase &law;
+      std::vector<char> had_stuck; ///< points assumed to have stuck in any round
     };
-
-    /** What a user can do where the law itself stands in the way. */
-    std::string remedy(const FrictionLaw law)
-    {
-      if (law == FrictionLaw::velocity)
-        return "; friction that falls with the velocity falls the faster with the slip of a step "
-               "the shorter the step is, and points may then stick or slip at the same load: try a "
-               "smaller Time/Snapshots, Time/Scheme = marching, or a larger Friction/Decay "
-               "velocity";
-      if (law == FrictionLaw::slip_weakening)
-        return "; friction that falls with the slip can make teeth stick and slip in turn, which "
-               "is no steady state: try Time/Scheme = marching";
-      return {};
-    }
   } // namespace
 
   std::vector<FrictionMemory> next_memory(const ContactSolution &solution,
@@ -129,7 +104,7 @@ namespace ringmotor
     from.state.rigid.resize(contact->n_rigid());
     if (load.torque)
       from.state.rigid.back() = from.speed * contact->time_step();
-    if (friction.law == FrictionLaw::slip_weakening)
+    if (law_of(friction).starts_from_given_coefficients())
       from = by_coefficients(*contact, std::move(from), solver, n_iterations);
     MemoryUpdate update(friction, from.memory);
     const PointFriction law = [&](const unsigned int point, const double slip)
@@ -154,7 +129,7 @@ namespace ringmotor
   }
   catch (const ComputationError &error)
   {
-    throw ComputationError(error.what() + remedy(friction.law));
+    throw ComputationError(error.what() + law_of(friction).remedy());
   }
 
   SteadyDriver::Start SteadyDriver::by_coefficients(const RingContact &contact, Start from,

@@ -148,13 +148,6 @@ namespace ringmotor
               std::string("Friction/") + name + " = " + std::to_string(value) +
               " must be positive: without friction the wave does not drive the rotor, and its "
               "speed is not determined");
-      if (friction.law == FrictionLaw::velocity && !friction.decay_velocity)
-        throw UserError(
-            "Friction/Law = velocity needs Friction/Decay velocity, which is none; give "
-            "it in m/s");
-      if (friction.law == FrictionLaw::slip_weakening && !friction.weakening_length)
-        throw UserError("Friction/Law = slip-weakening needs Friction/Weakening length, which is "
-                        "none; give it in m");
     }
 
     void check_springs(const Parameters &parameters)

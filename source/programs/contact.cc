@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/contact/friction_law.h>
 #include <ringmotor/motor/lip_amplification.h>
 #include <ringmotor/motor/rotor_modes.h>
 #include <ringmotor/output/contact_files.h>
@@ -289,9 +290,7 @@ namespace ringmotor
 
     void ContactProgram::report_static_friction()
     {
-      const Friction &friction = parameters.friction;
-      if (search.rotor_sticks() || motor_model(parameters).friction.law == FrictionLaw::coulomb ||
-          friction.static_coefficient == friction.dynamic_coefficient)
+      if (search.rotor_sticks() || !has_static_excess(motor_model(parameters).friction))
         return;
       // Static friction above dynamic friction has no fracture energy unless the law has a length
       // or a velocity: how much of it is left depends on mesh and step.
@@ -389,6 +388,7 @@ int main(int argc, char **argv)
                       [](const Parameters &parameters)
                       {
                         check_for_contact(parameters);
+                        law_of(parameters.friction).check(parameters.friction);
                         check_effects(parameters, EffectStage::contact);
                       },
                       [](const Parameters &parameters) { ContactProgram(parameters).run(false); },

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/contact/friction_law.h>
 #include <ringmotor/output/contact_h5.h>
 #include <ringmotor/output/files.h>
 #include <ringmotor/output/log.h>
@@ -116,6 +117,7 @@ int main(int argc, char **argv)
                       [](const Parameters &parameters)
                       {
                         check_for_losses(parameters);
+                        law_of(parameters.friction).check(parameters.friction);
                         check_effects(parameters, EffectStage::contact);
                       },
                       [](const Parameters &parameters) { LossesProgram(parameters).run(); }});

@@ -68,10 +68,10 @@ namespace ringmotor
 
   CurveSearch::StaticFrictionEffect CurveSearch::static_friction_effect()
   {
-    const unsigned int middle = (requests.size() - 1) / 2;
-    const bool of_torque      = requests[middle].control == Control::torque;
-    Parameters without        = parameters;
-    without.friction.law      = FrictionLaw::coulomb;
+    const unsigned int middle              = (requests.size() - 1) / 2;
+    const bool of_torque                   = requests[middle].control == Control::torque;
+    Parameters without                     = parameters;
+    without.effects.static_friction_excess = EffectChoice::off;
     // Differences do not need the steps with which powers balance.
     const CurveSetting plain = steps.plain(reached_level);
     const CurvePoint &before = point_of(plain, middle);

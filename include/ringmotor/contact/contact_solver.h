@@ -9,13 +9,6 @@
 
 namespace ringmotor
 {
-  enum class PointStatus : unsigned char
-  {
-    open,
-    stick,
-    slip
-  };
-
   /** The solution of a contact problem. */
   struct ContactSolution
   {

@@ -7,7 +7,15 @@
 
 namespace ringmotor
 {
-  /** What a contact point remembers of the last step. */
+  /** What a contact point does in a step. */
+  enum class PointStatus : unsigned char
+  {
+    open,
+    stick,
+    slip
+  };
+
+  /** What a contact point remembers of the steps before; each law depends on a part of it. */
   struct FrictionMemory
   {
     bool stuck     = false; ///< it stuck at the end of the last step
@@ -23,14 +31,8 @@ namespace ringmotor
 
   /**
    * The coefficient of friction of a point that slips by @p slip (m, not negative) in a step of
-   * @p time_step (s); without slip it is the limit up to which the point sticks.
-   *
-   * - coulomb: mu_d always;
-   * - static_dynamic (eqs. 3-6 of Maeno 1992): mu_s for a point that stuck at the end of the last
-   *   step, mu_d for one that slipped. That a point which exceeds mu_s within the step falls to
-   *   mu_d is the business of the caller: the law as a jump has no derivative;
-   * - velocity: mu_d + (mu_s - mu_d) exp(-v/v_c), v = slip/time_step;
-   * - slip_weakening: from mu_s to mu_d linearly while the point slips the weakening length.
+   * @p time_step (s), by the chosen law; without slip it is the limit up to which the
+   * point sticks. See FrictionLawBase::coefficient().
    */
   FrictionCoefficient friction_coefficient(const Friction &friction, const FrictionMemory &memory,
                                            const double slip, const double time_step);

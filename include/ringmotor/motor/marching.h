@@ -33,8 +33,8 @@ namespace ringmotor
     double time() const { return history.last().time; }
 
   private:
-    /** A point that exceeds its static limit falls to the dynamic one and stays there. Returns
-     * whether there is one. */
+    /** Lets points that exceed their static limit lose it, as the law says. Returns whether there
+     * is one. */
     bool lose_static_limits(const ContactSolution &solution,
                             std::vector<FrictionMemory> &limits) const;
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/contact/friction_law.h>
 #include <ringmotor/motor/effects/list.h>
 
 namespace ringmotor::effects
@@ -23,10 +24,8 @@ namespace ringmotor::effects
        * CurveSearch::static_friction_effect(). */
       std::optional<double> indicator(const Scene &scene) const override
       {
-        const Friction &friction = scene.parameters.friction;
-        const bool is_one        = friction.law == FrictionLaw::coulomb ||
-                            friction.static_coefficient == friction.dynamic_coefficient;
-        return is_one ? std::optional<double>(0.) : std::nullopt;
+        return has_static_excess(scene.parameters.friction) ? std::nullopt
+                                                            : std::optional<double>(0.);
       }
     };
   } // namespace

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/contact/friction.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace ringmotor
+{
+  /**
+   * A law of friction: the entries that it needs, its coefficient, and how marching and the search
+   * for a steady state treat what its points remember. One class for each word of Friction/Law, in
+   * contact/laws; all_friction_laws() is the list. Laws have no state of their own.
+   */
+  class FrictionLawBase
+  {
+  public:
+    /** @param word which word of the entry it is */
+    explicit FrictionLawBase(const FrictionLaw word) : word(word) {}
+    virtual ~FrictionLawBase() = default;
+
+    /** Checks the entries that this law needs besides the coefficients. @throws UserError */
+    virtual void check(const Friction &) const {}
+
+    /** Whether the static coefficient counts; without it a law has only the dynamic one. */
+    virtual bool has_static_coefficient() const { return true; }
+
+    /**
+     * The coefficient of a point that slips by @p slip (m, not negative) in a step of @p time_step
+     * (s), and its derivative by the slip; without slip it is the limit up to which the point
+     * sticks. A jump within a step has no derivative: see lose_static_limit().
+     */
+    virtual FrictionCoefficient coefficient(const Friction &friction, const FrictionMemory &memory,
+                                            const double slip, const double time_step) const = 0;
+
+    /**
+     * Marching: lets a point fall to the dynamic coefficient if it has exceeded its static limit
+     * within the step, which is then solved again. Limits are lost and not gained, so that this
+     * ends.
+     * @param status of the point in the solution with @p memory
+     * @return whether @p memory has changed
+     */
+    virtual bool lose_static_limit(const PointStatus /*status*/, FrictionMemory & /*memory*/) const
+    {
+      return false;
+    }
+
+    /**
+     * The steady state, which is solved again until what its points are assumed to remember is
+     * what happened: changes @p memory, assumed in this solution, to that for the next one.
+     * @param found what happened one step earlier, to the point that stands for this one then
+     * @param status of the point in this solution
+     * @param had_stuck whether the point was assumed to have stuck, in this solution or before
+     * @return whether @p memory agreed with @p found as far as this law depends on it
+     */
+    virtual bool settle(const Friction & /*friction*/, const FrictionMemory & /*found*/,
+                        const PointStatus /*status*/, const bool /*had_stuck*/,
+                        FrictionMemory & /*memory*/) const
+    {
+      return true;
+    }
+
+    /** Whether the search for a steady state starts with a chain of states with given coefficients,
+     * those of the slip and memory of the state before; see GivenCoefficients. */
+    virtual bool starts_from_given_coefficients() const { return false; }
+
+    /** What a user can do where no steady state is found because of this law: the end of a
+     * sentence, from its semicolon on, or nothing. */
+    virtual std::string remedy() const { return {}; }
+
+    const FrictionLaw word;
+  };
+
+  /** All of them, in the order of the words of Friction/Law. */
+  const std::vector<std::unique_ptr<const FrictionLawBase>> &all_friction_laws();
+
+  /** The class of the chosen law. */
+  const FrictionLawBase &law_of(const Friction &friction);
+
+  /** Whether points that stick bear another load than points that slip. */
+  bool has_static_excess(const Friction &friction);
+} // namespace ringmotor

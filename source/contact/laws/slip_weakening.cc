@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/contact/laws/list.h>
+#include <ringmotor/parameters/errors.h>
+
+#include <cmath>
+
+namespace ringmotor::laws
+{
+  namespace
+  {
+    /** From mu_s to mu_d, linearly while the point slips the weakening length. */
+    class SlipWeakening : public FrictionLawBase
+    {
+    public:
+      SlipWeakening() : FrictionLawBase(FrictionLaw::slip_weakening) {}
+
+      void check(const Friction &friction) const override
+      {
+        if (!friction.weakening_length)
+          throw UserError("Friction/Law = slip-weakening needs Friction/Weakening length, which is "
+                          "none; give it in m");
+      }
+
+      FrictionCoefficient coefficient(const Friction &friction, const FrictionMemory &memory,
+                                      const double slip, const double) const override
+      {
+        const double dynamic = friction.dynamic_coefficient;
+        const double excess  = friction.static_coefficient - dynamic;
+        const double left    = 1. - (memory.slipped + slip) / *friction.weakening_length;
+        if (left <= 0.)
+          return {dynamic, 0.};
+        return {dynamic + left * excess, -excess / *friction.weakening_length};
+      }
+
+      /** The distance slipped has to be the same to a small part of the weakening length. */
+      bool settle(const Friction &friction, const FrictionMemory &found, const PointStatus,
+                  const bool, FrictionMemory &memory) const override
+      {
+        const bool agreed =
+            std::abs(found.slipped - memory.slipped) <= 1e-9 * *friction.weakening_length;
+        memory = found;
+        return agreed;
+      }
+
+      bool starts_from_given_coefficients() const override { return true; }
+
+      std::string remedy() const override
+      {
+        return "; friction that falls with the slip can make teeth stick and slip in turn, which "
+               "is no steady state: try Time/Scheme = marching";
+      }
+    };
+  } // namespace
+
+  LawPointer slip_weakening()
+  {
+    return std::make_unique<const SlipWeakening>();
+  }
+} // namespace ringmotor::laws
