@@ -81,13 +81,14 @@ namespace ringmotor
     std::string remedy(const FrictionLaw law)
     {
       if (law == FrictionLaw::velocity)
-        return "; friction that falls with the velocity falls the faster with the slip of a step "
-               "the shorter the step is, and points may then stick or slip at the same load: try a "
+        return "; friction that decreases with the velocity decreases more steeply with the slip "
+               "of "
+               "a shorter step, and contact nodes may then stick or slip at the same load: try a "
                "smaller Time/Snapshots, Time/Scheme = marching, or a larger Friction/Decay "
                "velocity";
       if (law == FrictionLaw::slip_weakening)
-        return "; friction that falls with the slip can make teeth stick and slip in turn, which "
-               "is no steady state: try Time/Scheme = marching";
+        return "; friction that decreases with the slip can make teeth stick and slip in turn, "
+               "without a steady state: try Time/Scheme = marching";
       return {};
     }
   } // namespace
@@ -150,7 +151,7 @@ namespace ringmotor
       }
     }
     throw ComputationError("the memory of the friction law did not settle in " +
-                           std::to_string(most_rounds) + " rounds");
+                           std::to_string(most_rounds) + " iterations");
   }
   catch (const ComputationError &error)
   {

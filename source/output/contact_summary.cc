@@ -45,7 +45,7 @@ namespace ringmotor
                 : speed + " rpm: " + torque + " +- " + text(error.torque / milli, 2) + " mN m") +
            ", friction loss " + text(point.result.friction_loss() / milli, 1) + " +- " +
            text(error.loss / milli, 1) + " mW (" + text(point.result.tangential_loss / milli, 1) +
-           " along, " + text(point.result.radial_loss / milli, 1) + " across the ring), " +
+           " tangential, " + text(point.result.radial_loss / milli, 1) + " radial), " +
            text(point.result.teeth_in_contact, 2) + " teeth per wave";
   }
 
