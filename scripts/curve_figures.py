@@ -67,7 +67,7 @@ def draw_torque_speed(case, others=()):
 
 def draw_lip_amplification(case):
     """What inertia makes of the lip's compliance, for the first harmonics of the wave; dots where it counts."""
-    figure = start_figure(case, "how much farther the lip gives way with inertia", (6.2, 3.6))
+    figure = start_figure(case, "dynamic over static compliance of the lip", (6.2, 3.6))
     axes = figure.subplots()
     frequency = case.angular_frequency / (2e3 * np.pi)
     for number, (color, _) in enumerate(CASE_STYLE, start=1):

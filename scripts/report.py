@@ -34,12 +34,12 @@ FIGURES = {
         "normal_displacement": "Normal displacement of teeth and rotor over two waves, without load.",
         "warped_displacement": "Normal displacement on the whole ring, which is warped at rest.",
         "contact_forces": "Forces of the teeth on the rotor.",
-        "friction_history": "Friction at a contact point while a crest passes.",
+        "friction_history": "Friction at a contact node while a crest passes.",
     },
     "losses": {
         "losses": "Power losses against torque.",
         "efficiency": "Efficiency against torque.",
-        "energy": "Where the power goes: output and losses on top of each other. Pale where the speed breaks down.",
+        "energy": "Power balance: output and losses, stacked. Pale where the speed breaks down.",
     },
 }
 

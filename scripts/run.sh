@@ -39,7 +39,7 @@ for option in "$@"; do
   esac
 done
 if [[ $mode == study ]] && $is_resumed; then
-  echo "run.sh: --resume does not go with --study, which computes everything anew; leave one of them out" >&2
+  echo "run.sh: --resume cannot be combined with --study, which computes everything anew; omit one of them" >&2
   exit 1
 fi
 resume=()
@@ -59,7 +59,7 @@ fi
 "$bin/losses" "${options[@]}" --check > /dev/null
 case_folder=${results%/stator/}
 if [[ $mode == check ]]; then
-  echo "the parameters of stator, contact and losses are fine; results would be in $case_folder"
+  echo "the parameters of stator, contact and losses are valid; results would be written to $case_folder"
   exit 0
 fi
 

@@ -107,7 +107,7 @@ namespace ringmotor
               return true;
           }
         }
-        next_try() << "coefficients by the slip before (they change by " << change << " after "
+        next_try() << "coefficients of the previous slip (they change by " << change << " after "
                    << most_rounds << " problems)";
         return false;
       }
@@ -167,9 +167,9 @@ namespace ringmotor
                                        search.solve_by_coefficients(friction, bound_of, begin)
                                  : search.solve(bound_of, begin, seen);
     if (!is_solved)
-      throw ComputationError("the contact problem of " + std::to_string(problem.n_points()) +
-                             " points was not solved; tried, with the largest violation of the "
-                             "laws of contact and the linear problems solved: " +
+      throw ComputationError("the contact problem with " + std::to_string(problem.n_points()) +
+                             " contact nodes did not converge; attempts, with the largest "
+                             "violation of the contact laws after a number of linear solves: " +
                              search.tried());
     const ContactIterate &found = search.result();
     return {found.state,       found.motion,          status_of(found, bound_of),

@@ -185,9 +185,9 @@ namespace ringmotor
       for (unsigned int i = 0; i < area.size(); ++i)
       {
         if (area[i] <= -1e-9 * largest)
-          throw UserError("the rotor covers a face of the tooth's top so little that the face's "
-                          "quadratic functions cannot carry it; let lines of the tooth's mesh run "
-                          "along the edges of the lip (Stator/Mesh file, Rotor/Mesh file)");
+          throw UserError("the overlap of the rotor with a face of the tooth top is too small for "
+                          "quadratic mortar functions; align lines of the mesh of the tooth with "
+                          "the edges of the lip (Stator/Mesh file, Rotor/Mesh file)");
         if (area[i] <= 1e-9 * largest)
           continue;
         MortarCoupling::Node node{i, area[i], {}};

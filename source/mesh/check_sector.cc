@@ -144,7 +144,7 @@ namespace ringmotor
       }
       if (n_reached < triangulation.n_active_cells())
         refuse("the body is in pieces: only " + std::to_string(n_reached) + " of its " +
-                   std::to_string(triangulation.n_active_cells()) + " cells hang together",
+                   std::to_string(triangulation.n_active_cells()) + " cells are connected",
                "let neighbouring volumes share a surface (Gmsh: Coherence, or BooleanFragments)");
     }
 
@@ -167,8 +167,8 @@ namespace ringmotor
           refuse("a node of the " + name + " (physical id " + std::to_string(boundary) +
                      ") lies at " + place(vertex),
                  "all must lie at " + in_degrees(angle) +
-                     ", as Motor/Number of teeth = " + std::to_string(mesh.n_sectors) +
-                     " wants it: turn the mesh or correct the number of teeth");
+                     " for Motor/Number of teeth = " + std::to_string(mesh.n_sectors) +
+                     ": rotate the mesh or correct the number of teeth");
     }
 
     void SectorCheck::half() const
@@ -198,9 +198,8 @@ namespace ringmotor
         if (std::abs(turn - pitch) * vertex[0] > tolerance)
           refuse("the angle from the cut 13 to the cut 14 is " + in_degrees(turn),
                  "it must be " + in_degrees(pitch) +
-                     ", as Motor/Number of teeth = " + std::to_string(mesh.n_sectors) +
-                     " wants it, with theta = 0 in between: correct the mesh or the number of "
-                     "teeth");
+                     " for Motor/Number of teeth = " + std::to_string(mesh.n_sectors) +
+                     ", with theta = 0 in between: correct the mesh or the number of teeth");
       }
       if (low.size() != high.size())
         refuse("the two cuts (physical ids 13 and 14) do not match: they have " +

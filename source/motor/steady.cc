@@ -125,7 +125,7 @@ namespace ringmotor
       }
     }
     throw ComputationError("the memory of the friction law did not settle in " +
-                           std::to_string(most_rounds) + " rounds");
+                           std::to_string(most_rounds) + " iterations");
   }
   catch (const ComputationError &error)
   {

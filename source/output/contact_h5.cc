@@ -82,21 +82,21 @@ namespace ringmotor
       file.write(group + "/rotor_energy", point.rotor_energies, {point.rotor_energies.size()}, "J",
                  "strain energy of the rotor by multiple of the wave's frequency");
       file.set_attribute(group, "time_step_s", fields.time_step);
-      file.write(group + "/time", fields.times, {fields.times.size()}, "s", "moments");
+      file.write(group + "/time", fields.times, {fields.times.size()}, "s", "time samples");
       const std::vector<std::size_t> dims{fields.times.size(), fields.n_teeth, n_nodes, 3};
       const std::string components = "; components: normal (up), along -theta, radial";
       file.write(group + "/force", flat(fields.force), dims, "N",
-                 "force on the rotor by moment, tooth, node" + components);
+                 "force on the rotor by time sample, tooth, node" + components);
       file.write(group + "/gap_and_slip", flat(fields.motion), dims, "m",
                  "gap, and slip of the rotor over the stator in the step" + components);
       file.write(group + "/tooth", flat(fields.tooth), dims, "m",
                  "displacement of the teeth" + components);
       file.write(group + "/rotor", flat(fields.rotor), dims, "m",
-                 "displacement of the rotor without its turn" + components);
+                 "displacement of the rotor without its rigid rotation" + components);
       file.write(group + "/status",
                  std::vector<unsigned int>(fields.status.begin(), fields.status.end()),
                  {fields.times.size(), fields.n_teeth, n_nodes}, "1",
-                 "0 open, 1 stick, 2 slip, by moment, tooth, node");
+                 "0 open, 1 stick, 2 slip, by time sample, tooth, node");
     }
 
     CurvePoint read_point(const Hdf5Reader &file, const std::string &group)
@@ -137,9 +137,9 @@ namespace ringmotor
         free_motion.insert(free_motion.end(), {component.real(), component.imag()});
     }
     const std::vector<std::size_t> dims{motor.nodes.size()};
-    file.write("nodes/radius", radius, dims, "m", "radius of the contact points of a tooth");
+    file.write("nodes/radius", radius, dims, "m", "radius of the contact nodes of a tooth");
     file.write("nodes/angle", angle, dims, "rad", "their angle from the tooth's centre");
-    file.write("nodes/area", area, dims, "m^2", "their share of the tooth's top");
+    file.write("nodes/area", area, dims, "m^2", "area of the tooth top assigned to them");
     file.write("nodes/free_motion", free_motion, {motor.nodes.size(), 3, 2}, "m",
                "real and imaginary part of their motion on tooth 0 without contact forces; "
                "components: normal (up), along -theta, radial");
@@ -161,8 +161,8 @@ namespace ringmotor
       throw UserError(path + " belongs to other parameters: " + other +
                       "; run the program contact with these parameters first");
     if (file.attribute<std::string>("/", "wave") != wave.fingerprint)
-      throw UserError(path + " belongs to another wave of the stator than the one that is there "
-                             "now; run the program contact again");
+      throw UserError(path + " belongs to another wave of the stator than the present one; "
+                             "run the program contact again");
     std::vector<CurvePoint> points;
     for (unsigned int p = 0; p < file.attribute<unsigned int>("/", "n_points"); ++p)
       points.push_back(read_point(file, group_of(p)));

@@ -169,8 +169,8 @@ namespace ringmotor
     if (n_damaged > 0)
       log.line(std::to_string(n_damaged) + " kept operating points were damaged: computed anew");
     if (resumes)
-      log.line("resumed: " + std::to_string(n_recalled) + " operating points, those for error " +
-               "bars included, were there already; " +
+      log.line("resumed: " + std::to_string(n_recalled) + " operating points, including those " +
+               "for error bars, were available; " +
                (n_found == 0 ? "nothing was left to compute"
                              : std::to_string(n_found) + " were computed"));
     if (Utilities::MPI::this_mpi_process(communicator) == 0)

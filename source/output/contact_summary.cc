@@ -34,8 +34,8 @@ namespace ringmotor
                 ? text({result.speed, error.speed}, units::speed, 2)
                 : text({result.torque, error.torque}, units::torque, 2)) +
            ", friction loss " + text({result.friction_loss(), error.loss}, units::power, 1) + " (" +
-           text(result.tangential_loss / units::power.size, 1) + " along, " +
-           text(result.radial_loss / units::power.size, 1) + " across the ring), " +
+           text(result.tangential_loss / units::power.size, 1) + " tangential, " +
+           text(result.radial_loss / units::power.size, 1) + " radial), " +
            text(result.teeth_in_contact, 2) + " teeth per wave";
   }
 

@@ -58,7 +58,7 @@ namespace ringmotor
 
     // Permission bits say little (read-only file systems, quotas, root): try it.
     const std::string trial_file = path + "/.ringmotor_write_test";
-    const int reason             = write_to_disk(trial_file, "written on trial, may be deleted\n");
+    const int reason             = write_to_disk(trial_file, "a test file, may be deleted\n");
     std::remove(trial_file.c_str());
     if (reason != 0)
       refuse("write to the folder", path, reason);

@@ -119,9 +119,9 @@ namespace ringmotor
         const std::string n_waves = std::to_string(parameters.motor.n_waves);
         if (!has("wave"))
           throw UserError(path + " has modes, but none of them is the wave of the motor (" +
-                          n_waves + " waves, out of plane); Modes/Nodal diameters must have " +
+                          n_waves + " waves, out of plane); Modes/Nodal diameters must include " +
                           n_waves +
-                          ", and Modes/Number of modes be large enough; then run the program "
+                          ", and Modes/Number of modes must be large enough; then run the program "
                           "stator again");
       }
     };

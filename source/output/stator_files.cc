@@ -31,9 +31,9 @@ namespace ringmotor
       }
       const std::vector<std::size_t> dims{modes.size()};
       file.write("modes/nodal_diameter", nodal_diameter, dims, "1",
-                 "waves around the ring of each mode");
+                 "number of waves around the ring of each mode");
       file.write("modes/family", family, dims, "",
-                 "what kind of motion of the cross-section the mode mostly is");
+                 "dominant motion of the cross-section in each mode");
       file.write("modes/frequency", frequency, dims, "Hz", "natural frequency of each mode");
       file.write("modes/frequency_error", error, dims, "Hz", "error bar of the natural frequency");
     }
@@ -76,7 +76,7 @@ namespace ringmotor
       file.write(group + "/points", points, {n_cells, n_lattice, 3}, "m",
                  "x, y, z of a lattice of (order + 1)^3 points in each cell");
       file.write(group + "/strain_energy", energy, {n_cells, n_lattice}, "J/m^3",
-                 "strain energy per volume at the points, the mean over a period");
+                 "strain energy per volume at the points, mean over a period");
       file.write(group + "/material", material, {n_cells}, "1",
                  "material of each cell: 1 base, 2 tooth, 3 piezoceramic");
       file.set_attribute(group, "order", body.order);

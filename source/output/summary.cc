@@ -20,7 +20,7 @@ namespace ringmotor
     {
       if (!std::isfinite(number))
         throw ComputationError("The summary of the run cannot be written: " + owner + " is " +
-                               std::to_string(number) + ", which is not a result");
+                               std::to_string(number) + ", not a finite number");
       return number;
     }
 
@@ -97,7 +97,7 @@ namespace ringmotor
         "Effects/" + row.name + " = " + (row.is_automatic ? "auto: " + row.choice : row.choice);
     if (row.indicator)
       line += "; it " + std::string(row.choice == "on" ? "changes" : "would change") +
-              " the results by some " + text(100. * *row.indicator, 2) + " %";
+              " the results by about " + text(100. * *row.indicator, 2) + " %";
     if (row.seconds > 0.1)
       line += ", found in " + text(row.seconds, 1) + " s";
     return line;

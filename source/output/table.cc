@@ -44,7 +44,7 @@ namespace ringmotor
       if (const double *number = std::get_if<double>(&row[column]))
         if (!std::isfinite(*number))
           throw ComputationError("The column '" + columns[column] + "' of a table got the value " +
-                                 formatted(*number) + ", which is not a result");
+                                 formatted(*number) + ", not a finite number");
     rows.push_back(row);
   }
 

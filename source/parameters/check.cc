@@ -18,7 +18,7 @@ namespace ringmotor
     {
       if (2 * motor.n_waves >= motor.n_teeth)
         throw UserError(
-            entry("Motor/Number of waves", motor.n_waves) + " does not go with " +
+            entry("Motor/Number of waves", motor.n_waves) + " is incompatible with " +
             entry("Motor/Number of teeth", motor.n_teeth) +
             ": on N teeth, waves n and N - n are the same and n = N/2 cannot travel; "
             "allowed: less than half the number of teeth; use fewer waves or more teeth");
@@ -29,7 +29,7 @@ namespace ringmotor
       const Motor &motor         = parameters.motor;
       const unsigned int largest = nodal_diameters_of(parameters).back();
       if (2 * largest > motor.n_teeth)
-        throw UserError(entry("Modes/Nodal diameters", largest) + " does not go with " +
+        throw UserError(entry("Modes/Nodal diameters", largest) + " is incompatible with " +
                         entry("Motor/Number of teeth", motor.n_teeth) +
                         ": on N teeth, n and N - n are the same wave; allowed: 0 to " +
                         std::to_string(motor.n_teeth / 2));
@@ -46,7 +46,7 @@ namespace ringmotor
             missing.push_back(entry);
       if (!missing.empty())
         throw UserError("missing " + some_of(missing) + "; " + whom +
-                        ", which has no default values, see --help for what to give");
+                        ", which has no default values, see --help for the required entries");
     }
 
     void check_mesh_file(const std::string &file)
@@ -81,9 +81,10 @@ namespace ringmotor
     if (!stator.mesh_file.empty() && parameters.modes.body == Body::stator)
     {
       if (stator.piezoceramic_element == ElementKind::shell)
-        throw UserError("Stator/Piezoceramic element = shell does not go with Stator/Mesh file = " +
-                        quoted(stator.mesh_file) +
-                        ", which has the ceramic ring in its solid cells; allowed: solid");
+        throw UserError(
+            "Stator/Piezoceramic element = shell is incompatible with Stator/Mesh file = " +
+            quoted(stator.mesh_file) +
+            ", which has the ceramic ring in its solid cells; allowed: solid");
       check_mesh_file(stator.mesh_file);
       return;
     }
@@ -162,7 +163,7 @@ namespace ringmotor
           contact.formulation == ContactFormulation::mortar &&
           parameters.effects.friction_lining != EffectChoice::on)
         throw UserError("Effects/Tooth shear = off and Effects/Rotor tangential compliance = off "
-                        "leave nothing that gives way to friction; allowed: one of them off");
+                        "leave no tangential compliance; allowed: one of them off");
     }
 
     void check_time(const Parameters &parameters)
@@ -174,12 +175,12 @@ namespace ringmotor
       if ((first || last || n) &&
           !(first >= 2u && first <= last && last <= n)) // auto is less than any
         throw UserError(shown("Time/Average from step", first) + " and " +
-                        shown("Time/Average to step", last) + " do not go with " +
+                        shown("Time/Average to step", last) + " are incompatible with " +
                         shown("Time/Number of steps", n) + "; allowed: all three auto, or " +
                         "2 <= Average from step <= Average to step <= Number of steps");
       if (time.scheme == TimeScheme::steady && is_warped(parameters))
         throw UserError(
-            "Time/Scheme = steady does not go with " +
+            "Time/Scheme = steady is incompatible with " +
             entry("Initial deformation/Amplitude", parameters.initial_deformation.amplitude) +
             ": a warped ring has no steady pattern; allowed: auto | marching, or "
             "Effects/Initial deformation = off");
@@ -203,7 +204,7 @@ namespace ringmotor
     if (parameters.friction.dynamic_coefficient > parameters.friction.static_coefficient &&
         parameters.friction.law != FrictionLaw::coulomb)
       warnings.push_back("Friction/Dynamic coefficient is above Friction/Static coefficient: "
-                         "unusual, but computed as it is");
+                         "this is unusual; the values are used as given");
     return warnings;
   }
 
@@ -220,12 +221,12 @@ namespace ringmotor
                       "; allowed: inner radius < outer radius");
     if (felt_inner_radius >= stator.base_outer_radius ||
         felt_outer_radius <= stator.base_inner_radius)
-      warnings.push_back("the felt (Support/Felt inner radius to Felt outer radius) lies nowhere "
-                         "under the stator: it loses nothing");
+      warnings.push_back("the felt (Support/Felt inner radius to Felt outer radius) is not "
+                         "under the stator: its loss is zero");
     else if (felt_inner_radius < stator.base_inner_radius ||
              felt_outer_radius > stator.base_outer_radius)
       warnings.push_back("the felt (Support/Felt inner radius to Felt outer radius) reaches beyond "
-                         "the stator: that part is left out");
+                         "the stator: that part is ignored");
     return warnings;
   }
 } // namespace ringmotor

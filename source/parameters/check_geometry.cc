@@ -30,8 +30,8 @@ namespace ringmotor
       constexpr double thickest = 0.3;
       if (thickness > thickest * width)
         throw UserError(
-            entry(name, thickness) + " is not thin against the width of the part, " +
-            entry("as " + element + " = shell needs; allowed: up to 30 % of it, here " + name,
+            entry(name, thickness) + " is not thin compared to the width of the part, " +
+            entry("as " + element + " = shell requires; allowed: up to 30 % of it, here " + name,
                   thickest * width) +
             ", or " + element + " = solid");
     }
@@ -75,7 +75,7 @@ namespace ringmotor
     {
       constexpr double thinnest = 1e-6; // m
       if (high - low < thinnest)
-        throw UserError(entry("Rotor/" + low_name, low) + " does not go with " +
+        throw UserError(entry("Rotor/" + low_name, low) + " is incompatible with " +
                         entry("Rotor/" + high_name, high) +
                         "; allowed: the first less than the second by at least a micrometre");
     }
@@ -131,7 +131,7 @@ namespace ringmotor
       throw UserError(
           "the lip misses the teeth: " + entry("Rotor/Lip inner radius", rotor.lip_inner_radius) +
           " and " + entry("Rotor/Lip outer radius", rotor.lip_outer_radius) +
-          " share no strip with " + entry("Stator/Tip inner radius", stator.tip_inner_radius) +
+          " do not overlap with " + entry("Stator/Tip inner radius", stator.tip_inner_radius) +
           " to " + entry("Stator/Tip outer radius", stator.tip_outer_radius) +
           "; allowed: at least 10 um in common");
   }
@@ -141,9 +141,9 @@ namespace ringmotor
     constexpr double largest_share = 0.01;
     if (wave.amplitude > largest_share * stator.base_thickness)
       throw UserError(
-          entry("Wave/Amplitude", wave.amplitude) + " is not small against " +
+          entry("Wave/Amplitude", wave.amplitude) + " is not small compared to " +
           entry("Stator/Base thickness", stator.base_thickness) +
-          ", as linear vibration has to be; allowed: up to 1 % of it; amplitudes are in "
+          ", as required for linear vibration; allowed: up to 1 % of it; amplitudes are in "
           "m (2 um is 2e-6)");
   }
 } // namespace ringmotor

@@ -75,12 +75,12 @@ namespace ringmotor
         selection<Body>({{"stator", Body::stator}, {"rotor", Body::rotor}, {"tooth", Body::tooth}}),
         "The body whose modes are computed.");
     add_entry(prm, "Nodal diameters", nodal_diameters, nodal_diameter_list(),
-              "The numbers of waves around the ring for which modes are computed; \"wave\" stands "
-              "for that of the motor.");
+              "The numbers of waves around the ring for which modes are computed; \"wave\" means "
+              "that of the motor.");
     add_entry(prm, "Number of modes", n_modes, whole_number(1, 1000),
               "Number of elastic modes for each nodal diameter.");
     add_entry(prm, "Frequency target", frequency_target, plausible(non_negative_number(), 10., 1e7),
-              "The modes nearest to this frequency are computed; 0 stands for the lowest elastic "
+              "The modes nearest to this frequency are computed; 0 selects the lowest elastic "
               "ones. Units: Hz.");
   }
 
@@ -92,7 +92,7 @@ namespace ringmotor
               Presence::required);
     add_entry(prm, "Frequency", frequency,
               number_or("mode", plausible(positive_number(), 1e3, 1e7)),
-              "Frequency at which the motor is driven; \"mode\" takes the computed one of the "
-              "driving mode. Units: Hz.");
+              "Frequency at which the motor is driven; \"mode\" selects the computed frequency of "
+              "the driving mode. Units: Hz.");
   }
 } // namespace ringmotor

@@ -35,8 +35,8 @@ namespace ringmotor
               Presence::required);
     add_entry(prm, "Unusual values", accepts_unusual_values,
               selection<bool>({{"refuse", false}, {"accept", true}}),
-              "Whether numbers that are allowed but not plausible are refused, as they are most "
-              "likely written in other units, or meant.");
+              "Whether allowed but implausible numbers, which are most likely in other units, are "
+              "refused or accepted.");
   }
 
   void StatorGeometry::declare(ParameterHandler &prm)
@@ -61,14 +61,14 @@ namespace ringmotor
         prm, "Piezoceramic thickness", piezoceramic_thickness,
         plausible(non_negative_number(), 1e-5, 0.05),
         "Thickness of the piezoceramic ring bonded below the base, which has the radii of the "
-        "base's lower face; 0 leaves the ring out. Units: m.",
+        "base's lower face; 0 omits the ring. Units: m.",
         Presence::required);
     add_entry(prm, "Piezoceramic element", piezoceramic_element, element_kind(),
               "Elements of the piezoceramic ring.");
     add_entry(prm, "Target plate cross-section", target_plate_area,
               plausible(positive_number(), 1e-10, 1e-4),
               "Cross-section of the thin plates, targets of optical measurements, on the outer "
-              "edges of the tooth tops; they take part where Effects/Target plates is on. Units: "
+              "edges of the tooth tops; used if Effects/Target plates is on. Units: "
               "m^2.");
     add_entry(prm, "Mesh file", mesh_file, file_or_none(), mesh_file_sentence);
   }
@@ -96,12 +96,12 @@ namespace ringmotor
     add_entry(
         prm, "Radial bar stiffness", radial_bar_stiffness,
         plausible(non_negative_number(), 1e3, 1e14),
-        "Radial stiffness, per length of circumference, of the bars that hold the upper edge of "
-        "the ring's inner face; 0 leaves the bars out. Units: N/m^2.",
+        "Radial stiffness, per length of circumference, of the bars that support the upper edge of "
+        "the ring's inner face; 0 omits the bars. Units: N/m^2.",
         Presence::required);
     add_entry(prm, "Radial bar height", radial_bar_height, thickness(),
-              "Height of the band, down from that edge, over which the bars' forces are spread: "
-              "forces on a line would have no limit on fine meshes. Units: m.",
+              "Height of the band below that edge over which the forces of the bars are "
+              "distributed; displacements under a line force would diverge. Units: m.",
               Presence::required);
     add_entry(prm, "Mesh file", mesh_file, file_or_none(), mesh_file_sentence);
   }

@@ -19,8 +19,8 @@ namespace ringmotor
               "torque and rad/s for speed.");
     add_entry(
         prm, "Number of curve points", n_curve_points, whole_number(2, 1000),
-        "Number of operating points of a curve; from no load to stall, they lie at equal distances "
-        "along it.");
+        "Number of operating points of a curve; they are equidistant along it from no load to "
+        "stall.");
   }
 
   void Friction::declare(ParameterHandler &prm)
@@ -35,10 +35,10 @@ namespace ringmotor
         "one, a decay with the sliding velocity, or a decay over a sliding length.");
     add_entry(prm, "Static coefficient", static_coefficient,
               plausible(non_negative_number(), 1e-3, 5.),
-              "Coefficient of friction of points that stick. Units: none.");
+              "Coefficient of friction of sticking contact nodes. Units: none.");
     add_entry(prm, "Dynamic coefficient", dynamic_coefficient,
               plausible(non_negative_number(), 1e-3, 5.),
-              "Coefficient of friction of points that slip. Units: none.");
+              "Coefficient of friction of slipping contact nodes. Units: none.");
     add_entry(prm, "Decay velocity", decay_velocity,
               number_or("none", plausible(positive_number(), 1e-6, 1e3)),
               "Sliding velocity over which the law \"velocity\" decays. Units: m/s.");
@@ -57,8 +57,8 @@ namespace ringmotor
   {
     add_entry(
         prm, "Amplitude", amplitude, plausible(non_negative_number(), 1e-10, 1e-3),
-        "Amplitude A of the warp A cos(m theta) of the tooth tops at rest: how much higher each "
-        "place of a tooth's top stands, theta from the centre of tooth 0. Units: m.");
+        "Amplitude A of the warp A cos(m theta) of the tooth tops at rest, an axial displacement; "
+        "theta is measured from the centre of tooth 0. Units: m.");
     add_entry(prm, "Number of waves", n_waves, whole_number(0, 5000),
               "Number of waves m of the warp around the ring.");
   }
@@ -96,19 +96,20 @@ namespace ringmotor
   void Time::declare(ParameterHandler &prm)
   {
     constexpr unsigned int most_steps = 1000000;
-    add_entry(prm, "Scheme", scheme,
-              selection<TimeScheme>({{"auto", TimeScheme::automatic},
-                                     {"steady", TimeScheme::steady},
-                                     {"marching", TimeScheme::marching}}),
-              "How the period is resolved: as one steady state, or step by step from a rotor that "
-              "rests on the standing wave without friction; \"auto\" "
-              "takes the steady state where the ring is uniform.");
+    add_entry(
+        prm, "Scheme", scheme,
+        selection<TimeScheme>({{"auto", TimeScheme::automatic},
+                               {"steady", TimeScheme::steady},
+                               {"marching", TimeScheme::marching}}),
+        "How the period is computed: directly as a steady state, or by time steps from a rotor "
+        "pressed without friction on the teeth; \"auto\" selects the steady state for a "
+        "uniform ring.");
     add_entry(prm, "Time step", time_step, plausible(positive_number(), 1e-11, 1e-3),
-              "Step of the scheme \"marching\", shortened where a period of the solution has to be "
+              "Step of the scheme \"marching\", shortened if a period of the solution has to be "
               "a whole number of steps. Units: s.");
     add_entry(prm, "Number of steps", n_steps, number_or("auto", whole_number(1, most_steps)),
-              "Number of steps of the scheme \"marching\"; \"auto\" goes on until the means over "
-              "whole periods of the solution repeat themselves.");
+              "Number of steps of the scheme \"marching\"; \"auto\" continues until the means over "
+              "whole periods of the solution are constant.");
     add_entry(prm, "Average from step", average_from_step,
               number_or("auto", whole_number(1, most_steps)),
               "First step, counted from 1, over which results are averaged; \"auto\" averages over "
@@ -118,11 +119,11 @@ namespace ringmotor
               "Last step over which results are averaged, \"auto\" as before.");
     add_entry(
         prm, "Snapshots", n_snapshots, whole_number(1, 1000),
-        "Number of interleaved snapshots of the scheme \"steady\", and of parts into which each "
-        "step of the scheme \"marching\" is divided; more of them mean a smaller time step.");
-    add_entry(prm, "Spectral radius", spectral_radius,
-              number_within(0., 0.99, "a number from 0 to 0.99"),
-              "Dissipation of the time integration of a rotor with inertia: motions much faster "
-              "than the step keep this share of their amplitude from one step to the next.");
+        "Number of interleaved time samples of the scheme \"steady\", and of substeps of each "
+        "step of the scheme \"marching\"; a larger number gives a smaller time step.");
+    add_entry(
+        prm, "Spectral radius", spectral_radius, number_within(0., 0.99, "a number from 0 to 0.99"),
+        "Dissipation of the time integration of a rotor with inertia: factor by which each step "
+        "multiplies the amplitude of motions much faster than the step.");
   }
 } // namespace ringmotor

@@ -80,7 +80,7 @@ namespace ringmotor
       }
       if (!missing.empty())
         throw UserError(name + ": missing " + some_of(missing) +
-                        "; the motor itself has no default values, see --help for what to give");
+                        "; the motor has no default values, see --help for the required entries");
     }
 
     /** The path of a mesh file as the program can open it from anywhere. */

@@ -105,9 +105,8 @@ namespace ringmotor
       else if (line == "end")
         close_subsection();
       else if (keyword == "include")
-        fail(
-            "include is not offered: a parameter file is complete by itself; copy the lines of the "
-            "included file here, or vary single entries with --set");
+        fail("include is not supported: a parameter file is self-contained; copy the lines of the "
+             "included file here, or vary single entries with --set");
       else
         fail("cannot understand " + quoted(line) +
              "; allowed: subsection Name, set Entry = value, end, # comment");

@@ -44,22 +44,24 @@ namespace ringmotor
 
   void Accuracy::declare(ParameterHandler &prm)
   {
-    add_entry(prm, "Target", target, number_within(1.e-8, 0.1, "a number from 1e-8 to 0.1"),
-              "Relative error below which the estimated errors of frequencies have to be; those of "
-              "a stator may have to be smaller for Contact target. Units: none.");
-    add_entry(prm, "Contact target", contact_target,
-              number_within(1.e-3, 0.5, "a number from 1e-3 to 0.5"),
-              "The same for speed and torque, relative to those without load and at stall, or to "
-              "half the speed of the wave's crests and half the torque that sliding friction "
-              "bears, if that is more; the program stator refines until the wave's share is a "
-              "fifth of it at most. Units: none.");
+    add_entry(
+        prm, "Target", target, number_within(1.e-8, 0.1, "a number from 1e-8 to 0.1"),
+        "Admissible relative error of frequencies; Contact target may require a smaller one for a "
+        "stator. Units: none.");
+    add_entry(
+        prm, "Contact target", contact_target,
+        number_within(1.e-3, 0.5, "a number from 1e-3 to 0.5"),
+        "The same for speed and torque, relative to the no-load speed and the stall torque, or "
+        "to half the speed of the wave's crests and half the torque limit of sliding "
+        "friction, if larger; the program stator refines until the error of the wave is "
+        "at most a fifth of it. Units: none.");
     add_entry(prm, "Time limit", time_limit, number_or("none", positive_number()),
               "Time after which the program contact stops; operating points found so far are kept, "
-              "and --resume goes on from there. Units: s.");
+              "and --resume continues from there. Units: s.");
     add_entry(prm, "Mode", mode,
               selection<AccuracyMode>(
                   {{"adaptive", AccuracyMode::adaptive}, {"fixed", AccuracyMode::fixed}}),
-              "Refine until the target is met, or take the three entries below as they are.");
+              "Refine until the target is met, or use the three entries below.");
     add_entry(prm, "Polynomial degree", polynomial_degree, whole_number(2, 8),
               "Degree of the elements of the program stator; used with Mode = fixed only.");
     add_entry(prm, "Refinement", refinement, whole_number(0, 6),
@@ -82,7 +84,7 @@ namespace ringmotor
     add_effect(
         "Tooth shear", tooth_shear,
         "Elasticity of the teeth under contact forces; \"auto\", here and below, switches an "
-        "effect on where the scene may call for it.");
+        "effect on if it may be significant.");
     add_effect("Rotor tangential compliance", rotor_tangential_compliance,
                "Elasticity of the rotor under friction forces.");
     add_effect("Initial deformation", initial_deformation,
@@ -93,7 +95,7 @@ namespace ringmotor
     add_effect("Tooth inertia", tooth_inertia, "Inertia of the teeth under contact forces.");
     add_effect("Damping", damping,
                "Internal damping of the motion by the loss factors of the materials; the program "
-               "losses counts what it costs all the same.");
+               "losses includes the loss in any case.");
     add_effect("Stator back-reaction", stator_back_reaction,
                "Change of the stator's wave by the contact forces.");
     add_effect("Spin convection", spin_convection,
@@ -102,26 +104,25 @@ namespace ringmotor
                "Thin plates bonded to the tooth edges as targets of an optical measurement.");
     add_effect(
         "Felt support", felt_support,
-        "Stiffness of the felt in the modes of the stator; the program losses counts its loss "
-        "all the same.");
+        "Stiffness of the felt in the modes of the stator; the program losses includes its loss "
+        "in any case.");
     add_effect("Friction lining", friction_lining,
                "Finite stiffness of a friction lining, given in the section Friction.");
   }
 
   void Output::declare(ParameterHandler &prm)
   {
-    add_entry(
-        prm, "Directory", directory, any_text(),
-        "Folder of the results, in which each program has its own folder; a relative path "
-        "starts in the current directory, and \"auto\" stands for output/ and the name of the "
-        "parameter file.");
+    add_entry(prm, "Directory", directory, any_text(),
+              "Folder of the results, with a subfolder for each program; a relative path "
+              "starts in the current directory, and \"auto\" means output/ and the name of the "
+              "parameter file.");
     add_entry(prm, "VTU", vtu, yes_or_no(), "Write fields for ParaView.");
     add_entry(prm, "Frames per period", frames_per_period, whole_number(2, 360),
-              "Number of pictures of one period in animations.");
+              "Number of frames of one period in animations.");
     add_entry(
         prm, "History points", history_points, history_point_list(),
-        "Where history.csv tells forces and motion against time: at the outer edge of tooth 0, "
-        "or at the contact points nearest to these places; 2.25:0.034 is a quarter of a pitch "
+        "Where history.csv records forces and motion against time: at the outer edge of tooth 0, "
+        "or at the contact nodes nearest to these places; 2.25:0.034 is a quarter of a pitch "
         "beyond the centre of tooth 2. Units: pitches for TOOTH and m for RADIUS.");
     add_entry(prm, "Figures", figures, yes_or_no(), "Draw the figures at the end of a run.");
   }

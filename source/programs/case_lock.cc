@@ -33,7 +33,7 @@ namespace ringmotor
     {
       ::close(descriptor);
       throw UserError("Output/Directory = " + folder +
-                      ": another program is at work in this folder; wait until it has ended, or "
+                      ": another program is running in this folder; wait until it has ended, or "
                       "choose another folder (--output DIR)");
     }
     // Some network file systems lock no folders; what else is wrong with it is told when results

@@ -103,7 +103,7 @@ namespace ringmotor
     std::string setting_text(const CurveSearch::Rung &rung)
     {
       return "interface mesh " + std::to_string(rung.setting.level) + ", " +
-             std::to_string(rung.n_steps) + " steps in a period";
+             std::to_string(rung.n_steps) + " steps per period";
     }
 
     /** @throws UserError if steps are so long that a tooth comes and goes unseen */
@@ -112,8 +112,8 @@ namespace ringmotor
       const double half_period = numbers::PI / wave.angular_frequency;
       if (is_marched(parameters) && parameters.time.time_step > half_period)
         throw UserError("Time/Time step = " + scientific(parameters.time.time_step) +
-                        " s is longer than half a period of the wave, within which a tooth comes "
-                        "and goes; allowed: up to " +
+                        " s is longer than half a period of the wave, in which a tooth makes and "
+                        "loses contact; allowed: up to " +
                         scientific(half_period) + " s, and a tenth of that for good results");
     }
 
@@ -160,8 +160,7 @@ namespace ringmotor
     {
       constexpr unsigned int n_harmonics = 6;
       lip.emplace(given, n_harmonics, 2. * n_harmonics * wave.angular_frequency);
-      std::string line =
-          "motion of the lip with inertia over that without, at the wave's harmonics:";
+      std::string line = "dynamic over static compliance of the lip, at the harmonics of the wave:";
       for (unsigned int m = 1; m <= n_harmonics; ++m)
         line += " " + text(lip->at(m, m * wave.angular_frequency), 2);
       log.line(line);
@@ -173,7 +172,7 @@ namespace ringmotor
       if (speaks)
         tell_when_interrupted(
             "contact: interrupted; the operating points found so far are kept in " + folder +
-            "kept: go on with --resume");
+            "kept: continue with --resume");
       search.find();
       report();
       write_results();
@@ -211,7 +210,7 @@ namespace ringmotor
       };
       CondensedMotor motor = keep ? keep->motor(parameters, level, condense) : condense();
       log.line("interface mesh " + std::to_string(level) + ": " +
-               std::to_string(motor.nodes.size()) + " contact points on a tooth, " +
+               std::to_string(motor.nodes.size()) + " contact nodes per tooth, " +
                std::to_string(motor.n_dofs) + " dofs condensed");
       return motor;
     }
@@ -237,7 +236,7 @@ namespace ringmotor
           return;
         told_at = seconds();
         log.line(std::to_string(n_found) + " of " + std::to_string(requests.size()) +
-                 " operating points found; the others may take some " +
+                 " operating points found; the others may take about " +
                  text((told_at - seconds_before) * (requests.size() - n_found) / n_found, 0) +
                  " s");
       };
@@ -255,7 +254,7 @@ namespace ringmotor
             "the next " + std::to_string(n_points) + " operating points on interface mesh " +
             std::to_string(setting.level) + " have " +
             std::to_string(motor.nodes.size() * motor.repeating().n_sectors() * setting.n_parts) +
-            " contact points each and may take some " + text(seconds, 0) +
+            " contact nodes each and may take about " + text(seconds, 0) +
             " s; Accuracy/Time limit stops them, a larger Accuracy/Contact target makes them "
             "cheaper");
     }
@@ -265,9 +264,9 @@ namespace ringmotor
       const std::optional<double> limit = parameters.accuracy.time_limit;
       if (limit && seconds() > *limit)
         throw ComputationError(
-            "Accuracy/Time limit = " + text(*limit, 0) + " s is over after " + text(seconds(), 1) +
+            "Accuracy/Time limit = " + text(*limit, 0) + " s exceeded after " + text(seconds(), 1) +
             " s; the operating points found so far are kept: choose a larger "
-            "limit and go on with --resume, or a larger Accuracy/Contact target");
+            "limit and continue with --resume, or a larger Accuracy/Contact target");
     }
 
     void ContactProgram::report()
@@ -276,13 +275,13 @@ namespace ringmotor
         log.line(describe(point));
       if (search.rotor_sticks())
         log.line(
-            "warning: the wave does not turn the rotor: nearly all of its contact sticks, because "
-            "the preload is too large for the amplitude; the torques above are a quarter of what "
-            "sliding friction bears and less");
+            "warning: the wave does not turn the rotor: nearly all contact nodes stick, because "
+            "the preload is too large for the amplitude; the torques above are at most a quarter "
+            "of the limit of sliding friction");
       for (const CurvePoint &point : search.points())
         if (!point.remark.empty())
           log.line("note: at " + text(1e3 * point.result.torque, 2) +
-                   " mN m Newton's method needed help: " + point.remark);
+                   " mN m Newton's method did not converge directly: " + point.remark);
       report_static_friction();
       warn_of_long_steps();
       report_effects();
@@ -322,7 +321,7 @@ namespace ringmotor
       const double step = search.points().front().fields.time_step;
       if (step > 0.5 * shortest)
         log.line("warning: the time step of " + scientific(step) +
-                 " s is not short against the time for which a tooth is in contact, " +
+                 " s is not small compared to the time for which a tooth is in contact, " +
                  scientific(shortest) +
                  " s; choose a smaller Time/Time step (marching) or more "
                  "Time/Snapshots (steady)");
@@ -360,7 +359,7 @@ namespace ringmotor
       const MotorBodies bodies(parameters, wave, ContactDiscretisation::level(search.level()));
       write_motor_bodies(folder, search.motor(), bodies, search.points(), height);
       if (search.motor().has_rotor_modes())
-        log.line("the inside of a rotor with inertia is not drawn: motor.pvd shows the teeth, "
+        log.line("the interior of a rotor with inertia is not drawn: motor.pvd shows the teeth, "
                  "contact.pvd the surfaces of both");
     }
 

@@ -66,7 +66,7 @@ namespace ringmotor
           throw UserError(option + " is not available for the program " + program.name +
                           "; leave it out");
         if (!first.empty())
-          throw UserError(first + " does not go with " + option + "; leave one of them out");
+          throw UserError(first + " cannot be combined with " + option + "; omit one of them");
         first = option;
       }
     }
@@ -140,15 +140,16 @@ namespace ringmotor
     {
       std::cout << "# " << program.name << " FILE.prm [--set 'Section/Sub/Entry = value']..."
                 << options_of(program) << " [--help] [--version]\n# " << program.purpose
-                << "\n# --check looks at the parameters and computes nothing.";
+                << "\n# --check checks the parameters and computes nothing.";
       if (program.study)
-        std::cout << "\n# --study shows what accuracy costs: a ladder of settings, each with its "
-                     "errors and seconds.";
+        std::cout
+            << "\n# --study measures the cost of accuracy: a series of settings, each with its "
+               "errors and seconds.";
       if (program.resume)
-        std::cout << "\n# --resume goes on after an interruption: finished operating points are "
+        std::cout << "\n# --resume continues after an interruption: finished operating points are "
                      "not computed again.";
       if (program.clear)
-        std::cout << "\n# --clear removes what is kept for later runs, and computes nothing.";
+        std::cout << "\n# --clear removes the files kept for later runs, and computes nothing.";
       std::cout << "\n# A parameter file looks like this; the values are those of the reference "
                    "motor.\n\n";
       print_parameters(std::cout, Parameters());
@@ -164,7 +165,7 @@ namespace ringmotor
       {
         lock.emplace(parameters.output.directory);
         tell_when_interrupted(program.name +
-                              ": interrupted; nothing of this run is kept: start it again");
+                              ": interrupted; no results of this run are kept: start it again");
         noted_in = failure_file(program.name, parameters);
         std::remove(noted_in.c_str());
       }
@@ -191,7 +192,7 @@ namespace ringmotor
                                      : program.run,
                        parameters, noted_in);
       else if (is_first_rank())
-        std::cout << program.name << ": the parameters are fine; results would be in "
+        std::cout << program.name << ": the parameters are valid; results would be written to "
                   << results_folder(program.name, parameters) << std::endl;
     }
 

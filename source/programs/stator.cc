@@ -154,7 +154,7 @@ namespace ringmotor
         report_inertia();
       else
         log.line("the motor's wave (n = " + std::to_string(parameters.motor.n_waves) +
-                 ", out-of-plane) is not among the modes asked for: no ellipses, no wave for the "
+                 ", out-of-plane) is not among the requested modes: no ellipses, no wave for the "
                  "contact");
     }
 
@@ -162,8 +162,8 @@ namespace ringmotor
     {
       if (wave.shape.empty())
         throw ComputationError(
-            "the motor's wave was recognised on the last mesh only, so that nothing tells the "
-            "error of its shape; choose a finer mesh");
+            "the motor's wave was identified on the last mesh only, so that the error of its "
+            "shape cannot be estimated; choose a finer mesh");
       log.line("motor's wave: A_t/A_n = " + text(wave.shape.front().value, 4) +
                " at the outer edge of the tooth top" +
                (wave.gap_above > 0.

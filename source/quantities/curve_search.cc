@@ -61,8 +61,8 @@ namespace ringmotor
     const bool is_fixed      = accuracy.mode == AccuracyMode::fixed;
     if (!is_fixed && wave_error >= accuracy.contact_target)
       throw ComputationError(
-          "the stator's wave is known to " + short_text(wave_error) +
-          " (relative) only, but Accuracy/Contact target = " + short_text(accuracy.contact_target) +
+          "the relative error of the stator's wave is " + short_text(wave_error) +
+          ", but Accuracy/Contact target = " + short_text(accuracy.contact_target) +
           "; run the program stator with these parameters (and Accuracy/Mode = adaptive) first");
     reached_level = is_fixed ? accuracy.interface_refinement : 1;
     find_requests(steps.first_parts());

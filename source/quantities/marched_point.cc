@@ -210,8 +210,8 @@ namespace ringmotor
             std::minmax_element(values.begin() + values.size() / 2, values.end());
         text << name << " " << *low << " to " << *high << " " << unit;
       };
-      text << "the motor does not settle: after " << means[0].size()
-           << " spans of time, each of whole periods, the later half of their means has ";
+      text << "the motor does not settle: in the later half of " << means[0].size()
+           << " averaging spans of whole periods, the means have ";
       if (of_torque)
         range("speeds from", means[0], "rad/s");
       else

@@ -156,7 +156,7 @@ namespace ringmotor
     }
     throw ComputationError("the frequency of the wave with the rotor on the stator did not settle "
                            "in " +
-                           std::to_string(most_rounds) + " rounds");
+                           std::to_string(most_rounds) + " iterations");
   }
 
   std::vector<PointRequest> listed_points(const Loading &loading)

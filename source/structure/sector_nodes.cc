@@ -142,7 +142,7 @@ namespace ringmotor
       throw UserError("Stator/Mesh file: the high cut (physical id 14) is turned by " +
                       std::to_string(turn / degree) + " degrees against the low cut (13); " +
                       std::to_string(pitch / degree) +
-                      " are wanted: correct the mesh or Motor/Number of teeth");
+                      " are required: correct the mesh or Motor/Number of teeth");
   }
 
   std::vector<std::pair<SectorNodes::Dof, SectorNodes::Dof>>

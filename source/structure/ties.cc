@@ -222,7 +222,7 @@ namespace ringmotor
     AssertThrow(
         n_feet(meshes) <= edge.size(),
         ExcMessage("A solid is finer than the edge of the shell that is tied to it, so that "
-                   "the shell would hold it in single points: coarsen the solid or refine "
+                   "the shell would constrain it at single points: coarsen the solid or refine "
                    "the shell."));
 
     const auto solid_cells        = cells_at(meshes.solid, ids::shell_root);

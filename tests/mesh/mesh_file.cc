@@ -360,5 +360,5 @@ TEST(MeshFile, RefusesABodyInPieces)
     };
   };
   expect_refusal_after(part_tooth(0.), {"8 nodes lie on others", "BooleanFragments"});
-  expect_refusal_after(part_tooth(1e-4), {"only 3 of its 6 cells hang together"});
+  expect_refusal_after(part_tooth(1e-4), {"only 3 of its 6 cells are connected"});
 }

@@ -266,7 +266,7 @@ TEST_F(ContactKeepFiles, PointsAreThereUnlessDamagedOrOfAnotherLoad)
     return said.str().substr(said.str().find('\n'));
   };
   keep(false).points(parameters, motor, {}, requests);
-  EXPECT_NE(report().find("3 operating points, those for error bars included, were there already; "
+  EXPECT_NE(report().find("3 operating points, including those for error bars, were available; "
                           "nothing was left to compute"),
             std::string::npos);
   for (const auto &entry : std::filesystem::directory_iterator(scratch.path("/kept/points")))
@@ -275,7 +275,7 @@ TEST_F(ContactKeepFiles, PointsAreThereUnlessDamagedOrOfAnotherLoad)
             std::string::npos);
   EXPECT_NE(report().find("nothing was left"), std::string::npos);
   parameters.loading.preload = 15.;
-  EXPECT_NE(report().find(" 0 operating points, those for error bars included, were there already; "
+  EXPECT_NE(report().find(" 0 operating points, including those for error bars, were available; "
                           "3 were computed"),
             std::string::npos);
   keep(false);

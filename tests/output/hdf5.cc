@@ -123,7 +123,7 @@ TEST(Hdf5, RefusesAFileOfAnotherKind)
   expect_problem(scratch.path("y.h5"), ": found nothing, expected a readable HDF5 file",
                  [&]() { Hdf5Reader(scratch.path("y.h5"), "example", 3); });
   expect_problem(scratch.path(""),
-                 ": found something damaged, locked or of another kind, expected a readable HDF5 "
+                 ": found a damaged or locked file, or another format, expected a readable HDF5 "
                  "file",
                  [&]() { Hdf5Reader(scratch.path(""), "example", 3); });
 }
@@ -141,7 +141,7 @@ TEST(Hdf5, RefusesAFileThatWasCutOff)
   {
     write_file(path, whole.substr(0, size));
     expect_problem(path,
-                   ": found something damaged, locked or of another kind, expected a readable HDF5 "
+                   ": found a damaged or locked file, or another format, expected a readable HDF5 "
                    "file",
                    [&]() { Hdf5Reader(path, "example", 3); });
   }

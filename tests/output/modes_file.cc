@@ -139,6 +139,7 @@ TEST_F(ModesFileMesh, CountsByItsContentNotByItsPlace)
 TEST_F(ModesFileMesh, WithoutTheWaveIsRefused)
 {
   write(with({"Modes/Nodal diameters = 6"}));
-  expect_message(refusal(with({})), {path, "none of them is the wave of the motor (7 waves",
-                                     "Modes/Nodal diameters must have 7", "Modes/Number of modes"});
+  expect_message(refusal(with({})),
+                 {path, "none of them is the wave of the motor (7 waves",
+                  "Modes/Nodal diameters must include 7", "Modes/Number of modes"});
 }

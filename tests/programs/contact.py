@@ -180,7 +180,7 @@ class Mistakes(WithContact):
                             "Accuracy/Mode = fixed", "Friction/Law = coulomb")
         self.assertEqual(done.returncode, 2, done.stderr)  # solved, but with no use
         self.assertIn("power put in against power out", done.stderr)
-        self.assertIn("is not short against the time for which a tooth is in contact", done.stdout)
+        self.assertIn("is not small compared to the time for which a tooth is in contact", done.stdout)
 
     def test_a_rotor_that_sticks_is_loaded_by_a_quarter_of_what_friction_bears(self):
         # 30 kN for each micrometre press the lip flat.

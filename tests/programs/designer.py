@@ -108,7 +108,7 @@ class Designer(WithWave):
             before = sorted(self.case.rglob("*"))
             for program in (STATOR, CONTACT, LOSSES):
                 said = self.refused(program, "--output", self.case)
-                self.assertIn("another program is at work", said)
+                self.assertIn("another program is running", said)
                 self.assertIn("--output DIR", said)
             self.assertEqual(sorted(self.case.rglob("*")), before)
         finally:
@@ -120,7 +120,7 @@ class Designer(WithWave):
                                  stdout=subprocess.DEVNULL) for _ in range(2)]
         said = [started.communicate()[1] for started in runs]
         self.assertEqual(sorted(started.returncode for started in runs), [0, 1], said)
-        self.assertIn("another program is at work", "".join(said))
+        self.assertIn("another program is running", "".join(said))
 
     def test_losses_of_another_wave(self):
         case = self.folder / "case"
@@ -175,7 +175,7 @@ class Designer(WithWave):
         self.assertFalse(kept.exists())
         self.assertTrue(json.loads((case / "contact" / "summary.json").read_text())["certificate"]["holds"])
         self.assertIn("--clear is not available", self.refused(STATOR, "--output", case, "--clear"))
-        self.assertIn("--resume does not go with --clear", self.refused(CONTACT, "--output", case, "--clear", "--resume"))
+        self.assertIn("--resume cannot be combined with --clear", self.refused(CONTACT, "--output", case, "--clear", "--resume"))
 
 
 if __name__ == "__main__":

@@ -18,7 +18,7 @@ namespace ringmotor::laws
       {
         if (!friction.weakening_length)
           throw UserError("Friction/Law = slip-weakening needs Friction/Weakening length, which is "
-                          "none; give it in m");
+                          "not set; give it in m");
       }
 
       FrictionCoefficient coefficient(const Friction &friction, const FrictionMemory &memory,
@@ -46,8 +46,8 @@ namespace ringmotor::laws
 
       std::string remedy() const override
       {
-        return "; friction that falls with the slip can make teeth stick and slip in turn, which "
-               "is no steady state: try Time/Scheme = marching";
+        return "; friction that decreases with the slip can make teeth stick and slip in turn, "
+               "without a steady state: try Time/Scheme = marching";
       }
     };
   } // namespace

@@ -17,8 +17,9 @@ namespace ringmotor::laws
       void check(const Friction &friction) const override
       {
         if (!friction.decay_velocity)
-          throw UserError("Friction/Law = velocity needs Friction/Decay velocity, which is none; "
-                          "give it in m/s");
+          throw UserError(
+              "Friction/Law = velocity needs Friction/Decay velocity, which is not set; "
+              "give it in m/s");
       }
 
       FrictionCoefficient coefficient(const Friction &friction, const FrictionMemory &,
@@ -33,8 +34,9 @@ namespace ringmotor::laws
 
       std::string remedy() const override
       {
-        return "; friction that falls with the velocity falls the faster with the slip of a step "
-               "the shorter the step is, and points may then stick or slip at the same load: try a "
+        return "; friction that decreases with the velocity decreases more steeply with the slip "
+               "of "
+               "a shorter step, and contact nodes may then stick or slip at the same load: try a "
                "smaller Time/Snapshots, Time/Scheme = marching, or a larger Friction/Decay "
                "velocity";
       }

@@ -21,14 +21,14 @@ namespace ringmotor::effects
         const StatorGeometry &stator = parameters.stator;
         if (!stator.mesh_file.empty())
           throw UserError(given(parameters) +
-                          " does not go with Stator/Mesh file = " + quoted(stator.mesh_file) +
+                          " is incompatible with Stator/Mesh file = " + quoted(stator.mesh_file) +
                           ", where the edges of the teeth are not known; allowed: off");
         const double largest = 0.1 * stator.tooth_height * stator.tooth_height;
         if (stator.target_plate_area <= largest)
           return;
         std::ostringstream text;
         text << "Stator/Target plate cross-section = " << stator.target_plate_area
-             << " m^2 is no thin plate on teeth of "
+             << " m^2 is too large for a thin plate on teeth of "
              << ringmotor::entry("Stator/Tooth height", stator.tooth_height)
              << "; allowed: up to a tenth of the height's square, " << largest << " m^2";
         throw UserError(text.str());
