@@ -236,7 +236,7 @@ namespace ringmotor
     void add_modes(CondensedMotor &motor, const SectorSurface &tooth_top,
                    const MortarCoupling &mortar, const ContactDiscretisation &discretisation,
                    const Parameters &parameters, const MotorModel &model,
-                   const RotorVibration *vibration)
+                   const unsigned int modes_level, const RotorVibration &of_rotor)
     {
       motor.dynamics = {model.rotor_loss_factor,
                         InertiaScheme::second_order(parameters.time.spectral_radius),
@@ -245,10 +245,11 @@ namespace ringmotor
       motor.coarse_modes.resize(motor.modes.size());
       if (model.rotor_needs_modes())
       {
-        const RotorVibration of_rotor =
-            vibration ? *vibration : RotorVibration(parameters, motor.angular_frequency);
-        motor.modes        = of_rotor.modes().at(tooth_top.surface, discretisation.lip_turn);
-        motor.coarse_modes = of_rotor.coarse_modes().at(tooth_top.surface, discretisation.lip_turn);
+        const auto modes_of = [&](const unsigned int level)
+        { return of_rotor.level(level).at(tooth_top.surface, discretisation.lip_turn); };
+        motor.modes_level  = modes_level;
+        motor.modes        = modes_of(modes_level);
+        motor.coarse_modes = modes_of(modes_level - 1);
       }
       if (!model.teeth_vibrate)
         return;
@@ -263,6 +264,7 @@ namespace ringmotor
 
   CondensedMotor condense_motor(const Parameters &all_parameters, const StatorWave &wave,
                                 const ContactDiscretisation &discretisation,
+                                const std::optional<unsigned int> &modes_level,
                                 const RotorVibration *vibration)
   {
     const Parameters parameters = relevant_for_condensation(all_parameters);
@@ -285,7 +287,9 @@ namespace ringmotor
       motor.folded = motor.compliance.folded(motor.n_repeats());
     motor.constants = constants_for(motor.compliance);
     if (model.needs_modes())
-      add_modes(motor, tooth.surface, rotor.mortar, discretisation, parameters, model, vibration);
+      add_modes(motor, tooth.surface, rotor.mortar, discretisation, parameters, model,
+                modes_level.value_or(RotorVibration::finest_level),
+                vibration ? *vibration : RotorVibration(parameters, motor.angular_frequency));
     return motor;
   }
 

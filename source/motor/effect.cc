@@ -75,9 +75,12 @@ namespace ringmotor
                                         const Scene &scene, const double target)
   {
     constexpr double share = 1. / 3.; // of the target
+    Scene whole            = scene;
+    whole.threshold        = share * target;
     // Rayleigh's quotient costs nothing, operating points do.
-    const Scene cheap =
-        stage == EffectStage::stator ? scene : Scene{scene.parameters, scene.wave, {}};
+    Scene cheap = whole;
+    if (stage != EffectStage::stator)
+      cheap.measure = {};
     std::vector<EffectRow> rows;
     for (const auto &effect : all_effects())
     {
@@ -87,10 +90,10 @@ namespace ringmotor
       const EffectChoice choice = effect->choice(parameters);
       EffectRow row{effect->name, {}, choice == EffectChoice::off ? "off" : "on"};
       row.is_automatic = choice == EffectChoice::automatic;
-      row.indicator    = effect->indicator(row.is_automatic ? scene : cheap);
+      row.indicator    = effect->indicator(row.is_automatic ? whole : cheap);
       if (row.is_automatic && row.indicator)
       {
-        const bool is_on                  = std::abs(*row.indicator) > share * target;
+        const bool is_on                  = std::abs(*row.indicator) > whole.threshold;
         parameters.effects.*effect->entry = is_on ? EffectChoice::on : EffectChoice::off;
         row.choice                        = is_on ? "on" : "off";
         if (is_on && !effect->is_available(parameters))

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/motor/lip_amplification.h>
-#include <ringmotor/motor/rotor_modes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,15 +35,12 @@ namespace ringmotor
     }
   } // namespace
 
-  LipAmplification::LipAmplification(const Parameters &parameters, const unsigned int n_harmonics,
-                                     const double up_to)
+  LipAmplification::LipAmplification(const Parameters &parameters, const LipModes &modes,
+                                     const unsigned int level, const unsigned int n_harmonics)
   {
-    constexpr unsigned int level = 1;
     const RotorBody body(parameters, LipModes::discretisation(level));
     const Condensation condensation = body.condensed();
     const InterfaceCompliance interface(condensation);
-    const std::vector<LinearForm> displacements = displacement_forms(body.lip);
-    ModeSolver solver(body.sector);
     for (unsigned int m = 1; m <= n_harmonics; ++m)
     {
       const unsigned int k = nodal_diameter_of_harmonic(parameters.motor, m);
@@ -55,13 +51,12 @@ namespace ringmotor
       Vector<double> motion(forces.size());
       interface.compliance(k, body.held(k)).vmult(motion, forces);
       harmonics.back().static_motion = forces * motion;
-      for (const Mode &mode : solver.below(k, std::pow(up_to, 2)))
+      for (const LipModes::LipMode &mode : modes.of_diameter(k))
       {
-        const std::vector<double> of_mode = on_surface(body.sector, displacements, mode);
-        double work                       = 0.;
-        for (unsigned int i = 0; i < of_mode.size(); ++i)
-          work += forces[i] * of_mode[i];
-        harmonics.back().frequencies.push_back(std::sqrt(mode.eigenvalue));
+        double work = 0.;
+        for (unsigned int i = 0; i < mode.motion.size(); ++i)
+          work += forces[i] * mode.motion[i];
+        harmonics.back().frequencies.push_back(mode.angular_frequency);
         harmonics.back().work.push_back(work * work);
       }
     }
@@ -78,5 +73,20 @@ namespace ringmotor
              (1. / (square - std::pow(angular_frequency, 2)) - 1. / square);
     }
     return sum;
+  }
+
+  double LipAmplification::rough_effect(const double angular_frequency) const
+  {
+    constexpr double pressed = 0.25, share_of_speed = 1. / 3.;
+    double whole = 0., changed = 0.;
+    for (unsigned int m = 1; m <= n_harmonics(); ++m)
+    {
+      // The Fourier coefficient of the pressure, by that of an even one.
+      const double phase  = numbers::PI * m * pressed,
+                   motion = std::pow(std::sin(phase) / phase, 2) * harmonics[m - 1].static_motion;
+      whole += motion;
+      changed += motion * std::min(1., std::abs(at(m, m * angular_frequency) - 1.));
+    }
+    return whole > 0. ? share_of_speed * changed / whole : 0.;
   }
 } // namespace ringmotor

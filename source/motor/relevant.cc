@@ -71,7 +71,7 @@ namespace ringmotor
     // The bodies have the lining on them, and know no law.
     relevant.friction.lining_normal_stiffness     = friction.lining_normal_stiffness;
     relevant.friction.lining_tangential_stiffness = friction.lining_tangential_stiffness;
-    const MotorModel model = motor_model(parameters);
+    const MotorModel model                        = motor_model(parameters);
     if (model.has_inertia())
       relevant.time.spectral_radius = parameters.time.spectral_radius;
     if (model.rotor_moves_as_whole)

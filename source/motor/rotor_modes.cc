@@ -102,23 +102,20 @@ namespace ringmotor
     return at_nodes;
   }
 
-  namespace
-  {
-    LipModes coarse_modes_of(const Parameters &parameters, const double frequency)
-    {
-      return LipModes(parameters, 1, 8.5 * frequency, 13);
-    }
-  } // namespace
-
   RotorVibration::RotorVibration(const Parameters &parameters, const double frequency)
-      : fine(parameters, 2, highest_harmonic * frequency, 19),
-        coarse(coarse_modes_of(parameters, frequency))
+      : parameters(parameters), frequency(frequency)
   {
   }
 
-  RotorVibration RotorVibration::coarse_only(const Parameters &parameters, const double frequency)
+  const LipModes &RotorVibration::level(const unsigned int level) const
   {
-    const LipModes modes = coarse_modes_of(parameters, frequency);
-    return RotorVibration(modes, modes);
+    // The error of leaving modes out falls with the third power of the highest frequency, to a
+    // third from level to level.
+    constexpr std::array<double, finest_level + 1> up_to{{6., 8.5, highest_harmonic}};
+    constexpr std::array<unsigned int, finest_level + 1> n_harmonics{{9, 13, 19}};
+    if (!levels[level])
+      levels[level] = std::make_shared<const LipModes>(parameters, level, up_to[level] * frequency,
+                                                       n_harmonics[level]);
+    return *levels[level];
   }
 } // namespace ringmotor

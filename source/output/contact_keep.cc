@@ -125,11 +125,13 @@ namespace ringmotor
   }
 
   CondensedMotor ContactKeep::motor(const Parameters &parameters, const unsigned int level,
+                                    const std::optional<unsigned int> &modes_level,
                                     const std::function<CondensedMotor()> &condense)
   {
-    const std::string name = "interface_mesh_" + std::to_string(level), path = motors + name;
-    const bool is_first   = Utilities::MPI::this_mpi_process(communicator) == 0;
-    const std::string key = condensation_key(parameters, wave, level);
+    const std::string modes = modes_level ? "_modes_" + std::to_string(*modes_level) : "",
+                      path  = motors + "interface_mesh_" + std::to_string(level) + modes;
+    const bool is_first     = Utilities::MPI::this_mpi_process(communicator) == 0;
+    const std::string key   = condensation_key(parameters, wave, level) + modes;
     KeptContent kept;
     if (is_first)
       kept = read_kept_file(path, key);
@@ -154,7 +156,8 @@ namespace ringmotor
                       const std::function<void(const CurvePoint &)> &after_point,
                       const std::vector<CurvePoint> &starts)
   {
-    const std::string key = points_key(parameters, wave, setting.level) + setting.text() + "\n" +
+    const std::string key = points_key(parameters, wave, setting.level) + setting.text() +
+                            "\nmodes " + std::to_string(motor.modes_level) + "\n" +
                             (setting.tells_window ? "with its window\n" : "");
     Points memory(points_folder, key, counts);
     return find_points(parameters, motor, setting, requests, communicator, after_point, &memory,

@@ -49,7 +49,7 @@ namespace ringmotor
       void study();
 
     private:
-      CondensedMotor condense(const unsigned int level);
+      CondensedMotor condense(const unsigned int level, const unsigned int modes_level);
       std::vector<CurvePoint> find(const Parameters &of_points, const CondensedMotor &motor,
                                    const CurveSetting &setting,
                                    const std::vector<PointRequest> &requests,
@@ -83,12 +83,13 @@ namespace ringmotor
       Log log;
       Phases phases;
       const StatorWave wave;
+      const RotorVibration uniform_vibration;         ///< of the rotor on a uniform ring
       std::map<std::string, EffectOnPoints> measured; ///< effects that operating points tell
       std::vector<EffectRow> effects;
-      std::optional<LipAmplification> lip;     ///< if inertia may take part
-      const Parameters parameters;             ///< no effect of the contact is `auto`
-      std::optional<RotorVibration> vibration; ///< of a rotor with inertia, on all meshes
-      std::optional<ContactKeep> keep;         ///< of run(); a study measures what it costs without
+      std::optional<LipAmplification> lip; ///< if inertia may take part
+      const Parameters parameters;         ///< no effect of the contact is `auto`
+      const RotorVibration vibration;      ///< of the rotor, on all meshes
+      std::optional<ContactKeep> keep;     ///< of run(); a study measures what it costs without
       const std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
       double seconds_per_effort = 0.; ///< at the last point, see effort_of()
       CurveSearch search;
@@ -117,13 +118,26 @@ namespace ringmotor
                         scientific(half_period) + " s, and a tenth of that for good results");
     }
 
+    /** The same motor without a warp, marched or not. */
+    Parameters on_uniform_ring(const Parameters &parameters)
+    {
+      Parameters uniform  = parameters;
+      uniform.time.scheme = TimeScheme::steady;
+      return uniform;
+    }
+
     ContactProgram::ContactProgram(const Parameters &parameters)
         : given(parameters), folder(results_folder("contact", parameters)),
           speaks(Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0), log(speaks),
           wave(read_stator_wave(parameters.output.directory + "/stator/modes.h5", parameters)),
+          uniform_vibration(on_uniform_ring(parameters), wave.angular_frequency),
           parameters(with_effects_chosen()),
+          vibration(is_marched(parameters)
+                        ? RotorVibration(this->parameters, wave.angular_frequency)
+                        : uniform_vibration),
           search(this->parameters, wave.relative_error, 2. * numbers::PI / wave.angular_frequency,
-                 {[this](const unsigned int level) { return condense(level); },
+                 {[this](const unsigned int level, const unsigned int modes_level)
+                  { return condense(level, modes_level); },
                   [this](const Parameters &of_points, const CondensedMotor &motor,
                          const CurveSetting &setting, const std::vector<PointRequest> &requests,
                          const std::vector<CurvePoint> &starts)
@@ -141,25 +155,28 @@ namespace ringmotor
     {
       Parameters chosen = given;
       const auto scope  = phases.measure("choice of effects");
+      if (motor_model(given).rotor_needs_modes())
+        look_at_lip();
       const Scene scene{chosen, &wave,
                         [&](const Effect &effect)
                         {
-                          measured[effect.name] = effect_on_points(chosen, effect, wave);
+                          measured[effect.name] =
+                              effect_on_points(chosen, effect, wave, uniform_vibration);
                           return measured[effect.name].relative;
-                        }};
+                        },
+                        lip ? &*lip : nullptr};
       effects = choose_effects(chosen, EffectStage::contact, scene, given.accuracy.contact_target);
       for (const EffectRow &row : effects)
         if (row.is_automatic && row.indicator && *row.indicator != 0.)
           log.line(describe(row));
-      if (motor_model(given).rotor_vibrates)
-        look_at_lip();
       return chosen;
     }
 
     void ContactProgram::look_at_lip()
     {
       constexpr unsigned int n_harmonics = 6;
-      lip.emplace(given, n_harmonics, 2. * n_harmonics * wave.angular_frequency);
+      constexpr unsigned int level       = 1;
+      lip.emplace(given, uniform_vibration.level(level), level, n_harmonics);
       std::string line = "dynamic over static compliance of the lip, at the harmonics of the wave:";
       for (unsigned int m = 1; m <= n_harmonics; ++m)
         line += " " + text(lip->at(m, m * wave.angular_frequency), 2);
@@ -198,17 +215,19 @@ namespace ringmotor
       log.line("study in " + folder + "study.csv");
     }
 
-    CondensedMotor ContactProgram::condense(const unsigned int level)
+    CondensedMotor ContactProgram::condense(const unsigned int level,
+                                            const unsigned int modes_level)
     {
       const auto scope    = phases.measure("condensation, interface mesh " + std::to_string(level));
       const auto condense = [&]
       {
-        if (!vibration && motor_model(parameters).rotor_needs_modes())
-          vibration.emplace(parameters, wave.angular_frequency);
-        return condense_motor(parameters, wave, ContactDiscretisation::level(level),
-                              vibration ? &*vibration : nullptr);
+        return condense_motor(parameters, wave, ContactDiscretisation::level(level), modes_level,
+                              &vibration);
       };
-      CondensedMotor motor = keep ? keep->motor(parameters, level, condense) : condense();
+      std::optional<unsigned int> of_rotor;
+      if (motor_model(parameters).rotor_needs_modes())
+        of_rotor = modes_level;
+      CondensedMotor motor = keep ? keep->motor(parameters, level, of_rotor, condense) : condense();
       log.line("interface mesh " + std::to_string(level) + ": " +
                std::to_string(motor.nodes.size()) + " contact nodes per tooth, " +
                std::to_string(motor.n_dofs) + " dofs condensed");

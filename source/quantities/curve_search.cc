@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/rotor_modes.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/quantities/curve_points.h>
 #include <ringmotor/quantities/curve_search.h>
@@ -39,6 +40,9 @@ namespace ringmotor
       return other;
     }
 
+    /** Targets from which on the modes of level 1 are likely to do. */
+    constexpr double loose_target = 0.05;
+
     std::string short_text(const double number)
     {
       std::ostringstream text;
@@ -51,7 +55,11 @@ namespace ringmotor
   CurveSearch::CurveSearch(const Parameters &parameters, const double wave_error,
                            const double period, const Sources &sources, const LeftOut &left_out)
       : parameters(parameters), wave_error(wave_error), steps(parameters, period), sources(sources),
-        left_out(left_out), has_inertia(motor_model(parameters).has_inertia())
+        left_out(left_out), has_inertia(motor_model(parameters).has_inertia()),
+        modes_level(parameters.accuracy.mode == AccuracyMode::fixed ||
+                            parameters.accuracy.contact_target < loose_target
+                        ? RotorVibration::finest_level
+                        : 1)
   {
   }
 
@@ -108,6 +116,13 @@ namespace ringmotor
     motors.erase(motors.begin(), motors.lower_bound(compared_with(reached_level)));
   }
 
+  void CurveSearch::take_finer_modes()
+  {
+    ++modes_level;
+    motors.clear();
+    known.clear();
+  }
+
   bool CurveSearch::powers_balance()
   {
     const unsigned int most = steps.most_parts();
@@ -134,13 +149,16 @@ namespace ringmotor
 
   void CurveSearch::refine()
   {
-    bool shortened = false, needs_mesh = false;
+    bool shortened = false, needs_mesh = false, needs_modes = false;
     for (unsigned int i = 0; i < requests.size(); ++i)
     {
       const PointErrors &errors = results[i].errors;
       if (relative(errors.total()) <= parameters.accuracy.contact_target)
         continue;
-      if (relative(errors.time) > relative(errors.mesh) && n_parts[i] < steps.most_parts())
+      if (relative(errors.modes) > std::max(relative(errors.time), relative(errors.mesh)) &&
+          modes_level < RotorVibration::finest_level)
+        needs_modes = true;
+      else if (relative(errors.time) > relative(errors.mesh) && n_parts[i] < steps.most_parts())
       {
         shorten_step(i, 2 * n_parts[i]);
         shortened = true;
@@ -148,11 +166,13 @@ namespace ringmotor
       else
         needs_mesh = true;
     }
+    if (needs_modes)
+      take_finer_modes();
     if (!needs_mesh)
       return;
     if (reached_level < finest_level)
       take_finer_meshes();
-    else if (!shortened)
+    else if (!shortened && !needs_modes)
       refuse(worst_error());
   }
 
@@ -172,7 +192,7 @@ namespace ringmotor
     if (!motor)
     {
       const auto begin = std::chrono::steady_clock::now();
-      motor            = std::make_unique<const CondensedMotor>(sources.motor(level));
+      motor            = std::make_unique<const CondensedMotor>(sources.motor(level, modes_level));
       motor_seconds[level] =
           std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     }

@@ -1,30 +1,22 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <ringmotor/motor/rotor_modes.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/quantities/effect_on_points.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 namespace ringmotor
 {
   EffectOnPoints effect_on_points(const Parameters &all_parameters, const Effect &effect,
-                                  const StatorWave &wave)
+                                  const StatorWave &wave, const RotorVibration &vibration)
   {
     Parameters with = all_parameters, without = all_parameters;
     with.time.scheme = without.time.scheme = TimeScheme::steady;
     with.effects.*effect.entry             = EffectChoice::on;
     without.effects.*effect.entry          = EffectChoice::off;
-    std::optional<RotorVibration> vibration;
-    if (motor_model(with).rotor_needs_modes())
-      vibration.emplace(RotorVibration::coarse_only(with, wave.angular_frequency));
-    const auto condensed = [&](const Parameters &parameters)
-    {
-      return condense_motor(parameters, wave, ContactDiscretisation::level(0),
-                            vibration ? &*vibration : nullptr);
-    };
+    const auto condensed                   = [&](const Parameters &parameters)
+    { return condense_motor(parameters, wave, ContactDiscretisation::level(0), 1, &vibration); };
     const CondensedMotor motor_with = condensed(with), motor_without = condensed(without);
     OperatingPointFinder finder_with(with, motor_with), finder_without(without, motor_without);
 

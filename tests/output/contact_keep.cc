@@ -173,7 +173,7 @@ namespace
     std::pair<std::string, std::string> motor()
     {
       said.str("");
-      const CondensedMotor motor = keep(false).motor(parameters, 0, condense);
+      const CondensedMotor motor = keep(false).motor(parameters, 0, {}, condense);
       return {to_bytes(motor), said.str()};
     }
 
@@ -240,7 +240,7 @@ TEST_F(ContactKeepFiles, PointsThatAreMissingComeOutTheSameToTheLastBit)
 {
   parameters.friction.law                = FrictionLaw::static_dynamic;
   parameters.friction.static_coefficient = 0.48;
-  const CondensedMotor motor             = keep(false).motor(parameters, 0, condense);
+  const CondensedMotor motor             = keep(false).motor(parameters, 0, {}, condense);
   for (const unsigned int n_left : {1u, 2u, 3u})
   {
     const auto points = [&](ContactKeep store, const unsigned int n)
@@ -256,7 +256,7 @@ TEST_F(ContactKeepFiles, PointsThatAreMissingComeOutTheSameToTheLastBit)
 
 TEST_F(ContactKeepFiles, PointsAreThereUnlessDamagedOrOfAnotherLoad)
 {
-  const CondensedMotor motor = keep(false).motor(parameters, 0, condense);
+  const CondensedMotor motor = keep(false).motor(parameters, 0, {}, condense);
   const auto report          = [&]()
   {
     said.str("");

@@ -181,10 +181,12 @@ TEST(Effects, ThatAreOffCostNothing)
 
 TEST(ToothInertia, ChangesSpeedsAsItsIndicatorSays)
 {
-  Parameters parameters       = reference_motor();
-  const StatorWave wave       = stator_wave(parameters);
-  const double indicator      = *effect("Tooth inertia").indicator({parameters, &wave, {}});
-  const EffectOnPoints change = effect_on_points(parameters, effect("Tooth inertia"), wave);
+  Parameters parameters  = reference_motor();
+  const StatorWave wave  = stator_wave(parameters);
+  const double indicator = *effect("Tooth inertia").indicator({parameters, &wave, {}});
+  const EffectOnPoints change =
+      effect_on_points(parameters, effect("Tooth inertia"), wave,
+                       RotorVibration(parameters, wave.angular_frequency));
   record("indicator", indicator);
   record("change", change.relative);
   EXPECT_GT(change.relative, indicator / 3.);

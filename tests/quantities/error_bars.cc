@@ -204,7 +204,7 @@ namespace
   CurveSearch::Sources made_up_sources(const double a, const double b, const double ratio = 0.25)
   {
     CurveSearch::Sources sources;
-    sources.motor = [](unsigned int)
+    sources.motor = [](unsigned int, unsigned int)
     {
       CondensedMotor motor;
       motor.n_teeth           = 90;

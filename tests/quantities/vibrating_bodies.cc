@@ -134,7 +134,8 @@ TEST(LipAmplification, IsThatOfTheShiftedStiffness)
   // The same pressure on the rotor with stiffness K - Omega^2 M, without modes.
   const Parameters parameters = reference_motor();
   const double drive          = 2. * M_PI * 30e3;
-  const LipAmplification amplification(parameters, 3, 30. * drive);
+  const LipModes modes(parameters, 1, 30. * drive, 3);
+  const LipAmplification amplification(parameters, modes, 1, 3);
   const RotorBody body(parameters, LipModes::discretisation(1));
   const auto work = [&](const unsigned int k, const double frequency)
   {

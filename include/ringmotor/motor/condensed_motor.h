@@ -11,6 +11,7 @@
 
 #include <array>
 #include <complex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -69,12 +70,13 @@ namespace ringmotor
 
     std::vector<Node> nodes;
     std::vector<LooseMotion> loose_motions;
-    double rotor_mass = 0.;    ///< kg, against its rise; 0: it follows its loads at once
-    RingModes modes;           ///< of rotor and teeth, as far as they have inertia or damping
-    RingModes coarse_modes;    ///< the rotor's on a coarser mesh, and fewer: tell the error
-    RingDynamics dynamics;     ///< of these modes
-    RingCompliance compliance; ///< of rotor and teeth, relative motion of rotor against stator
-    RingCompliance folded;     ///< the same of the part that repeats itself; empty if nothing does
+    double rotor_mass = 0.;       ///< kg, against its rise; 0: it follows its loads at once
+    RingModes modes;              ///< of rotor and teeth, as far as they have inertia or damping
+    RingModes coarse_modes;       ///< with those of the rotor of the level below: tell the error
+    unsigned int modes_level = 0; ///< of the rotor, see RotorVibration
+    RingDynamics dynamics;        ///< of these modes
+    RingCompliance compliance;    ///< of rotor and teeth, relative motion of rotor against stator
+    RingCompliance folded; ///< the same of the part that repeats itself; empty if nothing does
     ComplementarityConstants constants{};
     dealii::FullMatrix<double> tooth_compliance;  ///< of a tooth alone, m/N
     std::vector<std::vector<unsigned int>> faces; ///< nodes of each face, as ContactSurface::faces
@@ -99,7 +101,7 @@ namespace ringmotor
       archive &n_teeth &n_waves &angular_frequency &wave_energy &nodes &loose_motions &compliance
           &folded;
       archive &constants.normal &constants.tangential &tooth_compliance &faces &degree &n_dofs;
-      archive &rotor_mass &modes &coarse_modes &dynamics;
+      archive &rotor_mass &modes &coarse_modes &modes_level &dynamics;
     }
   };
 
@@ -112,11 +114,13 @@ namespace ringmotor
   /**
    * Condenses teeth and rotor of a motor to their contact points. Looks at
    * relevant_for_condensation() of the parameters only.
-   * @param vibration of a rotor with inertia, which is the same for all discretisations; without
-   * it, it is computed
+   * @param modes_level of the rotor, from 1, see RotorVibration; none: the finest one
+   * @param vibration of the rotor, which is the same for all discretisations; without it, it is
+   * computed
    * @throws UserError if the lip misses the teeth
    */
   CondensedMotor condense_motor(const Parameters &parameters, const StatorWave &wave,
                                 const ContactDiscretisation &discretisation,
-                                const RotorVibration *vibration = nullptr);
+                                const std::optional<unsigned int> &modes_level = {},
+                                const RotorVibration *vibration                = nullptr);
 } // namespace ringmotor

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/parameters/parameters.h>
+#include <ringmotor/motor/rotor_modes.h>
 
 #include <vector>
 
@@ -16,10 +16,10 @@ namespace ringmotor
   class LipAmplification
   {
   public:
-    /** @param n_harmonics of the wave that are looked at
-     * @param up_to rad/s, highest frequency of the modes */
-    LipAmplification(const Parameters &parameters, const unsigned int n_harmonics,
-                     const double up_to);
+    /** @param modes of this rotor, on their mesh of @p level; @param n_harmonics of the wave that
+     * are looked at */
+    LipAmplification(const Parameters &parameters, const LipModes &modes, const unsigned int level,
+                     const unsigned int n_harmonics);
 
     unsigned int n_harmonics() const { return harmonics.size(); }
     /** Waves around the ring of a harmonic (1, 2, ...), seen from tooth to tooth: 0 .. N / 2. */
@@ -32,6 +32,13 @@ namespace ringmotor
      * with an angular frequency (rad/s); 1 for the few waves that move the rotor as a whole, see
      * LipModes. */
     double at(const unsigned int harmonic, const double angular_frequency) const;
+
+    /** Roughly, by how much inertia changes speeds and torques, relatively: by the share of the
+     * lip's static motion under teeth that press on a quarter of each wave that it changes, each
+     * harmonic at most as a whole; of that a third, as found on motors with a soft and with a stiff
+     * rotor.
+     * @param angular_frequency rad/s, of the wave */
+    double rough_effect(const double angular_frequency) const;
 
   private:
     struct Harmonic

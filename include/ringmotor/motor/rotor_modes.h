@@ -3,6 +3,9 @@
 
 #include <ringmotor/motor/condensed_motor.h>
 
+#include <array>
+#include <memory>
+
 namespace ringmotor
 {
   /** The nodal diameter, 0 .. N / 2, that a harmonic of the wave has as the teeth see it. */
@@ -37,37 +40,36 @@ namespace ringmotor
     /** As the contact points on @p tooth_top see them. @param lip_turn see ContactDiscretisation */
     RingModes at(const ContactSurface &tooth_top, const double lip_turn) const;
 
-  private:
     struct LipMode
     {
       double angular_frequency;
       std::vector<double> motion; ///< of the half sector's lip, real field, then imaginary one
     };
+    const std::vector<LipMode> &of_diameter(const unsigned int k) const { return modes[k]; }
 
+  private:
     const unsigned int n_teeth;
     SectorSurface lip;
     std::vector<std::vector<LipMode>> modes; ///< by nodal diameter
   };
 
-  /** The modes of the rotor, and the same on a coarser mesh and up to a lower frequency. */
+  /** The modes of a rotor at levels that get finer: in their mesh, in their highest frequency, in
+   * the harmonics of the wave whose nodal diameters they have. Computed when they are asked for. */
   class RotorVibration
   {
   public:
-    /** Modes up to so many times the wave's frequency take part. */
+    static constexpr unsigned int finest_level = 2;
+    /** Modes of bodies up to so many times the wave's frequency take part at the finest level. */
     static constexpr double highest_harmonic = 12.;
 
     /** @param frequency rad/s, of the wave */
     RotorVibration(const Parameters &parameters, const double frequency);
 
-    /** The coarse modes in place of both. */
-    static RotorVibration coarse_only(const Parameters &parameters, const double frequency);
-
-    const LipModes &modes() const { return fine; }
-    const LipModes &coarse_modes() const { return coarse; }
+    const LipModes &level(const unsigned int level) const;
 
   private:
-    RotorVibration(const LipModes &fine, const LipModes &coarse) : fine(fine), coarse(coarse) {}
-
-    const LipModes fine, coarse;
+    const Parameters parameters;
+    const double frequency;
+    mutable std::array<std::shared_ptr<const LipModes>, finest_level + 1> levels;
   };
 } // namespace ringmotor

@@ -36,8 +36,10 @@ namespace ringmotor
     ContactKeep(const std::string &folder, const StatorWave &wave, const bool resumes, Log &log,
                 MPI_Comm communicator);
 
-    /** The condensed motor with ContactDiscretisation::level(): read or computed. */
+    /** The condensed motor with ContactDiscretisation::level(): read or computed.
+     * @param modes_level of its rotor; none if it has no modes */
     CondensedMotor motor(const Parameters &parameters, const unsigned int level,
+                         const std::optional<unsigned int> &modes_level,
                          const std::function<CondensedMotor()> &condense);
 
     /** find_points(): what is not there yet is computed and kept at once. */

@@ -26,7 +26,7 @@ namespace ringmotor
     /** Where motors and points come from. Collective: called on all ranks alike. */
     struct Sources
     {
-      std::function<CondensedMotor(unsigned int level)> motor;
+      std::function<CondensedMotor(unsigned int level, unsigned int modes_level)> motor;
       std::function<std::vector<CurvePoint>(const Parameters &, const CondensedMotor &,
                                             const CurveSetting &, const std::vector<PointRequest> &,
                                             const std::vector<CurvePoint> &starts)>
@@ -122,6 +122,8 @@ namespace ringmotor
     /** Takes finer meshes as long as their error alone is too large. */
     void refine_meshes();
     void take_finer_meshes();
+    /** Takes modes of the next level, with which all is found anew. */
+    void take_finer_modes();
     /** The target is out of reach, @p error is not. @throws ComputationError */
     [[noreturn]] void refuse(const double error) const;
     /** Whether powers balance at all points; shortens the steps of those at which they do not. */
@@ -163,6 +165,7 @@ namespace ringmotor
     double stall_torque = 0.; ///< N m; of the first motor that was computed
     std::vector<PointRequest> requests;
     unsigned int reached_level = 0;
+    unsigned int modes_level;          ///< of the rotor, see RotorVibration
     std::vector<unsigned int> n_parts; ///< by request
     std::vector<CurvePoint> results;
     std::map<unsigned int, std::unique_ptr<const CondensedMotor>> motors; ///< by level

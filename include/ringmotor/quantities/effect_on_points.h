@@ -2,6 +2,7 @@
 #pragma once
 
 #include <ringmotor/motor/effect.h>
+#include <ringmotor/motor/rotor_modes.h>
 #include <ringmotor/quantities/torque_speed.h>
 
 #include <map>
@@ -18,11 +19,12 @@ namespace ringmotor
 
   /**
    * Compares operating points of a uniform ring with and without an effect on the coarsest mesh,
-   * with few modes. Infinite if there is a state without it, but none with it.
+   * with few modes. @param vibration of the rotor of that ring. Infinite if there is a state
+   * without it, but none with it.
    * @throws ComputationError if none is found without it
    */
   EffectOnPoints effect_on_points(const Parameters &parameters, const Effect &effect,
-                                  const StatorWave &wave);
+                                  const StatorWave &wave, const RotorVibration &vibration);
 
   /** What `auto` has left out of a motor. */
   class LeftOut

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/motor/effects/list.h>
-#include <ringmotor/motor/rotor_modes.h>
+#include <ringmotor/motor/lip_amplification.h>
 #include <ringmotor/parameters/check_geometry.h>
 #include <ringmotor/parameters/errors.h>
 
@@ -45,9 +45,17 @@ namespace ringmotor::effects
         model.rotor_moves_as_whole = is_marched(parameters);
       }
 
+      /** Roughly by the amplification of the lip; by operating points where that is near the
+       * threshold. */
       std::optional<double> indicator(const Scene &scene) const override
       {
-        return measured_in(scene);
+        constexpr double roughly = 3.;
+        if (!scene.lip || !scene.wave)
+          return measured_in(scene);
+        const double rough = scene.lip->rough_effect(scene.wave->angular_frequency);
+        const bool is_near = rough < roughly * scene.threshold && rough > scene.threshold / roughly;
+        const std::optional<double> measured = is_near ? measured_in(scene) : std::nullopt;
+        return measured ? measured : rough;
       }
     };
   } // namespace
