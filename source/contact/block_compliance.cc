@@ -23,6 +23,11 @@ namespace ringmotor
     const std::vector<FullMatrix<double>> at_same_moment = at_once.between(far_with_modes.shapes);
     for (unsigned int tooth = 0; tooth < at_same_moment.size(); ++tooth)
       far_with_modes.kernel[instants_between(tooth, 0)].add(1., at_same_moment[tooth]);
+    if (at_once.all_entries().empty() || of_modes.all_entries().empty())
+      return;
+    all = of_modes.all_entries();
+    for (unsigned int tooth = 0; tooth < at_once.n_sectors(); ++tooth)
+      all[instants_between(tooth, 0)].add(1., at_once.all_entries()[tooth]);
   }
 
   void BlockCompliance::add_motions(const std::vector<PointVector> &force,
@@ -51,6 +56,12 @@ namespace ringmotor
                                     const unsigned int first, FullMatrix<double> &matrix,
                                     const unsigned int row, const unsigned int column) const
   {
+    if (!all.empty())
+    {
+      add_selected(all[instants_between(moved, loaded)], rows, columns, factor, first, matrix, row,
+                   column);
+      return;
+    }
     if (moment(moved) == moment(loaded))
       at_once.add_entries(teeth_between(moved, loaded), rows, columns, factor, first, matrix, row,
                           column);

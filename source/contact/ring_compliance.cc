@@ -65,7 +65,7 @@ namespace ringmotor
     }
 
     /** The motions of all nodes by unit forces on all nodes of a sector so many sectors lower. */
-    FullMatrix<double> all_entries(const RingCompliance &ring, const unsigned int distance)
+    FullMatrix<double> entries_at(const RingCompliance &ring, const unsigned int distance)
     {
       std::vector<unsigned int> nodes(ring.n_nodes());
       std::iota(nodes.begin(), nodes.end(), 0u);
@@ -234,27 +234,41 @@ namespace ringmotor
            motions, &width);
   }
 
+  void add_selected(const FullMatrix<double> &all, const std::vector<unsigned int> &rows,
+                    const std::vector<unsigned int> &columns, const double factor,
+                    const unsigned int first, FullMatrix<double> &matrix, const unsigned int row,
+                    const unsigned int column)
+  {
+    for (unsigned int a = 0; a < rows.size(); ++a)
+      for (unsigned int c = first; c < 3; ++c)
+      {
+        double *const of_row         = &matrix(row + 3 * a + c, column); // contiguous
+        const double *const by_force = &all(3 * rows[a] + c, 0);
+        for (unsigned int b = 0; b < columns.size(); ++b)
+          for (unsigned int d = 0; d < 3; ++d)
+            of_row[3 * b + d] += factor * by_force[3 * columns[b] + d];
+      }
+  }
+
   void RingCompliance::add_entries(const unsigned int distance,
                                    const std::vector<unsigned int> &rows,
                                    const std::vector<unsigned int> &columns, const double factor,
                                    const unsigned int first, FullMatrix<double> &matrix,
                                    const unsigned int row, const unsigned int column) const
   {
-    const bool is_table             = !table.empty();
-    const FullMatrix<double> &known = is_table ? table[distance] : near[distance];
-    if (!known.empty())
+    if (!table.empty())
+    {
+      add_selected(table[distance], rows, columns, factor, first, matrix, row, column);
+      return;
+    }
+    if (const FullMatrix<double> &known = near[distance]; !known.empty())
       for (unsigned int a = 0; a < rows.size(); ++a)
         for (unsigned int c = first; c < 3; ++c)
-        {
-          double *of_row           = &matrix(row + 3 * a + c, column); // contiguous
-          const unsigned int moved = 3 * rows[a] + c;
-          const double *by_force   = is_table ? &known(moved, 0) : &known(0, moved);
-          const std::size_t stride = is_table ? 1 : known.n();
           for (unsigned int b = 0; b < columns.size(); ++b)
             for (unsigned int d = 0; d < 3; ++d)
-              of_row[3 * b + d] += factor * by_force[(3 * columns[b] + d) * stride];
-        }
-    if (is_table || basis.n() == 0)
+              matrix(row + 3 * a + c, column + 3 * b + d) +=
+                  factor * known(3 * columns[b] + d, 3 * rows[a] + c);
+    if (basis.n() == 0)
       return;
     const auto rows_of_basis = [&](const std::vector<unsigned int> &nodes)
     {
@@ -298,7 +312,7 @@ namespace ringmotor
   {
     std::vector<FullMatrix<double>> all;
     for (unsigned int distance = 0; distance < n_sectors(); ++distance)
-      all.push_back(all_entries(*this, distance));
+      all.push_back(entries_at(*this, distance));
     table = std::move(all);
     if (applies_table())
       make_product();
@@ -336,7 +350,7 @@ namespace ringmotor
     const std::vector<unsigned int> distances{1, n - 1, n / 4 + 1, n / 2}; // nothing is farther
     FullMatrix<double> seen(width, width * distances.size());
     for (unsigned int i = 0; i < distances.size(); ++i)
-      seen.fill(all_entries(*this, distances[i] % n), 0, i * width);
+      seen.fill(entries_at(*this, distances[i] % n), 0, i * width);
     return seen;
   }
 

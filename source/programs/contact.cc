@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/contact/friction_law.h>
-#include <ringmotor/motor/lip_amplification.h>
-#include <ringmotor/motor/rotor_modes.h>
 #include <ringmotor/output/contact_files.h>
 #include <ringmotor/output/contact_h5.h>
 #include <ringmotor/output/contact_keep.h>
@@ -16,6 +14,7 @@
 #include <ringmotor/programs/interruption.h>
 #include <ringmotor/programs/run_program.h>
 #include <ringmotor/programs/run_results.h>
+#include <ringmotor/quantities/chosen_effects.h>
 #include <ringmotor/quantities/curve_search.h>
 
 #include <deal.II/base/mpi.h>
@@ -24,7 +23,6 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <optional>
 
 namespace ringmotor
@@ -73,9 +71,7 @@ namespace ringmotor
       Summary make_summary() const;
 
       /** Switches effects on or off that are `auto`, by what they do. */
-      Parameters with_effects_chosen();
-      /** Says what inertia does to the lip. */
-      void look_at_lip();
+      ChosenEffects choose_effects();
 
       const Parameters &given;
       const std::string folder; ///< of the results, ends in a slash
@@ -83,13 +79,9 @@ namespace ringmotor
       Log log;
       Phases phases;
       const StatorWave wave;
-      const RotorVibration uniform_vibration;         ///< of the rotor on a uniform ring
-      std::map<std::string, EffectOnPoints> measured; ///< effects that operating points tell
-      std::vector<EffectRow> effects;
-      std::optional<LipAmplification> lip; ///< if inertia may take part
-      const Parameters parameters;         ///< no effect of the contact is `auto`
-      const RotorVibration vibration;      ///< of the rotor, on all meshes
-      std::optional<ContactKeep> keep;     ///< of run(); a study measures what it costs without
+      ChosenEffects effects;
+      const Parameters &parameters;    ///< no effect of the contact is `auto`
+      std::optional<ContactKeep> keep; ///< of run(); a study measures what it costs without
       const std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
       double seconds_per_effort = 0.; ///< at the last point, see effort_of()
       CurveSearch search;
@@ -118,23 +110,11 @@ namespace ringmotor
                         scientific(half_period) + " s, and a tenth of that for good results");
     }
 
-    /** The same motor without a warp, marched or not. */
-    Parameters on_uniform_ring(const Parameters &parameters)
-    {
-      Parameters uniform  = parameters;
-      uniform.time.scheme = TimeScheme::steady;
-      return uniform;
-    }
-
     ContactProgram::ContactProgram(const Parameters &parameters)
         : given(parameters), folder(results_folder("contact", parameters)),
           speaks(Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0), log(speaks),
           wave(read_stator_wave(parameters.output.directory + "/stator/modes.h5", parameters)),
-          uniform_vibration(on_uniform_ring(parameters), wave.angular_frequency),
-          parameters(with_effects_chosen()),
-          vibration(is_marched(parameters)
-                        ? RotorVibration(this->parameters, wave.angular_frequency)
-                        : uniform_vibration),
+          effects(choose_effects()), parameters(effects.parameters()),
           search(this->parameters, wave.relative_error, 2. * numbers::PI / wave.angular_frequency,
                  {[this](const unsigned int level, const unsigned int modes_level)
                   { return condense(level, modes_level); },
@@ -142,7 +122,7 @@ namespace ringmotor
                          const CurveSetting &setting, const std::vector<PointRequest> &requests,
                          const std::vector<CurvePoint> &starts)
                   { return find(of_points, motor, setting, requests, starts); }},
-                 LeftOut(effects, measured))
+                 effects.left_out())
     {
       for (const std::string &warning : check_for_contact(parameters))
         log.line("warning: " + warning);
@@ -151,36 +131,22 @@ namespace ringmotor
         prepare_directory(folder);
     }
 
-    Parameters ContactProgram::with_effects_chosen()
+    ChosenEffects ContactProgram::choose_effects()
     {
-      Parameters chosen = given;
-      const auto scope  = phases.measure("choice of effects");
-      if (motor_model(given).rotor_needs_modes())
-        look_at_lip();
-      const Scene scene{chosen, &wave,
-                        [&](const Effect &effect)
-                        {
-                          measured[effect.name] =
-                              effect_on_points(chosen, effect, wave, uniform_vibration);
-                          return measured[effect.name].relative;
-                        },
-                        lip ? &*lip : nullptr};
-      effects = choose_effects(chosen, EffectStage::contact, scene, given.accuracy.contact_target);
-      for (const EffectRow &row : effects)
+      const auto scope = phases.measure("choice of effects");
+      ChosenEffects chosen(given, wave);
+      if (chosen.lip)
+      {
+        std::string line =
+            "dynamic over static compliance of the lip, at the harmonics of the wave:";
+        for (unsigned int m = 1; m <= chosen.lip->n_harmonics(); ++m)
+          line += " " + text(chosen.lip->at(m, m * wave.angular_frequency), 2);
+        log.line(line);
+      }
+      for (const EffectRow &row : chosen.rows)
         if (row.is_automatic && row.indicator && *row.indicator != 0.)
           log.line(describe(row));
       return chosen;
-    }
-
-    void ContactProgram::look_at_lip()
-    {
-      constexpr unsigned int n_harmonics = 6;
-      constexpr unsigned int level       = 1;
-      lip.emplace(given, uniform_vibration.level(level), level, n_harmonics);
-      std::string line = "dynamic over static compliance of the lip, at the harmonics of the wave:";
-      for (unsigned int m = 1; m <= n_harmonics; ++m)
-        line += " " + text(lip->at(m, m * wave.angular_frequency), 2);
-      log.line(line);
     }
 
     void ContactProgram::run(const bool resumes)
@@ -222,7 +188,7 @@ namespace ringmotor
       const auto condense = [&]
       {
         return condense_motor(parameters, wave, ContactDiscretisation::level(level), modes_level,
-                              &vibration);
+                              &effects.vibration());
       };
       std::optional<unsigned int> of_rotor;
       if (motor_model(parameters).rotor_needs_modes())
@@ -324,8 +290,8 @@ namespace ringmotor
 
     void ContactProgram::report_effects()
     {
-      add_cost_of_modes(search.motor(), effects);
-      for (const EffectRow &row : effects)
+      add_cost_of_modes(search.motor(), effects.rows);
+      for (const EffectRow &row : effects.rows)
         if (row.choice == "off" && !row.is_automatic && row.indicator && *row.indicator > 0.)
           log.line(describe(row));
     }
@@ -360,8 +326,8 @@ namespace ringmotor
         write_torque_speed(folder + "torque_speed.csv", search.points());
         write_history(folder + "history.csv", search.motor(), search.points(),
                       !is_marched(parameters), parameters.output.history_points);
-        if (lip)
-          write_lip(folder + "lip.csv", *lip, wave.angular_frequency);
+        if (effects.lip)
+          write_lip(folder + "lip.csv", *effects.lip, wave.angular_frequency);
         write_contact_h5(folder + "contact.h5", given, wave, search.motor(), search.points());
       }
       if (parameters.output.vtu)
@@ -388,7 +354,7 @@ namespace ringmotor
       const CondensedMotor &motor = search.motor();
       summary.dofs                = motor.n_dofs;
       add_points(summary, search.points());
-      summary.effects = effects;
+      summary.effects = effects.rows;
       if (parameters.accuracy.mode == AccuracyMode::adaptive)
         summary.certificate.push_back({"largest relative error of speeds and torques",
                                        search.worst_error(), parameters.accuracy.contact_target});

@@ -79,5 +79,7 @@ namespace ringmotor
     RingCompliance of_modes;
     const std::vector<unsigned int> instant; ///< of each block; empty without modes
     RingCompliance::Far far_with_modes;
+    std::vector<dealii::FullMatrix<double>> all; ///< entries of both by instants, where both have
+                                                 ///< a table of them
   };
 } // namespace ringmotor

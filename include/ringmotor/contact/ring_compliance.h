@@ -88,6 +88,8 @@ namespace ringmotor
      * themselves. */
     RingCompliance folded(const unsigned int fold) const;
 
+    /** By distance, what add_entries() reads; empty without a table. */
+    const std::vector<dealii::FullMatrix<double>> &all_entries() const { return table; }
     /** Makes a table of all entries, from which add_entries() reads them. */
     void tabulate();
     /** The same where that is faster than its parts. */
@@ -125,4 +127,11 @@ namespace ringmotor
     CirculantProduct ring_product;                  ///< with the kernel, or with the table
     Far of_far;
   };
+
+  /** Adds @p factor times the three by three entries for each pair of nodes @p rows and @p columns
+   * from a matrix of all nodes, see RingCompliance::add_entries(). */
+  void add_selected(const dealii::FullMatrix<double> &all, const std::vector<unsigned int> &rows,
+                    const std::vector<unsigned int> &columns, const double factor,
+                    const unsigned int first, dealii::FullMatrix<double> &matrix,
+                    const unsigned int row, const unsigned int column);
 } // namespace ringmotor

@@ -68,8 +68,8 @@ namespace ringmotor
     const LipModes &level(const unsigned int level) const;
 
   private:
-    const Parameters parameters;
-    const double frequency;
+    Parameters parameters;
+    double frequency;
     mutable std::array<std::shared_ptr<const LipModes>, finest_level + 1> levels;
   };
 } // namespace ringmotor

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/quantities/chosen_effects.h>
+
+namespace ringmotor
+{
+  namespace
+  {
+    /** The same motor without a warp, in its steady state. */
+    Parameters on_uniform_ring(const Parameters &parameters)
+    {
+      Parameters uniform  = parameters;
+      uniform.time.scheme = TimeScheme::steady;
+      return uniform;
+    }
+  } // namespace
+
+  ChosenEffects::ChosenEffects(const Parameters &given, const StatorWave &wave)
+      : uniform_vibration(on_uniform_ring(given), wave.angular_frequency), chosen(given),
+        own_vibration(uniform_vibration)
+  {
+    constexpr unsigned int n_harmonics = 6, level = 1;
+    if (motor_model(given).rotor_needs_modes())
+      lip.emplace(given, uniform_vibration.level(level), level, n_harmonics);
+    const Scene scene{chosen, &wave,
+                      [&](const Effect &effect)
+                      {
+                        measured[effect.name] =
+                            effect_on_points(chosen, effect, wave, uniform_vibration);
+                        return measured[effect.name].relative;
+                      },
+                      lip ? &*lip : nullptr};
+    rows = choose_effects(chosen, EffectStage::contact, scene, given.accuracy.contact_target);
+    own_vibration = is_marched(chosen) ? RotorVibration(chosen, wave.angular_frequency)
+                                       : uniform_vibration; // with what it has computed
+  }
+} // namespace ringmotor
