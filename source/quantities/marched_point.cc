@@ -109,6 +109,7 @@ namespace ringmotor
       const Time time;
       const CondensedMotor &motor;
       const bool of_torque;
+      const double asked; ///< N m or rad/s
       const RingPattern pattern;
       const unsigned int n_parts; ///< of a period of the wave, see Repetition
       const double tolerance;     ///< relative
@@ -120,7 +121,8 @@ namespace ringmotor
     Settling::Settling(const Parameters &parameters, const CondensedMotor &motor,
                        const PointRequest &request)
         : time(parameters.time), motor(motor), of_torque(request.control == Control::torque),
-          pattern{motor.n_waves, motor.n_teeth, motor_model(parameters).warp.n_waves},
+          asked(request.value), pattern{motor.n_waves, motor.n_teeth,
+                                        motor_model(parameters).warp.n_waves},
           n_parts(repetition_of(pattern).n_parts),
           tolerance(0.1 * parameters.accuracy.contact_target)
     {
@@ -210,14 +212,17 @@ namespace ringmotor
             std::minmax_element(values.begin() + values.size() / 2, values.end());
         text << name << " " << *low << " to " << *high << " " << unit;
       };
-      text << "the motor does not settle: in the later half of " << means[0].size()
+      text << "the motor does not settle at "
+           << (of_torque ? 1e3 * asked : asked * 30. / numbers::PI)
+           << (of_torque ? " mN m" : " rpm") << ": in the later half of " << means[0].size()
            << " averaging spans of whole periods, the means have ";
       if (of_torque)
         range("speeds from", means[0], "rad/s");
       else
         range("torques from", means[1], "N m");
       range(" and friction losses from", means[2], "W");
-      text << "; choose a larger Accuracy/Contact target, or a smaller Time/Time step";
+      text << "; choose a larger Accuracy/Contact target, a smaller Time/Time step"
+           << (motor.rotor_mass > 0. ? ", or Effects/Rotor inertia = off" : "");
       throw ComputationError(text.str());
     }
 

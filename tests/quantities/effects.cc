@@ -78,14 +78,18 @@ TEST(Effects, SayWhatTheyNeed)
                  {"Effects/Friction lining = on", "Lining normal stiffness", "N/m^3"});
   Parameters warped                    = with("Rotor inertia", EffectChoice::automatic);
   warped.initial_deformation.amplitude = 4e-6;
-  expect_refused(warped, EffectStage::contact,
-                 {"Effects/Rotor inertia = auto", "Initial deformation/Amplitude", "allowed: off"});
+  warped.rotor.radial_bar_stiffness    = 0.;
+  expect_refused(
+      warped, EffectStage::contact,
+      {"Effects/Rotor inertia = auto", "Rotor/Radial bar stiffness = 0", "allowed: off"});
   Parameters few    = with("Rotor inertia", EffectChoice::on);
   few.motor.n_waves = 3;
   few.motor.n_teeth = 16;
   expect_refused(few, EffectStage::contact, {"harmonic 5", "allowed: off"});
-  expect_refused(with("Damping", EffectChoice::on), EffectStage::contact,
-                 {"Effects/Damping = on", "Rotor inertia", "allowed: off | auto"});
+  Parameters in_time  = with("Damping", EffectChoice::on);
+  in_time.time.scheme = TimeScheme::marching;
+  expect_refused(in_time, EffectStage::contact,
+                 {"Effects/Damping = on", "Rotor inertia = off", "allowed: off | auto"});
   expect_refused(with("Spin convection", EffectChoice::on), EffectStage::contact,
                  {"Effects/Spin convection = on", "not available", "allowed: off | auto"});
   Parameters marched  = with("Stator back-reaction", EffectChoice::on);

@@ -148,6 +148,32 @@ TEST(MassesOnSprings, PressAsTheyAreAccelerated)
   }
 }
 
+TEST(MassesOnSprings, LagByTheirLossFactorWithoutInertia)
+{
+  Friction none;
+  none.law                 = FrictionLaw::coulomb;
+  none.dynamic_coefficient = 0.;
+  const double mass = 1e-4, wave_frequency = 2. * M_PI * 30e3, loss_factor = 0.05;
+  for (const double ratio : {0.5, 1., 3.}) // whatever the frequency
+  {
+    CondensedMotor motor         = masses_on_springs(mass, wave_frequency / ratio, loss_factor);
+    motor.dynamics.is_hysteretic = true;
+    SteadyDriver driver(motor, none, {12, 1});
+    const OperatingState state = driver.at({40000., {}, 1.});
+    const double force         = 1e-6 * mass * std::pow(wave_frequency / ratio, 2);
+    EXPECT_NEAR(state.solution.state.force[0][0] - 2000., force, 1e-3 * force) << ratio;
+    double sum = 0.;
+    for (unsigned int tooth = 0; tooth < 20; ++tooth)
+      sum += 0.1 * (state.solution.state.force[tooth][0] - 2000.) *
+             std::sin(-2. * M_PI * 3. * tooth / 20.);
+    EXPECT_NEAR(sum, -loss_factor * force, 1e-3 * loss_factor * force) << ratio;
+    // Half of k eta A^2 in each mass and radian.
+    const double power = 20. * 0.5 * loss_factor * 1e-6 * force * wave_frequency;
+    EXPECT_NEAR(state.modal_power.taken, power, 1e-3 * power) << ratio;
+    EXPECT_NEAR(state.modal_power.damped_by_factor * loss_factor, power, 1e-3 * power) << ratio;
+  }
+}
+
 namespace
 {
   class VibratingMotor : public testing::Test

@@ -306,8 +306,9 @@ TEST_F(WarpedMotor, SaysThatItDoesNotSettle)
   catch (const ComputationError &error)
   {
     const std::string said = error.what();
-    for (const std::string word : {"does not settle", "torques from", "friction losses from",
-                                   "choose a larger Accuracy/Contact target"})
+    for (const std::string word :
+         {"does not settle at ", " rpm: ", "torques from", "friction losses from",
+          "choose a larger Accuracy/Contact target"})
       EXPECT_NE(said.find(word), std::string::npos) << said;
   }
 }
