@@ -47,7 +47,7 @@ resume=()
 
 # Before the first second is spent: what is wrong with the parameters of any program.
 checked=$("$bin/stator" "${options[@]}" --check)
-results=${checked##* in } # where those of stator would be
+results=${checked##* to } # where those of stator would be
 if [[ $results != */stator/ ]]; then # of the rotor or a tooth, which have no figures
   case $mode in
     check) echo "$checked" ;;

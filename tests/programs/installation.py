@@ -112,7 +112,7 @@ class FromFileToPage(Installed):
             self.assertFalse(case.exists())
         done = self.ringmotor("--output", case, "--check")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        self.assertIn(f"would be in {case}", done.stdout)
+        self.assertIn(f"would be written to {case}", done.stdout)
         self.assertFalse(case.exists())
 
     def test_modes_of_the_rotor_alone(self):

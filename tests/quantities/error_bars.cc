@@ -341,3 +341,43 @@ TEST(ErrorBars, HaveTheAveragingWindowOfTheMeshThatIsShown)
   search.climb([&](const CurveSearch::Rung &) { every_bar_has_it(); });
   EXPECT_EQ(levels.count(1), 2u);
 }
+
+TEST(ErrorBars, LeadToFinerModesWhereTheseMatterMost)
+{
+  // Errors of c, c/3 and c/9 at three levels of modes.
+  Parameters parameters;
+  parameters.loading.values          = {3.};
+  parameters.loading.control         = Control::torque;
+  parameters.initial_deformation     = {};
+  parameters.accuracy.contact_target = 0.1;
+  for (const auto &[c, level] : {std::pair(1., 1u), std::pair(3., 2u)})
+  {
+    CurveSearch::Sources sources = made_up_sources(0.02, 0.);
+    sources.motor = [of_all = sources.motor](const unsigned int mesh, const unsigned int modes)
+    {
+      CondensedMotor motor = of_all(mesh, modes);
+      motor.modes_level    = modes;
+      motor.modes          = {{{1e5, {}}}};
+      return motor;
+    };
+    sources.points = [error = c, of_all = sources.points](
+                         const Parameters &all, const CondensedMotor &motor,
+                         const CurveSetting &setting, const std::vector<PointRequest> &requests,
+                         const std::vector<CurvePoint> &starts)
+    {
+      std::vector<CurvePoint> points  = of_all(all, motor, setting, requests, starts);
+      const unsigned int modes_in_use = motor.modes_level - (setting.has_coarse_modes ? 1 : 0);
+      for (CurvePoint &point : points)
+        if (point.request.control == Control::torque)
+          point.result.speed += error / std::pow(3., modes_in_use);
+      return points;
+    };
+    CurveSearch search(parameters, 1e-3, period, sources);
+    search.find();
+    EXPECT_EQ(search.motor().modes_level, level);
+    const PointErrors &bars = search.points().front().errors;
+    EXPECT_NEAR(bars.modes.speed, 0.6 * c * (std::pow(3., 1. - level) - std::pow(3., -1. * level)),
+                1e-12);
+    EXPECT_GT(bars.modes.speed, c * std::pow(3., -1. * level));
+  }
+}
