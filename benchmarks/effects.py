@@ -19,7 +19,10 @@ sys.dont_write_bytecode = True
 from motor_run import OUTPUT_OFF, table, write_markdown  # noqa: E402
 from timed_run import PAPERS_MODEL as OFF, ROOT, arguments, limited_run, program  # noqa: E402
 
-MOTORS = [ROOT / "prm" / name for name in ("canon_ring.prm", "canon_stiff_spring.prm")]
+MOTORS = [ROOT / "prm" / name for name in ("canon_ring.prm", "canon_stiff_spring.prm", "canon_ring_maeno.prm")]
+# The paper marched fifteen steps, of which inertia feels little: here its model is in the steady state.
+STEADY = {"Time/Scheme": "steady", "Time/Number of steps": "auto", "Time/Average from step": "auto",
+          "Time/Average to step": "auto"}
 OF_CONTACT = {"Rotor inertia": {"Effects/Rotor inertia": "on", "Effects/Damping": "on"},
               "Damping (with inertia)": {"Effects/Rotor inertia": "on", "Effects/Damping": "on"},
               "Tooth inertia": {"Effects/Tooth inertia": "on"},
@@ -28,7 +31,8 @@ OF_CONTACT = {"Rotor inertia": {"Effects/Rotor inertia": "on", "Effects/Damping"
 WITHOUT = {"Damping (with inertia)": {"Effects/Rotor inertia": "on", "Effects/Damping": "off"},
            "Static friction excess": {"Effects/Static friction excess": "off"},
            "Tooth shear": {"Effects/Tooth shear": "off"}}
-FIXED = {**OUTPUT_OFF, **OFF, "Accuracy/Mode": "fixed", "Accuracy/Interface refinement": "0", "Time/Snapshots": "4"}
+FIXED = {**OUTPUT_OFF, **OFF, "Accuracy/Mode": "fixed", "Accuracy/Interface refinement": "0", "Time/Snapshots": "4",
+         **STEADY}
 
 
 def run(name, motor, folder, entries):
@@ -58,7 +62,11 @@ def rows_of_contact(motor, folder):
     torques = [0., 0.5 * stall]
     base = speeds(motor, folder, {}, torques)
     for name, entries in OF_CONTACT.items():
-        with_it = speeds(motor, folder, entries, torques)
+        try:
+            with_it = speeds(motor, folder, entries, torques)
+        except RuntimeError:
+            yield [motor.stem, name, indicator(base[1], name), "not certified with these steps", "", "", ""]
+            continue
         without = speeds(motor, folder, WITHOUT[name], torques) if name in WITHOUT else base
         change = max(abs(a - b) for a, b in zip(with_it[0], without[0])) / base[0][0]
         if name == "Rotor inertia":

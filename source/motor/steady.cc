@@ -181,9 +181,9 @@ namespace ringmotor
     std::vector<RingDynamics> stages;
     const RingDynamics &last        = motor.dynamics;
     const InertiaScheme dissipative = InertiaScheme::newmark(1.);
-    for (double loss_factor = 0.3; loss_factor > 1.5 * last.loss_factor && loss_factor > 0.02;
-         loss_factor *= std::sqrt(0.1))
-      stages.push_back({loss_factor, dissipative, last.is_hysteretic});
+    for (const double loss_factor : {0.3, 0.1, 0.03, 0.003})
+      if (loss_factor > 1.5 * last.loss_factor)
+        stages.push_back({loss_factor, dissipative, last.is_hysteretic});
     stages.push_back({last.loss_factor, dissipative, last.is_hysteretic});
     for (const RingDynamics &stage : stages)
     {
