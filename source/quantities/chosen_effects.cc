@@ -19,7 +19,7 @@ namespace ringmotor
         own_vibration(uniform_vibration)
   {
     constexpr unsigned int n_harmonics = 6, level = 1;
-    if (motor_model(given).rotor_needs_modes())
+    if (motor_model(given).rotor_vibrates)
       lip.emplace(given, uniform_vibration.level(level), level, n_harmonics);
     const Scene scene{chosen, &wave,
                       [&](const Effect &effect)

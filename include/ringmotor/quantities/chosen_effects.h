@@ -26,7 +26,7 @@ namespace ringmotor
     /** The modes of the rotor of this motor. */
     const RotorVibration &vibration() const { return own_vibration; }
 
-    std::optional<LipAmplification> lip; ///< if inertia or damping of the rotor may take part
+    std::optional<LipAmplification> lip; ///< if inertia of the rotor may take part
     std::vector<EffectRow> rows;
 
   private:
