@@ -344,7 +344,8 @@ namespace ringmotor
       const MotorBodies bodies(parameters, wave, ContactDiscretisation::level(search.level()));
       write_motor_bodies(folder, search.motor(), bodies, search.points(), height);
       if (search.motor().has_rotor_modes())
-        log.line("the interior of a rotor with inertia is not drawn: motor.pvd shows the teeth, "
+        log.line("the interior of a rotor with inertia or damping is not drawn: motor.pvd shows "
+                 "the teeth, "
                  "contact.pvd the surfaces of both");
     }
 

@@ -20,10 +20,10 @@ namespace ringmotor::effects
         {
           // Tilt and shift would be one motion with two inertias.
           if (parameters.rotor.radial_bar_stiffness == 0.)
-            throw UserError(given(parameters) + " is not available with " +
-                            ringmotor::entry("Rotor/Radial bar stiffness", 0.) +
-                            " when the motor is marched through time: nothing centres the rotor; "
-                            "allowed: off, or radial bars");
+            throw UserError(given(parameters) +
+                            " is not available with Rotor/Radial bar stiffness = 0 when the motor "
+                            "is marched through time: nothing centres the rotor; allowed: off, or "
+                            "radial bars");
           return;
         }
         // The motions as a whole follow their loads at once, which only slow ones and those of high
@@ -32,11 +32,12 @@ namespace ringmotor::effects
         const Motor &motor             = parameters.motor;
         for (unsigned int m = 1; m <= highest; ++m)
           if (nodal_diameter_of_harmonic(motor, m) <= 1)
-            throw UserError(given(parameters) + " is not available with " +
-                            ringmotor::entry("Motor/Number of waves", motor.n_waves) + " and " +
-                            ringmotor::entry("Motor/Number of teeth", motor.n_teeth) +
-                            " in this version: harmonic " + std::to_string(m) +
-                            " of the wave moves the rotor as a whole; allowed: off");
+            throw UserError(
+                given(parameters) + " is not available with " +
+                ringmotor::entry("Motor/Number of waves", motor.n_waves) + " and " +
+                ringmotor::entry("Motor/Number of teeth", motor.n_teeth) +
+                " in this version: harmonic " + std::to_string(m) +
+                " of the wave moves the rotor as a whole; allowed: off, or Time/Scheme = marching");
       }
 
       void enter(const Parameters &parameters, MotorModel &model) const override
