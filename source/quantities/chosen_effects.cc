@@ -19,16 +19,15 @@ namespace ringmotor
         own_vibration(uniform_vibration)
   {
     constexpr unsigned int n_harmonics = 6, level = 1;
-    if (motor_model(given).rotor_vibrates)
-      lip.emplace(given, uniform_vibration.level(level), level, n_harmonics);
-    const Scene scene{chosen, &wave,
-                      [&](const Effect &effect)
-                      {
-                        measured[effect.name] =
-                            effect_on_points(chosen, effect, wave, uniform_vibration);
-                        return measured[effect.name].relative;
-                      },
-                      lip ? &*lip : nullptr};
+    const Scene scene{
+        chosen, &wave,
+        [&](const Effect &effect)
+        {
+          measured[effect.name] = effect_on_points(chosen, effect, wave, uniform_vibration);
+          return measured[effect.name].relative;
+        },
+        [&]() -> const LipAmplification &
+        { return lip.emplace(given, uniform_vibration.level(level), level, n_harmonics); }};
     rows = choose_effects(chosen, EffectStage::contact, scene, given.accuracy.contact_target);
     own_vibration = is_marched(chosen) ? RotorVibration(chosen, wave.angular_frequency)
                                        : uniform_vibration; // with what it has computed

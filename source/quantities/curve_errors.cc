@@ -57,11 +57,7 @@ namespace ringmotor
     // What a window given by the user misses does not depend on the steps.
     errors.window  = parameters.time.n_steps ? point_of(plain, request).window : point.window;
     errors.effects = left_out.of(point);
-    const OperatingPoint &result = point.result;
-    const bool of_torque         = requests[request].control == Control::torque;
-    errors.algebra               = {of_torque ? std::abs(result.speed) : 0.,
-                      of_torque ? 0. : std::abs(result.torque), result.friction_loss(),
-                      point.rotor_power};
+    errors.algebra = change(CurvePoint(), point); // of all that it has
     errors.algebra *= point.largest_violation;
     return errors;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/quantities/effect_on_points.h>
+#include <ringmotor/quantities/point_quantities.h>
 
 #include <algorithm>
 #include <cmath>
@@ -63,13 +64,10 @@ namespace ringmotor
 
   PointError LeftOut::of(const CurvePoint &point) const
   {
-    const OperatingPoint &result = point.result;
-    PointError error{std::abs(result.speed), std::abs(result.torque), result.friction_loss(),
-                     point.rotor_power};
+    PointError error = change(CurvePoint(), point); // all that it has
     error *= relative;
     error += others;
-    // What was prescribed does not change.
-    (point.request.control == Control::torque ? error.torque : error.speed) = 0.;
+    error.*prescribed(point.request).error = 0.; // does not change
     return error;
   }
 } // namespace ringmotor

@@ -25,8 +25,9 @@ namespace ringmotor
     /** Computes the relative change of the results by an effect that cannot tell it beforehand;
      * empty where that would cost more than the answer is worth. */
     std::function<double(const Effect &)> measure;
-    const LipAmplification *lip = nullptr; ///< of the rotor, if it is known
-    double threshold            = 0.; ///< relative change from which on `auto` takes effects in
+    /** The rotor's, which takes a second; empty as well. */
+    std::function<const LipAmplification &()> lip = {};
+    double threshold = 0.; ///< relative change from which on `auto` takes effects in
   };
 
   /** The program that takes an effect in; later ones need what earlier ones have computed. */

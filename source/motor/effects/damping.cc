@@ -29,7 +29,10 @@ namespace ringmotor::effects
 
       void enter(const Parameters &parameters, MotorModel &model) const override
       {
-        model.rotor_loss_factor = parameters.materials.rotor_metal.loss_factor;
+        // Without inertia `auto` has not chosen yet.
+        if (choice(parameters) == EffectChoice::on ||
+            parameters.effects.rotor_inertia != EffectChoice::off)
+          model.rotor_loss_factor = parameters.materials.rotor_metal.loss_factor;
       }
 
       /** It takes part where the rotor vibrates. Hysteresis delays the rotor's motion by its share

@@ -51,9 +51,9 @@ namespace ringmotor::effects
       std::optional<double> indicator(const Scene &scene) const override
       {
         constexpr double roughly = 3.;
-        if (!scene.lip || !scene.wave)
+        if (!scene.lip || !scene.wave || choice(scene.parameters) == EffectChoice::off)
           return measured_in(scene);
-        const double rough = scene.lip->rough_effect(scene.wave->angular_frequency);
+        const double rough = scene.lip().rough_effect(scene.wave->angular_frequency);
         const bool is_near = rough < roughly * scene.threshold && rough > scene.threshold / roughly;
         const std::optional<double> measured = is_near ? measured_in(scene) : std::nullopt;
         return measured ? measured : rough;
