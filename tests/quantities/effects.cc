@@ -106,6 +106,15 @@ TEST(Effects, SayWhatTheyNeed)
   expect_refused(felt, EffectStage::stator, {"Effects/Felt support = on", "Felt outer radius"});
 }
 
+TEST(Effects, DampAStaticRotorOnlyIfThatWasChosen)
+{
+  EXPECT_FALSE(motor_model(with("Damping", EffectChoice::automatic)).rotor_needs_modes());
+  EXPECT_TRUE(motor_model(with("Damping", EffectChoice::on)).rotor_needs_modes());
+  Parameters vibrating            = with("Damping", EffectChoice::automatic);
+  vibrating.effects.rotor_inertia = EffectChoice::on;
+  EXPECT_GT(motor_model(vibrating).rotor_loss_factor, 0.);
+}
+
 TEST(Effects, AreChosenByAThirdOfTheTarget)
 {
   const auto choice_of = [](const double indicator, const double target)
