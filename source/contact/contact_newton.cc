@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/contact/contact_newton.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace ringmotor
@@ -80,6 +82,25 @@ namespace ringmotor
       const FrictionBoundOf &bound_of;
       const ComplementarityConstants &constants;
     };
+
+    /** How exactly the next system is solved: no more exactly than the last step has come closer to
+     * the solution, squared, which preserves quadratic convergence (Eisenstat and Walker 1996). */
+    class Forcing
+    {
+    public:
+      double reduction() const { return value; }
+
+      /** By the residuals before and after a step. */
+      void update(const double before, const double after)
+      {
+        const double gain = std::isfinite(before) && before > 0. ? after / before : 1.;
+        value             = std::clamp(0.9 * gain * gain, finest, coarsest);
+      }
+
+    private:
+      static constexpr double coarsest = 1e-3, finest = 1e-8;
+      double value = coarsest;
+    };
   } // namespace
 
   ContactIterate newton(const ContactProblem &problem, const FrictionBoundOf &bound_of,
@@ -95,6 +116,7 @@ namespace ringmotor
     double left          = seen.empty() ? equations.residual(place) : infinity;
     double smallest      = infinity;
     unsigned int of_gain = 0; // iteration of the last gain
+    Forcing forcing;
     while (iterate.n_iterations < limits.most_iterations)
     {
       const bool is_given = iterate.n_iterations == 0 && !seen.empty();
@@ -103,11 +125,14 @@ namespace ringmotor
                                 place.state, place.motion);
       ++iterate.n_iterations;
       iterate.failed = true;
-      if (system.n_touching() > limits.most_touching || !system.solve(solver, place.state))
+      if (system.n_touching() > limits.most_touching ||
+          !system.solve(solver, forcing.reduction(), place.state))
         break;
       iterate.failed      = false;
       place.motion        = problem.relative_motion(place.state);
+      const double before = left;
       left                = equations.search(from, left, place);
+      forcing.update(before, left);
       iterate.certificate = certify(problem, bound_of, place.state, place.motion);
       const double worst  = iterate.certificate.worst();
       const bool gains    = left < smallest;

@@ -121,7 +121,7 @@ namespace ringmotor
     }
   }
 
-  bool NewtonSystem::solve(RowSolver &solver, ContactState &state) const
+  bool NewtonSystem::solve(RowSolver &solver, const double reduction, ContactState &state) const
   {
     Vector<double> solution(3 * touching.size() + balances.size());
     for (unsigned int a = 0; a < touching.size(); ++a)
@@ -129,7 +129,8 @@ namespace ringmotor
         solution[3 * a + c] = rows[a].right_hand_side[c];
     for (unsigned int r = 0; r < balances.size(); ++r)
       solution[3 * touching.size() + r] = -balances[r];
-    if (!solver.solve(problem, touching, rows, solution) || !std::isfinite(solution.l1_norm()))
+    if (!solver.solve(problem, touching, rows, solution, reduction) ||
+        !std::isfinite(solution.l1_norm()))
       return false;
     for (unsigned int a = 0; a < touching.size(); ++a)
       for (unsigned int c = 0; c < 3; ++c)

@@ -23,15 +23,13 @@ namespace ringmotor
      * met only far from any solution. */
     constexpr unsigned int most_dense = 4000;
 
-    constexpr double reduction = 1e-8; ///< of the residual by GMRES
-
     /** @param solution a start, too
      * @return whether the residual was reduced in @p most_steps steps, without restarts, which
      * would make it stagnate */
     template <typename Matrix, typename Preconditioner>
     bool gmres(const Matrix &matrix, const Preconditioner &preconditioner,
-               const unsigned int most_steps, const Vector<double> &right_hand_side,
-               Vector<double> &solution)
+               const unsigned int most_steps, const double reduction,
+               const Vector<double> &right_hand_side, Vector<double> &solution)
     {
       if (right_hand_side.l2_norm() == 0.)
       {
@@ -54,12 +52,12 @@ namespace ringmotor
       return true;
     }
 
-    bool solve_by_blocks(const ContactRows &rows, Vector<double> &solution)
+    bool solve_by_blocks(const ContactRows &rows, const double reduction, Vector<double> &solution)
     {
       constexpr unsigned int most_steps = 60; // near a solution it takes 10 to 40
       const ChainOfBlocks blocks(rows);
       Vector<double> result(solution.size());
-      if (!blocks.is_regular() || !gmres(rows, blocks, most_steps, solution, result))
+      if (!blocks.is_regular() || !gmres(rows, blocks, most_steps, reduction, solution, result))
         return false;
       solution = result;
       return true;
@@ -82,7 +80,8 @@ namespace ringmotor
   } // namespace
 
   bool RowSolver::solve(const ContactProblem &problem, const std::vector<unsigned int> &touching,
-                        const std::vector<ContactRow> &contact_rows, Vector<double> &solution)
+                        const std::vector<ContactRow> &contact_rows, Vector<double> &solution,
+                        const double reduction)
   {
     const ContactRows rows(problem, touching, contact_rows);
     for (unsigned int a = 0; a < touching.size(); ++a)
@@ -91,7 +90,8 @@ namespace ringmotor
     const unsigned int n = rows.unknowns().size();
     if (n == 0) // LAPACK does not take empty matrices
       return true;
-    if (n >= fewest_for_blocks && problem.n_blocks() > 1 && solve_by_blocks(rows, solution))
+    if (n >= fewest_for_blocks && problem.n_blocks() > 1 &&
+        solve_by_blocks(rows, reduction, solution))
       return true;
     RingOfParts ring(rows);
     // An LU factorisation takes two thirds of the cube.
@@ -100,18 +100,19 @@ namespace ringmotor
       return false;
     if (is_ring)
       return ring.solve(solution);
-    if (n >= fewest_for_kept_factors && solve_with_factors(rows, solution))
+    if (n >= fewest_for_kept_factors && solve_with_factors(rows, reduction, solution))
       return true;
     return solve_dense(rows, solution);
   }
 
-  bool RowSolver::solve_with_factors(const ContactRows &rows, Vector<double> &solution)
+  bool RowSolver::solve_with_factors(const ContactRows &rows, const double reduction,
+                                     Vector<double> &solution)
   {
     const Vector<double> right_hand_side = solution;
     const auto solved                    = [&](const unsigned int most_steps)
     {
       solution = factors->start(right_hand_side);
-      return gmres(rows, *factors, most_steps, right_hand_side, solution);
+      return gmres(rows, *factors, most_steps, reduction, right_hand_side, solution);
     };
     // Far from the solution systems differ too much; after a failure one is solved without trying.
     const bool may_do = factors && !is_far && factors->fit(rows);

@@ -21,6 +21,12 @@ namespace ringmotor
     return {alpha, 0.5 - alpha, 0.25 * std::pow(1. - alpha, 2)};
   }
 
+  InertiaScheme mean(const InertiaScheme &one, const InertiaScheme &other)
+  {
+    return {(one.alpha + other.alpha) / 2., (one.gamma + other.gamma) / 2.,
+            (one.beta + other.beta) / 2.};
+  }
+
   InertiaScheme InertiaScheme::dissipating_otherwise() const
   {
     constexpr double markedly = 0.3;

@@ -185,6 +185,8 @@ namespace ringmotor
       if (loss_factor > 1.5 * last.loss_factor)
         stages.push_back({loss_factor, dissipative, last.is_hysteretic});
     stages.push_back({last.loss_factor, dissipative, last.is_hysteretic});
+    // To schemes with little dissipation in two steps: in one, Newton's method does not follow.
+    stages.push_back({last.loss_factor, mean(dissipative, last.scheme), last.is_hysteretic});
     for (const RingDynamics &stage : stages)
     {
       const OperatingState state =
@@ -213,7 +215,7 @@ namespace ringmotor
     const std::vector<FrictionMemory> memory = travelled(coarse, solution);
     const ContactState &known                = solution.state;
     Start start{{std::vector<PointVector>(fine.n_points()), std::vector<double>(fine.n_rigid())},
-                {},
+                std::vector<PointVector>(fine.n_points()),
                 {},
                 speed};
     for (unsigned int m = 0; m < n_fine; ++m)
@@ -224,15 +226,21 @@ namespace ringmotor
       {
         const unsigned int point = before * n_points + i;
         start.memory.push_back(memory[point]);
-        start.state.force[m * n_points + i] += (1. - later) * known.force[point];
         // After the last moment a tooth is what another one is at the first.
-        const bool is_last = before + 1 == n_coarse;
-        start.state.force[m * n_points + (is_last ? coarse.earlier(i) % n_points : i)] +=
-            later * known.force[is_last ? i : point + n_points];
+        const bool is_last     = before + 1 == n_coarse;
+        const unsigned int now = m * n_points + i, next_known = is_last ? i : point + n_points,
+                           next_fine = m * n_points + (is_last ? coarse.earlier(i) % n_points : i);
+        start.state.force[now] += (1. - later) * known.force[point];
+        start.state.force[next_fine] += later * known.force[next_known];
+        start.motion[now] += (1. - later) * solution.motion[point];
+        start.motion[next_fine] += later * solution.motion[next_known];
       }
       for (unsigned int r = 0; r < n_rigid; ++r)
         start.state.rigid[m * n_rigid + r] = known.rigid[before * n_rigid + r];
     }
+    for (PointVector &motion : start.motion) // shorter steps slip less
+      for (unsigned int c = 1; c < 3; ++c)
+        motion[c] *= n_coarse / static_cast<double>(n_fine);
     return start;
   }
 

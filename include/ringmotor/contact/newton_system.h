@@ -32,9 +32,9 @@ namespace ringmotor
                  const ComplementarityConstants &constants, const std::vector<PointVector> &seen,
                  ContactState &state, std::vector<PointVector> &motion);
 
-    /** Adds the solution to the state. @return false if the system is singular, or the Krylov
-     * method does not converge */
-    bool solve(RowSolver &solver, ContactState &state) const;
+    /** Adds the solution to the state. @p reduction is that of the residual by a Krylov method.
+     * @return false if the system is singular, or the Krylov method does not converge */
+    bool solve(RowSolver &solver, const double reduction, ContactState &state) const;
 
     unsigned int n_touching() const { return touching.size(); }
 

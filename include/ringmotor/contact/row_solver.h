@@ -24,15 +24,18 @@ namespace ringmotor
     /**
      * @param solution the right-hand side, three entries for each touching node and one for each
      * balance; replaced by the solution
+     * @param reduction of the residual, with which GMRES ends
      * @return false if a matrix is singular or GMRES does not converge
      */
     bool solve(const ContactProblem &problem, const std::vector<unsigned int> &touching,
-               const std::vector<ContactRow> &rows, dealii::Vector<double> &solution);
+               const std::vector<ContactRow> &rows, dealii::Vector<double> &solution,
+               const double reduction = 1e-8);
 
   private:
     /** With the factors of an earlier system or of this one.
      * @return false if these factors are not good enough; then the solution is left as it was */
-    bool solve_with_factors(const ContactRows &rows, dealii::Vector<double> &solution);
+    bool solve_with_factors(const ContactRows &rows, const double reduction,
+                            dealii::Vector<double> &solution);
 
     std::unique_ptr<SlipFactors> factors; ///< of the last system that needed new ones
     bool is_far = false;                  ///< the factors were of no use for the last system

@@ -44,6 +44,10 @@ namespace ringmotor
     double response_in_step(const double dt, const double frequency, const double damping) const;
   };
 
+  /** The scheme with the mean of all constants, which dissipates more than the one and less than
+   * the other; unconditionally stable if both are. */
+  InertiaScheme mean(const InertiaScheme &one, const InertiaScheme &other);
+
   /** A mode in time. */
   struct ModalState
   {
