@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string>
 
 namespace ringmotor
@@ -13,6 +14,17 @@ namespace ringmotor
   namespace
   {
     constexpr unsigned int most_rounds = 60; ///< of an update of the memory
+
+    std::string text_of(const RotorLoad &load)
+    {
+      std::ostringstream text;
+      text.precision(4);
+      if (load.torque)
+        text << "at " << 1e3 * *load.torque << " mN m";
+      else
+        text << "at " << 30. / M_PI * load.speed << " rpm";
+      return text.str();
+    }
 
     /** What points remember in the steady state: what happened one step earlier. */
     std::vector<FrictionMemory> travelled(const RingContact &contact,
@@ -129,7 +141,8 @@ namespace ringmotor
   }
   catch (const ComputationError &error)
   {
-    throw ComputationError(error.what() + law_of(friction).remedy());
+    throw ComputationError("no steady state found " + text_of(load) + ": " + error.what() +
+                           law_of(friction).remedy());
   }
 
   SteadyDriver::Start SteadyDriver::by_coefficients(const RingContact &contact, Start from,
@@ -197,9 +210,27 @@ namespace ringmotor
     return from;
   }
 
+  OperatingState SteadyDriver::find_or_damp(const RotorLoad &load, const Start &from) const
+  {
+    std::string tried;
+    try
+    {
+      return find(load, from);
+    }
+    catch (const ComputationError &error)
+    {
+      if (!dynamics)
+        throw;
+      tried = error.what();
+    }
+    OperatingState state = find(load, by_damping(load, from));
+    state.solution.how   = tried + "; with damping that is reduced in stages it did";
+    return state;
+  }
+
   OperatingState SteadyDriver::at(const RotorLoad &load)
   {
-    const OperatingState state = find(load, next ? *next : from_rest(load));
+    const OperatingState state = next ? find_or_damp(load, *next) : find(load, from_rest(load));
     next                       = Start{state.solution.state, state.solution.motion,
                  travelled(*state.contact, state.solution),
                  state.contact->speed(state.solution.state)};

@@ -56,7 +56,11 @@ namespace ringmotor
     OperatingState find(const RotorLoad &load, Start start) const;
     OperatingState find(const RotorLoad &load, Start start,
                         std::shared_ptr<const SteadyDynamics> with_inertia) const;
-    /** From a state without inertia: by states with inertia and damping that falls. */
+    /** From a state nearby; with inertia, if that fails, from states with damping that falls, as
+     * nodes that just graze a tooth may keep Newton's method from the solution. */
+    OperatingState find_or_damp(const RotorLoad &load, const Start &start) const;
+    /** From another state, which may be one without inertia: by states with inertia and damping
+     * that falls. */
     Start by_damping(const RotorLoad &load, Start start) const;
     /** A start that is near the state under a law that falls with the distance slipped: the last of
      * a chain of states, in each of which points have the coefficients that belong to memory and
