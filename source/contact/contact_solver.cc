@@ -46,8 +46,8 @@ namespace ringmotor
     {
     public:
       Search(const ContactProblem &problem, const ComplementarityConstants &constants,
-             RowSolver &solver)
-          : problem(problem), constants(constants), solver(solver)
+             RowSolver &solver, const Fallback fallback)
+          : problem(problem), constants(constants), solver(solver), fallback(fallback)
       {
       }
 
@@ -57,7 +57,9 @@ namespace ringmotor
                  const std::vector<PointVector> &seen,
                  const double enough = NewtonLimits().converged)
       {
-        return solve_alone(bound_of, start, seen, enough) ||
+        if (solve_alone(bound_of, start, seen, enough))
+          return true;
+        return fallback == Fallback::proximal_points &&
                takes(proximal_points(problem, bound_of, constants, start, solver),
                      "the proximal point algorithm", enough);
       }
@@ -141,6 +143,7 @@ namespace ringmotor
       const ContactProblem &problem;
       const ComplementarityConstants &constants;
       RowSolver &solver;
+      const Fallback fallback;
       ContactIterate found;
       unsigned int n_systems = 0;
       std::ostringstream text;
@@ -150,7 +153,7 @@ namespace ringmotor
   ContactSolution solve_contact(const ContactProblem &problem, const PointFriction &friction,
                                 const ComplementarityConstants &constants,
                                 const ContactState &start, const std::vector<PointVector> &seen,
-                                RowSolver &solver)
+                                RowSolver &solver, const Fallback fallback)
   {
     bool falls = false;
     for (unsigned int i = 0; i < problem.n_points(); ++i)
@@ -162,7 +165,7 @@ namespace ringmotor
       return FrictionBound{mu.value * pressure_force, mu.value, mu.derivative * pressure_force};
     };
     const ContactState begin = is_finite(start) ? start : nothing(problem);
-    Search search(problem, constants, solver);
+    Search search(problem, constants, solver, fallback);
     const bool is_solved = falls ? search.solve_alone(bound_of, begin, seen) ||
                                        search.solve_by_coefficients(friction, bound_of, begin)
                                  : search.solve(bound_of, begin, seen);

@@ -106,7 +106,8 @@ namespace ringmotor
   }
 
   OperatingState SteadyDriver::find(const RotorLoad &load, Start from,
-                                    std::shared_ptr<const SteadyDynamics> with_inertia) const
+                                    std::shared_ptr<const SteadyDynamics> with_inertia,
+                                    const Fallback fallback) const
   try
   {
     const auto contact =
@@ -124,7 +125,7 @@ namespace ringmotor
     for (unsigned int round = 0; round < most_rounds; ++round)
     {
       ContactSolution solution =
-          solve_contact(*contact, law, motor.constants, from.state, from.motion, solver);
+          solve_contact(*contact, law, motor.constants, from.state, from.motion, solver, fallback);
       n_iterations = solution.n_iterations += n_iterations;
       from.state   = solution.state;
       from.motion.clear();
@@ -212,15 +213,15 @@ namespace ringmotor
 
   OperatingState SteadyDriver::find_or_damp(const RotorLoad &load, const Start &from) const
   {
+    if (!dynamics)
+      return find(load, from);
     std::string tried;
     try
     {
-      return find(load, from);
+      return find(load, from, dynamics, Fallback::none);
     }
     catch (const ComputationError &error)
     {
-      if (!dynamics)
-        throw;
       tried = error.what();
     }
     OperatingState state = find(load, by_damping(load, from));

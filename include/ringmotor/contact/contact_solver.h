@@ -20,6 +20,13 @@ namespace ringmotor
     std::string how;               ///< what was tried, in words, if Newton's method alone failed
   };
 
+  /** What follows where Newton's method fails. */
+  enum class Fallback
+  {
+    proximal_points,
+    none
+  };
+
   /**
    * Solves a contact problem with friction by the semi-smooth Newton method. Where its iterates do
    * not settle, or @p start has no forces, the proximal point algorithm leads it to the solution.
@@ -32,7 +39,8 @@ namespace ringmotor
   ContactSolution solve_contact(const ContactProblem &problem, const PointFriction &friction,
                                 const ComplementarityConstants &constants,
                                 const ContactState &start, const std::vector<PointVector> &seen,
-                                RowSolver &solver);
+                                RowSolver &solver,
+                                const Fallback fallback = Fallback::proximal_points);
   ContactSolution solve_contact(const ContactProblem &problem, const PointFriction &friction,
                                 const ComplementarityConstants &constants,
                                 const ContactState &start);

@@ -55,9 +55,11 @@ namespace ringmotor
     };
     OperatingState find(const RotorLoad &load, Start start) const;
     OperatingState find(const RotorLoad &load, Start start,
-                        std::shared_ptr<const SteadyDynamics> with_inertia) const;
-    /** From a state nearby; with inertia, if that fails, from states with damping that falls, as
-     * nodes that just graze a tooth may keep Newton's method from the solution. */
+                        std::shared_ptr<const SteadyDynamics> with_inertia,
+                        const Fallback fallback = Fallback::proximal_points) const;
+    /** From a state nearby; with inertia, if Newton's method alone does not lead from it, from
+     * states with damping that falls: there the proximal point algorithm takes long, and may fail.
+     */
     OperatingState find_or_damp(const RotorLoad &load, const Start &start) const;
     /** From another state, which may be one without inertia: by states with inertia and damping
      * that falls. */
