@@ -5,14 +5,14 @@ namespace ringmotor
 {
   using namespace dealii;
 
-  BlockCompliance::BlockCompliance(const RingCompliance &at_once, const unsigned int n_moments)
-      : at_once(at_once), n_moments(n_moments)
+  BlockCompliance::BlockCompliance(const RingCompliance &at_once, const unsigned int n_samples)
+      : at_once(at_once), n_samples(n_samples)
   {
   }
 
-  BlockCompliance::BlockCompliance(const RingCompliance &at_once, const unsigned int n_moments,
+  BlockCompliance::BlockCompliance(const RingCompliance &at_once, const unsigned int n_samples,
                                    RingCompliance modes, std::vector<unsigned int> instants)
-      : at_once(at_once), n_moments(n_moments), of_modes(std::move(modes)),
+      : at_once(at_once), n_samples(n_samples), of_modes(std::move(modes)),
         instant(std::move(instants))
   {
     AssertDimension(instant.size(), n_blocks());
@@ -20,9 +20,9 @@ namespace ringmotor
     of_modes.tabulate_if_small();
     far_with_modes.shapes = RingCompliance::far_shapes({&at_once, &of_modes});
     far_with_modes.kernel = of_modes.between(far_with_modes.shapes);
-    const std::vector<FullMatrix<double>> at_same_moment = at_once.between(far_with_modes.shapes);
-    for (unsigned int tooth = 0; tooth < at_same_moment.size(); ++tooth)
-      far_with_modes.kernel[instants_between(tooth, 0)].add(1., at_same_moment[tooth]);
+    const std::vector<FullMatrix<double>> at_same_sample = at_once.between(far_with_modes.shapes);
+    for (unsigned int tooth = 0; tooth < at_same_sample.size(); ++tooth)
+      far_with_modes.kernel[instants_between(tooth, 0)].add(1., at_same_sample[tooth]);
     if (at_once.all_entries().empty() || of_modes.all_entries().empty())
       return;
     all = of_modes.all_entries();
@@ -47,7 +47,7 @@ namespace ringmotor
   void BlockCompliance::add_motions_at_once(const std::vector<PointVector> &force,
                                             std::vector<PointVector> &motion) const
   {
-    at_once.add_motions(&force[0][0], &motion[0][0], n_moments);
+    at_once.add_motions(&force[0][0], &motion[0][0], n_samples);
   }
 
   void BlockCompliance::add_entries(const unsigned int moved, const unsigned int loaded,
@@ -62,7 +62,7 @@ namespace ringmotor
                    column);
       return;
     }
-    if (moment(moved) == moment(loaded))
+    if (sample(moved) == sample(loaded))
       at_once.add_entries(teeth_between(moved, loaded), rows, columns, factor, first, matrix, row,
                           column);
     if (!instant.empty())

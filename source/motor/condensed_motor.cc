@@ -185,7 +185,7 @@ namespace ringmotor
     {
       MortarCoupling mortar;
       RingCompliance compliance;
-      std::vector<CondensedMotor::LooseMotion> loose_motions;
+      std::vector<CondensedMotor::NearRigidMode> near_rigid_modes;
       double mass; ///< kg, as CondensedMotor::rotor_mass
       unsigned int n_dofs;
     };
@@ -219,7 +219,7 @@ namespace ringmotor
       {
         const SupportMotion motion = condensation.support_motion(1, held, support);
         // Two halves make a sector, and the mean square of a wave is half of its amplitude's.
-        rotor.loose_motions.push_back(
+        rotor.near_rigid_modes.push_back(
             {at_contact_points(motion.interface, whole.origin, rotor.mortar, pitch),
              n_teeth * motion.stiffness,
              model.rotor_moves_as_whole ? n_teeth * body.inertia(condensation, 1, support) : 0.});
@@ -276,7 +276,7 @@ namespace ringmotor
     motor.n_waves           = wave.n_waves;
     motor.angular_frequency = wave.angular_frequency;
     motor.wave_energy       = wave.strain_energy;
-    motor.loose_motions     = std::move(rotor.loose_motions);
+    motor.near_rigid_modes  = std::move(rotor.near_rigid_modes);
     motor.rotor_mass        = rotor.mass;
     motor.compliance        = std::move(rotor.compliance);
     motor.degree            = discretisation.degree;

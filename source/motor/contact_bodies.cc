@@ -84,16 +84,16 @@ namespace ringmotor
   {
   }
 
-  Condensation ToothBody::condensed(const double angular_frequency, const bool with_inside) const
+  Condensation ToothBody::condensed(const double angular_frequency, const bool with_interior) const
   {
     return Condensation(sector, displacement_forms(top), foot, {}, std::pow(angular_frequency, 2),
-                        with_inside);
+                        with_interior);
   }
 
   std::vector<std::array<Complex, 3>> ToothBody::top_motion(const WaveMotion &wave,
                                                             const Condensation &condensed) const
   {
-    return sector_motion(condensed.follow(0, foot_motion(wave)), whole_top.origin);
+    return sector_motion(condensed.prescribed_response(0, foot_motion(wave)), whole_top.origin);
   }
 
   std::vector<double> ToothBody::foot_motion(const WaveMotion &wave) const
@@ -142,9 +142,10 @@ namespace ringmotor
   {
   }
 
-  Condensation RotorBody::condensed(const bool with_inside) const
+  Condensation RotorBody::condensed(const bool with_interior) const
   {
-    return Condensation(sector, displacement_forms(lip), {}, rotor_loads(sector), 0., with_inside);
+    return Condensation(sector, displacement_forms(lip), {}, rotor_loads(sector), 0.,
+                        with_interior);
   }
 
   std::vector<unsigned int> RotorBody::held(const unsigned int k) const
@@ -161,7 +162,7 @@ namespace ringmotor
     CondensationLoad unit;
     for (const unsigned int each : held)
       unit.supports.push_back(each == support ? 1. : 0.);
-    const SectorMotion motion = condensation.inside(k, held, {unit}).front();
+    const SectorMotion motion = condensation.interior(k, held, {unit}).front();
     return motion_products(sector, {&motion}).front().mass;
   }
 } // namespace ringmotor

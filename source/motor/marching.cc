@@ -35,7 +35,7 @@ namespace ringmotor
   {
     const RingContact &contact  = *steady.contact;
     const unsigned int n_points = motor.n_teeth * motor.nodes.size();
-    const auto first_moment     = [&](const auto &values)
+    const auto first_sample     = [&](const auto &values)
     {
       std::decay_t<decltype(values)> of_ring;
       for (unsigned int i = 0; i < n_points; ++i)
@@ -43,16 +43,16 @@ namespace ringmotor
       return of_ring;
     };
     const ContactState &state = steady.solution.state;
-    positions                 = first_moment(contact.positions(state));
-    memory                    = first_moment(next_memory(steady.solution, steady.memory));
+    positions                 = first_sample(contact.positions(state));
+    memory                    = first_sample(next_memory(steady.solution, steady.memory));
     StepEnd start{0.,
                   contact.time_step(),
                   contact.speed(state),
-                  {first_moment(state.force), state.rigid},
-                  first_moment(steady.solution.motion)};
+                  {first_sample(state.force), state.rigid},
+                  first_sample(steady.solution.motion)};
     start.state.rigid.resize(contact.n_rigid_motions());
     // A part of a ring that repeats itself has no loose motions, which the whole one has.
-    start.state.rigid.resize(1 + 2 * motor.loose_motions.size());
+    start.state.rigid.resize(1 + 2 * motor.near_rigid_modes.size());
     if (!motor.modes.empty())
     {
       modes.emplace(motor.modes, motor.n_teeth, motor.dynamics);

@@ -8,7 +8,7 @@ namespace ringmotor
       : scheme(motor.dynamics.scheme)
   {
     for (unsigned int r = 0; r < displacements.size(); ++r)
-      motions.push_back({r == 0 ? motor.rotor_mass : motor.loose_motions[(r - 1) / 2].inertia,
+      motions.push_back({r == 0 ? motor.rotor_mass : motor.near_rigid_modes[(r - 1) / 2].inertia,
                          {displacements[r], 0., 0.}});
   }
 

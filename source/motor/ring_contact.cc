@@ -12,17 +12,17 @@ namespace ringmotor
                            const SteadyStep &steady_step,
                            std::shared_ptr<const SteadyDynamics> with_inertia)
       : motor(motor), load(load), fold(motor.n_repeats()), n_sectors(motor.n_teeth / fold),
-        n_nodes(motor.nodes.size()), n_moments(steady_step.n_moments),
+        n_nodes(motor.nodes.size()), n_samples(steady_step.n_samples),
         step(step_length(motor, steady_step)),
         steady_neighbour(steady_step.n_joined * ringmotor::steady_neighbour(motor) % n_sectors),
         // Forces that repeat themselves around the ring shift and tilt nothing.
-        n_rigid_of_moment(fold > 1 ? 1 : 1 + 2 * motor.loose_motions.size()),
+        n_rigid_of_sample(fold > 1 ? 1 : 1 + 2 * motor.near_rigid_modes.size()),
         dynamics(std::move(with_inertia)),
         compliance(dynamics
                        ? std::shared_ptr<const BlockCompliance>(dynamics, &dynamics->compliance)
-                       : std::make_shared<const BlockCompliance>(motor.repeating(), n_moments))
+                       : std::make_shared<const BlockCompliance>(motor.repeating(), n_samples))
   {
-    Assert(n_moments == 1 || steady_step.n_joined == 1, ExcMessage("one moment, or short steps"));
+    Assert(n_samples == 1 || steady_step.n_joined == 1, ExcMessage("one sample, or short steps"));
     place_stator(0., Warp());
     tabulate_rigid_motions();
   }
@@ -30,11 +30,11 @@ namespace ringmotor
   RingContact::RingContact(const CondensedMotor &motor, const RotorLoad &load,
                            const TimeStep &time_step, const Warp &warp)
       : motor(motor), load(load), fold(1), n_sectors(motor.n_teeth), n_nodes(motor.nodes.size()),
-        n_moments(1), step(time_step.length), given(time_step.earlier), steady_neighbour(0),
-        n_rigid_of_moment(1 + 2 * motor.loose_motions.size()),
+        n_samples(1), step(time_step.length), given(time_step.earlier), steady_neighbour(0),
+        n_rigid_of_sample(1 + 2 * motor.near_rigid_modes.size()),
         compliance(time_step.compliance
                        ? time_step.compliance
-                       : std::make_shared<const BlockCompliance>(motor.compliance, n_moments)),
+                       : std::make_shared<const BlockCompliance>(motor.compliance, n_samples)),
         vibration(time_step.vibration), rigid_inertia(time_step.rigid_inertia)
   {
     place_stator(time_step.time, warp);
@@ -45,7 +45,7 @@ namespace ringmotor
   {
     for (unsigned int point = 0; point < n_points(); ++point)
     {
-      const double phase = motor.angular_frequency * (first_time + moment(point) * step) -
+      const double phase = motor.angular_frequency * (first_time + sample(point) * step) -
                            motor.n_waves * motor.pitch() * tooth(point);
       PointVector motion;
       for (unsigned int c = 0; c < 3; ++c)
@@ -63,13 +63,13 @@ namespace ringmotor
       rise[0] = 1.;
       rigid.push_back(rise);
       const std::complex<double> phase = std::polar(1., -motor.pitch() * tooth(point));
-      for (unsigned int i = 0; 2 * i + 1 < n_rigid_of_moment; ++i)
+      for (unsigned int i = 0; 2 * i + 1 < n_rigid_of_sample; ++i)
       {
         PointVector cosine, sine;
         for (unsigned int c = 0; c < 3; ++c)
         {
           const std::complex<double> motion =
-              phase * motor.loose_motions[i].motion[point % n_nodes][c];
+              phase * motor.near_rigid_modes[i].motion[point % n_nodes][c];
           cosine[c] = motion.real();
           sine[c]   = -motion.imag();
         }
@@ -81,20 +81,20 @@ namespace ringmotor
 
   unsigned int RingContact::earlier(const unsigned int point) const
   {
-    const unsigned int n_of_moment = n_sectors * n_nodes;
-    if (moment(point) > 0)
-      return point - n_of_moment;
+    const unsigned int n_of_sample = n_sectors * n_nodes;
+    if (sample(point) > 0)
+      return point - n_of_sample;
     const unsigned int earlier_tooth = (tooth(point) + steady_neighbour) % n_sectors;
-    return (n_moments - 1) * n_of_moment + earlier_tooth * n_nodes + point % n_nodes;
+    return (n_samples - 1) * n_of_sample + earlier_tooth * n_nodes + point % n_nodes;
   }
 
   std::vector<PointVector> RingContact::positions_by(const ContactState &state) const
   {
     std::vector<PointVector> position(n_points());
     for (unsigned int point = 0; point < position.size(); ++point)
-      for (unsigned int r = 0; r < n_rigid_of_moment; ++r)
+      for (unsigned int r = 0; r < n_rigid_of_sample; ++r)
         position[point] +=
-            state.rigid[moment(point) * n_rigid_of_moment + r] * rigid_motion(point, r);
+            state.rigid[sample(point) * n_rigid_of_sample + r] * rigid_motion(point, r);
     compliance->add_motions(state.force, position);
     return position;
   }
@@ -183,9 +183,9 @@ namespace ringmotor
     const auto add_rigid = [&](const unsigned int point, const double factor,
                                const unsigned int row, const unsigned int first)
     {
-      for (unsigned int r = 0; r < n_rigid_of_moment; ++r)
+      for (unsigned int r = 0; r < n_rigid_of_sample; ++r)
         for (unsigned int c = first; c < 3; ++c)
-          matrix(row + c, 3 * n + moment(point) * n_rigid_of_moment + r) +=
+          matrix(row + c, 3 * n + sample(point) * n_rigid_of_sample + r) +=
               factor * rigid_motion(point, r)[c];
     };
     const std::vector<PointsOfTooth> columns = by_tooth(column_points);
@@ -231,14 +231,14 @@ namespace ringmotor
   {
     std::vector<double> balances(n_rigid(), 0.);
     for (unsigned int point = 0; point < state.force.size(); ++point)
-      for (unsigned int r = 0; r < n_rigid_of_moment; ++r)
-        balances[moment(point) * n_rigid_of_moment + r] +=
+      for (unsigned int r = 0; r < n_rigid_of_sample; ++r)
+        balances[sample(point) * n_rigid_of_sample + r] +=
             rigid_motion(point, r) * state.force[point];
-    for (unsigned int m = 0; m < n_moments; ++m)
+    for (unsigned int m = 0; m < n_samples; ++m)
     {
-      const unsigned int first = m * n_rigid_of_moment;
+      const unsigned int first = m * n_rigid_of_sample;
       balances[first] -= load.preload / fold;
-      for (unsigned int r = 0; r < n_rigid_of_moment; ++r)
+      for (unsigned int r = 0; r < n_rigid_of_sample; ++r)
       {
         double &balance = balances[first + r];
         balance -= rigid_stiffness(r) * state.rigid[first + r] -
@@ -255,21 +255,21 @@ namespace ringmotor
                                         FullMatrix<double> &matrix) const
   {
     matrix.reinit(n_rigid(), 3 * points.size() + n_rigid());
-    for (unsigned int m = 0; m < n_moments; ++m)
-      for (unsigned int r = 0; r < n_rigid_of_moment; ++r)
+    for (unsigned int m = 0; m < n_samples; ++m)
+      for (unsigned int r = 0; r < n_rigid_of_sample; ++r)
       {
-        const unsigned int row               = m * n_rigid_of_moment + r;
+        const unsigned int row               = m * n_rigid_of_sample + r;
         matrix(row, 3 * points.size() + row) = -balance_factor(r) * rigid_stiffness(r);
       }
     for (unsigned int i = 0; i < points.size(); ++i)
     {
-      for (unsigned int r = 0; r < n_rigid_of_moment; ++r)
+      for (unsigned int r = 0; r < n_rigid_of_sample; ++r)
         for (unsigned int c = 0; c < 3; ++c)
-          matrix(moment(points[i]) * n_rigid_of_moment + r, 3 * i + c) =
+          matrix(sample(points[i]) * n_rigid_of_sample + r, 3 * i + c) =
               balance_factor(r) * rigid_motion(points[i], r)[c];
       if (load.torque)
         matrix(n_rigid() - 1, 3 * i + 1) =
-            node(points[i]).radius / n_moments / motor.nodes.front().radius;
+            node(points[i]).radius / n_samples / motor.nodes.front().radius;
     }
   }
 
@@ -278,7 +278,7 @@ namespace ringmotor
     double sum = 0.;
     for (unsigned int point = 0; point < state.force.size(); ++point)
       sum += node(point).radius * state.force[point][1];
-    return fold * sum / n_moments;
+    return fold * sum / n_samples;
   }
 
   double RingContact::turn(const ContactState &state) const
@@ -299,29 +299,29 @@ namespace ringmotor
     double energy = 0.;
     for (unsigned int point = 0; point < n_points(); ++point)
       energy += 0.5 * (state.force[point] * deflection[point]);
-    for (unsigned int m = 0; m < n_moments; ++m)
+    for (unsigned int m = 0; m < n_samples; ++m)
     {
-      const double *motion = &state.rigid[m * n_rigid_of_moment];
+      const double *motion = &state.rigid[m * n_rigid_of_sample];
       energy += load.preload / fold * motion[0];
-      for (unsigned int r = 1; r < n_rigid_of_moment; ++r)
+      for (unsigned int r = 1; r < n_rigid_of_sample; ++r)
         energy += 0.5 * static_stiffness(r) * motion[r] * motion[r];
     }
-    return fold * energy / n_moments;
+    return fold * energy / n_samples;
   }
 
   ContactState RingContact::pressed_down() const
   {
     constexpr double share = 0.1;
     ContactState state{std::vector<PointVector>(n_points()), std::vector<double>(n_rigid(), 0.)};
-    const unsigned int n_of_moment = n_sectors * n_nodes;
-    for (unsigned int m = 0; m < n_moments; ++m)
+    const unsigned int n_of_sample = n_sectors * n_nodes;
+    for (unsigned int m = 0; m < n_samples; ++m)
     {
       std::vector<double> heights;
-      for (unsigned int point = m * n_of_moment; point < (m + 1) * n_of_moment; ++point)
+      for (unsigned int point = m * n_of_sample; point < (m + 1) * n_of_sample; ++point)
         heights.push_back(stator[point][0]);
-      const auto n_above = static_cast<std::ptrdiff_t>(1 + share * n_of_moment);
+      const auto n_above = static_cast<std::ptrdiff_t>(1 + share * n_of_sample);
       std::nth_element(heights.begin(), heights.end() - n_above, heights.end());
-      state.rigid[m * n_rigid_of_moment] = *(heights.end() - n_above);
+      state.rigid[m * n_rigid_of_sample] = *(heights.end() - n_above);
     }
     return state;
   }

@@ -238,7 +238,7 @@ namespace ringmotor
     return state;
   }
 
-  SteadyDriver::Start SteadyDriver::at_other_moments(const RingContact &coarse,
+  SteadyDriver::Start SteadyDriver::at_other_samples(const RingContact &coarse,
                                                      const ContactSolution &solution,
                                                      const RingContact &fine, const double speed)
   {
@@ -258,7 +258,7 @@ namespace ringmotor
       {
         const unsigned int point = before * n_points + i;
         start.memory.push_back(memory[point]);
-        // After the last moment a tooth is what another one is at the first.
+        // After the last sample a tooth is what another one is at the first.
         const bool is_last     = before + 1 == n_coarse;
         const unsigned int now = m * n_points + i, next_known = is_last ? i : point + n_points,
                            next_fine = m * n_points + (is_last ? coarse.earlier(i) % n_points : i);
@@ -286,7 +286,7 @@ namespace ringmotor
       return;
     }
     SteadyStep coarse_step;
-    coarse_step.n_moments = solution.state.force.size() / (contact.n_points() / contact.n_times());
-    next = at_other_moments(RingContact(motor, load, coarse_step), solution, contact, speed);
+    coarse_step.n_samples = solution.state.force.size() / (contact.n_points() / contact.n_times());
+    next = at_other_samples(RingContact(motor, load, coarse_step), solution, contact, speed);
   }
 } // namespace ringmotor

@@ -14,21 +14,21 @@ namespace ringmotor
 
   double step_length(const CondensedMotor &motor, const SteadyStep &step)
   {
-    return motor.period() * step.n_joined / (motor.n_teeth / motor.n_repeats() * step.n_moments);
+    return motor.period() * step.n_joined / (motor.n_teeth / motor.n_repeats() * step.n_samples);
   }
 
   namespace
   {
-    /** Which instant of its history each tooth shows, by moment and tooth. */
+    /** Which instant of its history each tooth shows, by sample and tooth. */
     std::vector<unsigned int> instants(const CondensedMotor &motor, const SteadyStep &step)
     {
       const unsigned int n_sectors = motor.n_teeth / motor.n_repeats(), s = steady_neighbour(motor),
-                         n_instants = n_sectors * step.n_moments;
+                         n_instants = n_sectors * step.n_samples;
       std::vector<unsigned int> instants(n_instants);
-      for (unsigned int m = 0; m < step.n_moments; ++m)
+      for (unsigned int m = 0; m < step.n_samples; ++m)
         for (unsigned int n_steps = 0; n_steps < n_sectors; ++n_steps)
           instants[m * n_sectors + s * n_steps % n_sectors] =
-              (m + step.n_moments * (n_sectors - n_steps)) % n_instants;
+              (m + step.n_samples * (n_sectors - n_steps)) % n_instants;
       return instants;
     }
   } // namespace
@@ -36,9 +36,9 @@ namespace ringmotor
   SteadyDynamics::SteadyDynamics(const CondensedMotor &motor, const SteadyStep &step,
                                  const RingDynamics &dynamics)
       : inertia(motor.modes, motor.n_waves, motor.n_teeth, motor.period(),
-                motor.n_teeth / motor.n_repeats() * step.n_moments, step_length(motor, step),
+                motor.n_teeth / motor.n_repeats() * step.n_samples, step_length(motor, step),
                 dynamics),
-        compliance(motor.repeating(), step.n_moments, inertia.compliance(), instants(motor, step))
+        compliance(motor.repeating(), step.n_samples, inertia.compliance(), instants(motor, step))
   {
   }
 } // namespace ringmotor

@@ -57,14 +57,14 @@ namespace ringmotor
       return watched;
     }
 
-    /** A moment and a tooth that show what a watched tooth does at a time. */
+    /** A sample and a tooth that show what a watched tooth does at a time. */
     struct Sight
     {
       double time;
-      unsigned int moment, tooth;
+      unsigned int sample, tooth;
     };
 
-    /** What a tooth does: in the steady state, a period of it from the teeth of few moments. */
+    /** What a tooth does: in the steady state, a period of it from the teeth of few samples. */
     std::vector<Sight> history_of(const unsigned int watched, const CondensedMotor &motor,
                                   const ContactFields &fields, const bool is_steady)
     {
@@ -116,7 +116,7 @@ namespace ringmotor
         for (const Sight &sight : history_of(tooth, motor, points[p].fields, is_steady))
         {
           const ContactFields &fields = points[p].fields;
-          const std::size_t i = (sight.moment * fields.n_teeth + sight.tooth) * n_nodes + node;
+          const std::size_t i = (sight.sample * fields.n_teeth + sight.tooth) * n_nodes + node;
           std::vector<CsvTable::Entry> row{
               p,    sight.time / micrometre,          tooth,
               node, motor.nodes[node].radius / milli, motor.nodes[node].angle * 180. / numbers::PI};

@@ -39,7 +39,7 @@ namespace ringmotor
       return result;
     }
 
-    /** The contact points of a ring at one moment. */
+    /** The contact points of a ring at one sample. */
     class Snapshot
     {
     public:
@@ -59,7 +59,7 @@ namespace ringmotor
         return Point<3>(r * std::cos(theta), r * std::sin(theta), height);
       }
 
-      /** The number in the fields, at the last moment. */
+      /** The number in the fields, at the last sample. */
       std::size_t point(const unsigned int tooth, const unsigned int node) const
       {
         return ((fields.times.size() - 1) * fields.n_teeth + tooth % fields.n_teeth) *
@@ -165,7 +165,7 @@ namespace ringmotor
                           const MotorBodies &bodies, const std::vector<CurvePoint> &points,
                           const double height)
   {
-    std::vector<PointMoment> last;
+    std::vector<PointSample> last;
     for (const CurvePoint &point : points)
       last.push_back({point.fields, static_cast<unsigned int>(point.fields.times.size() - 1)});
     const bool has_inertia                          = motor.has_rotor_modes();

@@ -27,17 +27,17 @@ namespace ringmotor
     }
   } // namespace
 
-  Log::Log(const bool speaks) : Log(speaks, std::cout, ::isatty(STDOUT_FILENO) == 1) {}
+  Log::Log(const bool is_root_rank) : Log(is_root_rank, std::cout, ::isatty(STDOUT_FILENO) == 1) {}
 
-  Log::Log(const bool speaks, std::ostream &out, const bool is_terminal)
-      : speaks(speaks), out(out), is_terminal(is_terminal), start(std::chrono::steady_clock::now()),
-        task_start(start)
+  Log::Log(const bool is_root_rank, std::ostream &out, const bool is_terminal)
+      : is_root_rank(is_root_rank), out(out), is_terminal(is_terminal),
+        start(std::chrono::steady_clock::now()), task_start(start)
   {
   }
 
   void Log::line(const std::string &text)
   {
-    if (!speaks)
+    if (!is_root_rank)
       return;
     wipe_progress();
     // Flushed, so that a run that writes to a pipe can be followed.
@@ -46,7 +46,7 @@ namespace ringmotor
 
   void Log::progress(const std::string &new_task, const double fraction)
   {
-    if (!speaks || !is_terminal)
+    if (!is_root_rank || !is_terminal)
       return;
 
     wipe_progress();

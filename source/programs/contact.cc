@@ -75,7 +75,7 @@ namespace ringmotor
 
       const Parameters &given;
       const std::string folder; ///< of the results, ends in a slash
-      const bool speaks;
+      const bool is_root_rank;
       Log log;
       Phases phases;
       const StatorWave wave;
@@ -112,7 +112,7 @@ namespace ringmotor
 
     ContactProgram::ContactProgram(const Parameters &parameters)
         : given(parameters), folder(results_folder("contact", parameters)),
-          speaks(Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0), log(speaks),
+          is_root_rank(Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0), log(is_root_rank),
           wave(read_stator_wave(parameters.output.directory + "/stator/modes.h5", parameters)),
           effects(choose_effects()), parameters(effects.parameters()),
           search(this->parameters, wave.relative_error, 2. * numbers::PI / wave.angular_frequency,
@@ -127,7 +127,7 @@ namespace ringmotor
       for (const std::string &warning : check_for_contact(parameters))
         log.line("warning: " + warning);
       check_time_step(parameters, wave);
-      if (speaks)
+      if (is_root_rank)
         prepare_directory(folder);
     }
 
@@ -152,7 +152,7 @@ namespace ringmotor
     void ContactProgram::run(const bool resumes)
     {
       keep.emplace(folder, wave, resumes, log, MPI_COMM_WORLD);
-      if (speaks)
+      if (is_root_rank)
         tell_when_interrupted(
             "contact: interrupted; the operating points found so far are kept in " + folder +
             "kept: continue with --resume");
@@ -173,7 +173,7 @@ namespace ringmotor
           });
       for (const double tolerance : {1e-1, 5e-2, 2e-2, 1e-2, 5e-3, 2e-3})
         log.line(describe_cheapest(rungs, tolerance, setting_text));
-      if (speaks)
+      if (is_root_rank)
       {
         write_used_prm(folder + "study.prm", "contact", given);
         write_contact_study(folder + "study.csv", rungs);
@@ -315,7 +315,7 @@ namespace ringmotor
     void ContactProgram::write_results()
     {
       require_certified(make_summary());
-      if (!speaks)
+      if (!is_root_rank)
         return;
       {
         const auto scope = phases.measure("output");

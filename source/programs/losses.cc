@@ -39,7 +39,7 @@ namespace ringmotor
 
       const Parameters &parameters;
       const std::string folder; ///< of the results, ends in a slash
-      const bool speaks;
+      const bool is_root_rank;
       Log log;
       Phases phases;
       WaveEnergies wave;
@@ -49,7 +49,7 @@ namespace ringmotor
 
     LossesProgram::LossesProgram(const Parameters &parameters)
         : parameters(parameters), folder(results_folder("losses", parameters)),
-          speaks(Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0), log(speaks)
+          is_root_rank(Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0), log(is_root_rank)
     {
       for (const std::string &warning : check_for_losses(parameters))
         log.line("warning: " + warning);
@@ -67,7 +67,7 @@ namespace ringmotor
       const auto scope        = phases.measure("losses");
       const std::string &from = parameters.output.directory;
       wave                    = read_wave_energies(from + "/stator/modes.h5", parameters);
-      if (speaks && parameters.output.vtu)
+      if (is_root_rank && parameters.output.vtu)
         body = read_wave_body(from + "/stator/modes.h5", parameters);
       const StatorWave of_now = read_stator_wave(from + "/stator/modes.h5", parameters);
       for (const CurvePoint &point :
@@ -89,7 +89,7 @@ namespace ringmotor
 
     void LossesProgram::write_results()
     {
-      if (!speaks)
+      if (!is_root_rank)
         return;
       Summary summary = begin_summary("losses", parameters, phases);
       add_losses(summary, points, phases.seconds().front().second / points.size());

@@ -60,7 +60,7 @@ namespace ringmotor
       const Parameters &parameters;
       const bool of_stator;     ///< else of the rotor or a tooth
       const std::string folder; ///< of the results, ends in a slash
-      const bool speaks;
+      const bool is_root_rank;
       Log log;
       BodyModes body;
       std::vector<std::pair<std::string, double>> pass_seconds;
@@ -80,14 +80,14 @@ namespace ringmotor
     StatorProgram::StatorProgram(const Parameters &parameters)
         : parameters(parameters), of_stator(parameters.modes.body == Body::stator),
           folder(results_folder("stator", parameters)),
-          speaks(Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0), log(speaks),
+          is_root_rank(Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0), log(is_root_rank),
           body(parameters, MPI_COMM_WORLD)
     {
     }
 
     void StatorProgram::run()
     {
-      if (speaks)
+      if (is_root_rank)
       {
         prepare_results(folder, "used\\.prm|frequencies\\.csv|ellipses\\.csv|modes\\.h5|"
                                 "summary\\.json|sector\\.vtu|ring\\.pvd|ring_[0-9]+\\.vtu");
@@ -99,7 +99,7 @@ namespace ringmotor
 
     void StatorProgram::study()
     {
-      if (speaks)
+      if (is_root_rank)
         prepare_directory(folder);
       std::vector<StudyRow> rows;
       body.climb(
@@ -116,7 +116,7 @@ namespace ringmotor
                                      return "degree " + std::to_string(row.degree) +
                                             ", refinement " + std::to_string(row.refinement);
                                    }));
-      if (speaks)
+      if (is_root_rank)
       {
         write_used_prm(folder + "study.prm", "stator", parameters);
         write_study(folder + "study.csv", rows);
@@ -217,7 +217,7 @@ namespace ringmotor
       for (const EffectRow &row : effects)
         log.line(describe(row));
       require_certified(make_summary(effects));
-      if (speaks)
+      if (is_root_rank)
       {
         const auto scope       = phases.measure("output");
         const WaveResult *wave = body.wave();
@@ -229,9 +229,9 @@ namespace ringmotor
         if (wave != nullptr)
           write_ellipses(folder + "ellipses.csv", *wave);
       }
-      if (speaks && parameters.output.vtu && (body.wave() != nullptr || !of_stator))
+      if (is_root_rank && parameters.output.vtu && (body.wave() != nullptr || !of_stator))
         write_fields();
-      if (speaks)
+      if (is_root_rank)
         write_summary(folder + "summary.json", make_summary(effects));
       log.line("results in " + folder);
     }

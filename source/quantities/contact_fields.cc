@@ -3,10 +3,10 @@
 
 namespace ringmotor
 {
-  void ContactFields::reserve(const std::size_t n_moments)
+  void ContactFields::reserve(const std::size_t n_samples)
   {
     const std::size_t n_now = times.size();
-    const auto reserve = [&](auto &values) { values.reserve(values.size() / n_now * n_moments); };
+    const auto reserve = [&](auto &values) { values.reserve(values.size() / n_now * n_samples); };
     reserve(times);
     reserve(force);
     reserve(motion);
@@ -41,8 +41,8 @@ namespace ringmotor
     const RingContact &contact      = *state.contact;
     const ContactSolution &solution = state.solution;
     ContactFields fields;
-    for (unsigned int moment = 0; moment < contact.n_times(); ++moment)
-      fields.times.push_back(first_time + moment * contact.time_step());
+    for (unsigned int sample = 0; sample < contact.n_times(); ++sample)
+      fields.times.push_back(first_time + sample * contact.time_step());
     fields.n_teeth                   = contact.n_teeth();
     fields.time_step                 = contact.time_step();
     fields.force                     = solution.state.force;

@@ -82,7 +82,7 @@ namespace ringmotor
   {
     constexpr double closed   = 1e-12; // m
     const unsigned int n_from = target.size(), n_to = source.size(),
-                       n_blocks = known.force.size() / n_from; // a tooth at a moment
+                       n_blocks = known.force.size() / n_from; // a tooth at a sample
     ContactFields result        = known;
     result.tooth.clear();
     result.rotor.clear();

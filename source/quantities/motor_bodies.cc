@@ -58,7 +58,7 @@ namespace ringmotor
   {
   }
 
-  std::vector<MotorBodies::Amplitudes> MotorBodies::lip_forces(const PointMoment &at) const
+  std::vector<MotorBodies::Amplitudes> MotorBodies::lip_forces(const PointSample &at) const
   {
     const unsigned int n_teeth = parameters.motor.n_teeth, n_nodes = mortar.nodes.size(),
                        n_lip = rotor_body.whole_lip.origin.size(), n_waves = n_teeth / 2 + 1;
@@ -69,7 +69,7 @@ namespace ringmotor
       {
         const PointVector &force =
             at.fields
-                .force[(at.moment * at.fields.n_teeth + tooth % at.fields.n_teeth) * n_nodes + a];
+                .force[(at.sample * at.fields.n_teeth + tooth % at.fields.n_teeth) * n_nodes + a];
         if (force == PointVector())
           continue;
         for (const MortarCoupling::Weight &weight : mortar.nodes[a].weights)
@@ -88,42 +88,42 @@ namespace ringmotor
   }
 
   std::vector<RingBody::Displacement>
-  MotorBodies::rotor_motions(const std::vector<PointMoment> &moments) const
+  MotorBodies::rotor_motions(const std::vector<PointSample> &samples) const
   {
     const unsigned int n_teeth      = parameters.motor.n_teeth;
     const Condensation condensation = rotor_body.condensed(true);
     std::vector<std::vector<Amplitudes>> forces;
-    for (const PointMoment &at : moments)
+    for (const PointSample &at : samples)
       forces.push_back(lip_forces(at));
 
-    std::vector<RingBody::Displacement> displacements(moments.size(), rotor_ring.at_rest());
+    std::vector<RingBody::Displacement> displacements(samples.size(), rotor_ring.at_rest());
     for (unsigned int k = 0; 2 * k <= n_teeth; ++k)
     {
       const std::vector<unsigned int> held = rotor_body.held(k);
       std::vector<CondensationLoad> loads;
-      for (unsigned int m = 0; m < moments.size(); ++m)
+      for (unsigned int m = 0; m < samples.size(); ++m)
       {
-        std::vector<CondensationLoad> of_moment = loads_on_half(forces[m][k], rotor_body.whole_lip);
+        std::vector<CondensationLoad> of_sample = loads_on_half(forces[m][k], rotor_body.whole_lip);
         // How far supports move, see RingContact: rise, then cosine and sine parts of each loose
         // motion. The turn is left out.
-        const std::vector<double> &rigid = moments[m].fields.rigid;
+        const std::vector<double> &rigid = samples[m].fields.rigid;
         AssertThrow(!rigid.empty(), ExcMessage("the rigid motions of the rotor are missing"));
-        const std::size_t n_rigid = rigid.size() / moments[m].fields.times.size(),
-                          first   = moments[m].moment * n_rigid;
+        const std::size_t n_rigid = rigid.size() / samples[m].fields.times.size(),
+                          first   = samples[m].sample * n_rigid;
         for (unsigned int part = 0; part < 2; ++part)
         {
-          std::vector<double> &supports = of_moment[part].supports;
+          std::vector<double> &supports = of_sample[part].supports;
           supports.assign(held.size(), 0.);
           if (k == 0 && part == 0)
             supports[0] = rigid[first];
           else if (k == 1 && n_rigid > 1)
             for (unsigned int i = 0; i < held.size(); ++i)
               supports[i] = rigid[first + 1 + 2 * i + part];
-          loads.push_back(std::move(of_moment[part]));
+          loads.push_back(std::move(of_sample[part]));
         }
       }
-      const std::vector<SectorMotion> motions = condensation.inside(k, held, loads);
-      for (unsigned int m = 0; m < moments.size(); ++m)
+      const std::vector<SectorMotion> motions = condensation.interior(k, held, loads);
+      for (unsigned int m = 0; m < samples.size(); ++m)
       {
         const RingBody::Amplitude amplitude =
             rotor_ring.amplitude(motions[2 * m], motions[2 * m + 1]);
@@ -136,14 +136,14 @@ namespace ringmotor
   }
 
   std::vector<RingBody::Displacement>
-  MotorBodies::teeth_motions(const std::vector<PointMoment> &moments) const
+  MotorBodies::teeth_motions(const std::vector<PointSample> &samples) const
   {
     const unsigned int n_teeth = parameters.motor.n_teeth, n_nodes = mortar.nodes.size();
     const Condensation condensation = tooth_body.condensed(0., true);
     const Warp &warp                = model.warp;
     const SectorMotion at_rest      = tooth_body.sector.at_rest();
     const auto following            = [&](const Condensation &tooth) {
-      return tooth.inside(0, {}, {{{}, tooth_body.foot_motion(wave.foot), {}}}).front();
+      return tooth.interior(0, {}, {{{}, tooth_body.foot_motion(wave.foot), {}}}).front();
     };
     // Contact forces move a tooth nearly as they would without its inertia.
     const RingBody::Amplitude free_motion = tooth_ring.amplitude(
@@ -154,14 +154,14 @@ namespace ringmotor
         [&](const double theta) { return std::polar(warp.amplitude, warp.n_waves * theta); });
 
     std::vector<RingBody::Displacement> displacements;
-    for (const auto &[fields, moment] : moments)
+    for (const auto &[fields, sample] : samples)
     {
       displacements.push_back(tooth_ring.at_rest());
       std::vector<unsigned int> pressed;
       std::vector<CondensationLoad> loads;
       for (unsigned int tooth = 0; tooth < n_teeth; ++tooth)
       {
-        const double phase = wave.angular_frequency * fields.times[moment] -
+        const double phase = wave.angular_frequency * fields.times[sample] -
                              2. * numbers::PI * wave.n_waves * tooth / n_teeth;
         tooth_ring.add(tooth, std::polar(1., phase), free_motion, displacements.back());
         const double angle = 2. * numbers::PI * tooth / n_teeth;
@@ -173,7 +173,7 @@ namespace ringmotor
           for (unsigned int c = 0; c < 3; ++c)
           {
             const double force =
-                fields.force[(moment * fields.n_teeth + tooth % fields.n_teeth) * n_nodes + a][c];
+                fields.force[(sample * fields.n_teeth + tooth % fields.n_teeth) * n_nodes + a][c];
             forces[mortar.nodes[a].tooth_node][c] = -force;
             is_pressed                            = is_pressed || force != 0.;
           }
@@ -184,7 +184,7 @@ namespace ringmotor
             loads.push_back(std::move(load));
         }
       }
-      const std::vector<SectorMotion> motions = condensation.inside(0, {}, loads);
+      const std::vector<SectorMotion> motions = condensation.interior(0, {}, loads);
       for (unsigned int i = 0; i < pressed.size(); ++i)
         tooth_ring.add(pressed[i], 1., tooth_ring.amplitude(motions[2 * i], motions[2 * i + 1]),
                        displacements.back());

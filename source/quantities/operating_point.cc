@@ -35,7 +35,7 @@ namespace ringmotor
       point.torque        = contact.torque(solution.state);
       point.modal_power   = state.modal_power.taken;
       point.modal_damping = state.modal_power.damped_by_factor;
-      // Sums over the points of all moments become powers of the whole ring.
+      // Sums over the points of all samples become powers of the whole ring.
       const double per_second = contact.n_repeats() / (contact.n_times() * contact.time_step());
       double pressed = 0., stuck = 0.;
       std::set<std::pair<unsigned int, unsigned int>> touching;
@@ -58,7 +58,7 @@ namespace ringmotor
         {
           pressed += force[0];
           stuck += solution.status[i] == PointStatus::stick ? force[0] : 0.;
-          touching.emplace(contact.moment(i), contact.tooth(i));
+          touching.emplace(contact.sample(i), contact.tooth(i));
         }
       }
       const CondensedMotor &motor = contact.condensed_motor();

@@ -61,12 +61,12 @@ namespace ringmotor
   }
 
   std::vector<double> rotor_energies(const ContactFields &fields, const RingPattern &pattern,
-                                     const unsigned int first_moment)
+                                     const unsigned int first_sample)
   {
     const unsigned int n_teeth           = fields.n_teeth, // of one repetition
         n_repeats                        = pattern.n_teeth / n_teeth;
-    const std::size_t n_moments          = fields.times.size(),
-                      n_nodes            = fields.force.size() / (n_moments * n_teeth);
+    const std::size_t n_samples          = fields.times.size(),
+                      n_nodes            = fields.force.size() / (n_samples * n_teeth);
     const std::vector<std::size_t> nodes = pressed_nodes(fields.force, n_nodes);
     std::vector<double> energies(1, 0.);
     for (unsigned int q = 0; q < n_teeth; ++q)
@@ -75,9 +75,9 @@ namespace ringmotor
       if (m == 0)
         continue;
       energies.resize(std::max<std::size_t>(energies.size(), m + 1), 0.);
-      for (std::size_t moment = first_moment; moment < n_moments; ++moment)
+      for (std::size_t sample = first_sample; sample < n_samples; ++sample)
       {
-        const std::size_t first = moment * n_teeth * n_nodes;
+        const std::size_t first = sample * n_teeth * n_nodes;
         const auto part         = [&](const std::vector<PointVector> &vectors)
         { return wave_part(vectors.data() + first, n_teeth, n_nodes, nodes, q); };
         const std::vector<Complex> force = part(fields.force), motion = part(fields.rotor),
@@ -86,7 +86,7 @@ namespace ringmotor
         double work                      = 0.;
         for (std::size_t i = 0; i < force.size(); ++i)
           work += (std::conj(force[i]) * (motion[i] - modal[i])).real();
-        energies[m] += 0.5 * pattern.n_teeth * work / (n_moments - first_moment);
+        energies[m] += 0.5 * pattern.n_teeth * work / (n_samples - first_sample);
       }
     }
     return energies;

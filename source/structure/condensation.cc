@@ -21,7 +21,7 @@ namespace ringmotor
   Condensation::Condensation(const CyclicSector &sector, const std::vector<LinearForm> &interface,
                              const std::vector<SectorNodes::Dof> &driven,
                              const std::vector<CondensationSupport> &supports, const double shift,
-                             const bool with_inside)
+                             const bool with_interior)
       : sector(sector), interface(interface), driven(driven), supports(supports),
         at_interface(sector.n_dofs(), false)
   {
@@ -38,12 +38,12 @@ namespace ringmotor
       AssertThrow(!at_interface[dof] || !sector.dependent().is_constrained(dof),
                   ExcMessage("an interface must not depend on other nodes"));
     for (const unsigned int part : {0u, 1u})
-      condense(part, shift, with_inside);
+      condense(part, shift, with_interior);
   }
 
   Condensation::~Condensation() = default;
 
-  void Condensation::condense(const unsigned int part, const double shift, const bool with_inside)
+  void Condensation::condense(const unsigned int part, const double shift, const bool with_interior)
   {
     const CyclicSector::RealField &real_field = sector.field(part);
     Field &field                              = fields[part];
@@ -69,11 +69,11 @@ namespace ringmotor
 
     SymmetricTriplets triplets = sector.shifted_stiffness(part, shift);
     unsigned int size          = real_field.size;
-    const bool speaks          = Utilities::MPI::this_mpi_process(sector.communicator()) == 0;
+    const bool is_root_rank    = Utilities::MPI::this_mpi_process(sector.communicator()) == 0;
     for (unsigned int s = 0; s < supports.size(); ++s)
       if (supports[s].part == part)
       {
-        if (speaks) // entries are added up over the ranks
+        if (is_root_rank) // entries are added up over the ranks
         {
           for (const auto &[dof, load] : supports[s].load)
             if (real_field.number[dof] != none)
@@ -90,7 +90,7 @@ namespace ringmotor
     for (std::size_t column = 0; column < n_rows; ++column)
       for (std::size_t row = 0; row < column; ++row)
         field.matrix[column * n_rows + row] = field.matrix[row * n_rows + column];
-    if (with_inside)
+    if (with_interior)
       field.factors = std::move(factors);
   }
 
@@ -241,8 +241,8 @@ namespace ringmotor
     return solutions;
   }
 
-  std::vector<double> Condensation::follow(const unsigned int k,
-                                           const std::vector<double> &motion) const
+  std::vector<double> Condensation::prescribed_response(const unsigned int k,
+                                                        const std::vector<double> &motion) const
   {
     const Reduced reduced = reduce(k, {});
     return interface_motion(reduced, solutions(reduced, {}, {{{}, motion, {}}}));

@@ -57,11 +57,11 @@ namespace ringmotor
 
     /** ARPACK's work space and its reverse communication, for real and for complex numbers. */
     template <typename Number>
-    class Lanczos
+    class Arpack
     {
     public:
-      Lanczos(const ShiftInvertedPencil &pencil, const EigenvalueChoice choice,
-              const unsigned int count, const std::vector<double> &start)
+      Arpack(const ShiftInvertedPencil &pencil, const EigenvalueChoice choice,
+             const unsigned int count, const std::vector<double> &start)
           : pencil(pencil), size(pencil.size / (is_complex<Number> ? 2 : 1)), count(count),
             // ARPACK wants count + 2 <= n_basis <= size. A small basis is tested for convergence
             // early.
@@ -201,8 +201,8 @@ namespace ringmotor
     if (count == 0)
       return {};
     std::vector<Eigenpair> pairs = pencil.complex
-                                       ? Lanczos<Complex>(pencil, choice, count, start).run()
-                                       : Lanczos<double>(pencil, choice, count, start).run();
+                                       ? Arpack<Complex>(pencil, choice, count, start).run()
+                                       : Arpack<double>(pencil, choice, count, start).run();
     for (Eigenpair &pair : pairs)
       normalise(pencil, pair);
     return pairs;

@@ -220,7 +220,7 @@ TEST(StatorBackReaction, TunesTheWaveAsRayleighSays)
     Parameters following                   = parameters;
     following.effects.stator_back_reaction = EffectChoice::on;
     const CurvePoint own = OperatingPointFinder(following, motor).find({Control::torque, torque});
-    // The work of the forces on the rotor in the motion of the stator's wave, at one moment.
+    // The work of the forces on the rotor in the motion of the stator's wave, at one sample.
     double work                = 0.;
     const unsigned int n_nodes = motor.nodes.size();
     for (unsigned int i = 0; i < given.fields.force.size(); ++i)

@@ -123,7 +123,7 @@ TEST(MassesOnSprings, PressAsTheyAreAccelerated)
     const CondensedMotor motor = masses_on_springs(mass, wave_frequency / ratio, loss_factor);
     SteadyDriver driver(motor, none, {12, 1});
     const OperatingState state = driver.at({4000., {}, 1.});
-    // With the phase of tooth 0 at the first moment, where the wave has its crest.
+    // With the phase of tooth 0 at the first sample, where the wave has its crest.
     const Complex force =
         1e-6 * mass / exact_response(wave_frequency / ratio, loss_factor, wave_frequency);
     const double largest = 1e-6 * mass * std::pow(wave_frequency / std::min(ratio, 1.), 2);

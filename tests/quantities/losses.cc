@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Where the energy goes. Expected: closed forms of travelling waves; the work of a hysteretic body
-// by summing force times displacement over a period; a period of one tooth instead of a moment of
+// by summing force times displacement over a period; a period of one tooth instead of a sample of
 // all.
 
 #include "../support/motor_model.h"
@@ -21,15 +21,15 @@ namespace
 
   /** One node on each of 90 teeth, pressed by a wave of 14 around the ring. The rotor moves in
    * proportion, @p lag behind. */
-  ContactFields wave_of_14(const unsigned int n_moments, const double force, const double motion,
+  ContactFields wave_of_14(const unsigned int n_samples, const double force, const double motion,
                            const double lag)
   {
     constexpr unsigned int n_teeth = 90;
     ContactFields fields;
     fields.n_teeth = n_teeth;
-    for (unsigned int moment = 0; moment < n_moments; ++moment)
+    for (unsigned int sample = 0; sample < n_samples; ++sample)
     {
-      fields.times.push_back(moment * 2. * M_PI / omega / (n_teeth * n_moments));
+      fields.times.push_back(sample * 2. * M_PI / omega / (n_teeth * n_samples));
       for (unsigned int tooth = 0; tooth < n_teeth; ++tooth)
       {
         const double phase = 2. * omega * fields.times.back() - 14. * 2. * M_PI * tooth / n_teeth;
@@ -63,10 +63,10 @@ TEST(RotorEnergy, OfATravellingWave)
 {
   // Half of force times motion, its mean over the ring, times 90 teeth.
   constexpr double force = 0.3, motion = 2e-7;
-  for (const unsigned int n_moments : {1u, 3u})
+  for (const unsigned int n_samples : {1u, 3u})
   {
     const std::vector<double> energies =
-        rotor_energies(wave_of_14(n_moments, force, motion, 0.), {7, 90, 0});
+        rotor_energies(wave_of_14(n_samples, force, motion, 0.), {7, 90, 0});
     for (unsigned int m = 0; m < energies.size(); ++m)
       EXPECT_NEAR(energies[m], m == 2 ? 0.25 * 90 * force * motion : 0., 1e-20) << m;
   }

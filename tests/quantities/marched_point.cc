@@ -221,12 +221,12 @@ TEST_F(WarpedMotor, IsTheSameHalfAPeriodLaterAndHalfATurnOn)
                       next  = run.advance(n_steps, step).fields;
   const std::size_t n_nodes = coarse.nodes.size();
   double largest = 0., worst = 0.;
-  for (unsigned int moment = 0; moment < n_steps; ++moment)
+  for (unsigned int sample = 0; sample < n_steps; ++sample)
     for (unsigned int tooth = 0; tooth < 90; ++tooth)
     {
-      const double force = sum_of(first.force, (moment * 90 + tooth) * n_nodes, n_nodes, 1),
+      const double force = sum_of(first.force, (sample * 90 + tooth) * n_nodes, n_nodes, 1),
                    later =
-                       sum_of(next.force, (moment * 90 + (tooth + 45) % 90) * n_nodes, n_nodes, 1);
+                       sum_of(next.force, (sample * 90 + (tooth + 45) % 90) * n_nodes, n_nodes, 1);
       largest = std::max(largest, std::abs(force));
       worst   = std::max(worst, std::abs(force - later));
     }

@@ -34,9 +34,9 @@ namespace
       parameters = reference_motor();
       motor = condense_motor(parameters, stator_wave(parameters), ContactDiscretisation::level(1));
     }
-    CurvePoint at_torque(const double torque, const unsigned int n_moments = 1) const
+    CurvePoint at_torque(const double torque, const unsigned int n_samples = 1) const
     {
-      return OperatingPointFinder(with_parts_of_a_step(parameters, n_moments), motor)
+      return OperatingPointFinder(with_parts_of_a_step(parameters, n_samples), motor)
           .find({Control::torque, torque});
     }
 
@@ -89,11 +89,11 @@ TEST_F(ReferenceMotor, StallsWhereAllFrictionPointsOneWay)
 
 TEST_F(ReferenceMotor, SpeedAndTorqueControlAreTwoWaysToOnePoint)
 {
-  for (const unsigned int n_moments : {1u, 3u})
+  for (const unsigned int n_samples : {1u, 3u})
   {
-    const CurvePoint loaded = at_torque(0.08, n_moments);
+    const CurvePoint loaded = at_torque(0.08, n_samples);
     const CurvePoint driven =
-        OperatingPointFinder(with_parts_of_a_step(parameters, n_moments), motor)
+        OperatingPointFinder(with_parts_of_a_step(parameters, n_samples), motor)
             .find({Control::speed, loaded.result.speed});
     EXPECT_NEAR(driven.result.torque, 0.08, 1e-8);
   }
@@ -185,14 +185,14 @@ TEST_F(ReferenceMotor, BalancesItsPower)
   const CondensedMotor coarse =
       condense_motor(parameters, stator_wave(parameters), ContactDiscretisation::level(0));
   std::vector<double> imbalance;
-  for (const unsigned int n_moments : {1u, 3u, 6u})
+  for (const unsigned int n_samples : {1u, 3u, 6u})
   {
     const OperatingPoint result =
-        OperatingPointFinder(with_parts_of_a_step(parameters, n_moments), coarse)
+        OperatingPointFinder(with_parts_of_a_step(parameters, n_samples), coarse)
             .find({Control::torque, 0.})
             .result;
     imbalance.push_back(result.power_imbalance());
-    EXPECT_LT(defect_of(result), 1e-9) << n_moments;
+    EXPECT_LT(defect_of(result), 1e-9) << n_samples;
   }
   record("imbalance_without_load_1", imbalance[0]);
   record("imbalance_without_load_6", imbalance[2]);
@@ -205,7 +205,7 @@ TEST_F(ReferenceMotor, BalancesThePowerOfEachStepOnItsWay)
   // From rest, over a warp that tilts the rotor: elastic energy, tilts and rise all change. With
   // the stiffness of the rotor's tilts raised, what holds them stores as much as the rest.
   CondensedMotor stiff = motor;
-  for (CondensedMotor::LooseMotion &loose : stiff.loose_motions)
+  for (CondensedMotor::NearRigidMode &loose : stiff.near_rigid_modes)
     loose.stiffness *= 1e3;
   for (const CondensedMotor *which : {&motor, &stiff})
     for (const RotorLoad &load : {RotorLoad{14., {}, 70. * rpm}, RotorLoad{14., 0.05}})

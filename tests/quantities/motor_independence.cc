@@ -28,9 +28,9 @@ namespace
   }
 
   double speed_of(const Parameters &parameters, const CondensedMotor &motor, const double torque,
-                  const unsigned int n_moments = 1)
+                  const unsigned int n_samples = 1)
   {
-    return OperatingPointFinder(with_parts_of_a_step(parameters, n_moments), motor)
+    return OperatingPointFinder(with_parts_of_a_step(parameters, n_samples), motor)
         .find({Control::torque, torque})
         .result.speed;
   }
@@ -137,10 +137,10 @@ TEST(MotorIndependence, OfHowACommonFactorIsUsed)
   parameters.motor.n_waves         = 9;
   parameters.modes.nodal_diameters = {9};
   const CondensedMotor motor       = condense_motor(parameters, stator_wave(parameters), coarse());
-  constexpr unsigned int n_moments = 4;
-  const double speed               = speed_of(parameters, motor, 0.05, n_moments);
+  constexpr unsigned int n_samples = 4;
+  const double speed               = speed_of(parameters, motor, 0.05, n_samples);
   MarchingDriver driver(motor, parameters.friction, Warp(), 14.);
-  const double step = motor.period() / (10 * n_moments);
+  const double step = motor.period() / (10 * n_samples);
   double mean       = 0.;
   for (unsigned int number = 0; number < 80; ++number)
   {

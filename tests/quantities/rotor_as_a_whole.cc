@@ -118,9 +118,9 @@ TEST_F(RotorAsAWhole, HasTheInertiaOfTwoAnnuli)
   // By the mean rise of the ring's top: its radius is that of the centre of its area.
   const double radius =
       2. / 3. * (std::pow(outer, 3) - std::pow(inner, 3)) / (outer * outer - inner * inner);
-  ASSERT_EQ(motor.loose_motions.size(), 1u);
-  record("tilt", motor.loose_motions[0].inertia * radius * radius / tilt);
-  EXPECT_NEAR(motor.loose_motions[0].inertia * radius * radius, tilt, 1e-2 * tilt);
+  ASSERT_EQ(motor.near_rigid_modes.size(), 1u);
+  record("tilt", motor.near_rigid_modes[0].inertia * radius * radius / tilt);
+  EXPECT_NEAR(motor.near_rigid_modes[0].inertia * radius * radius, tilt, 1e-2 * tilt);
 }
 
 TEST_F(RotorAsAWhole, VibratesInAllNodalDiametersFromTwoOn)

@@ -213,7 +213,7 @@ TEST_P(Condensed, KnowsItsInsideAsTheSolutionWithAllUnknownsDoes)
       for (unsigned int s = 0; s < rotor.held(k).size(); ++s)
         loads.back().supports.push_back(1e-6 * (1. + s + l));
     }
-    const std::vector<SectorMotion> motions = condensation.inside(k, rotor.held(k), loads);
+    const std::vector<SectorMotion> motions = condensation.interior(k, rotor.held(k), loads);
     ASSERT_EQ(motions.size(), loads.size());
     for (unsigned int l = 0; l < loads.size(); ++l)
     {

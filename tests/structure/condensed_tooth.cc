@@ -88,8 +88,9 @@ TEST(CondensedTooth, CarriesARigidMotionFromFootToTop)
   const Tooth tooth;
   const Condensation condensation(tooth.sector, displacement_forms(tooth.top), tooth.driven, {},
                                   0.);
-  const std::vector<double> moved = condensation.follow(0, tooth.at_foot(rigid_motion));
-  const unsigned int n            = tooth.top.nodes.size();
+  const std::vector<double> moved =
+      condensation.prescribed_response(0, tooth.at_foot(rigid_motion));
+  const unsigned int n = tooth.top.nodes.size();
   ASSERT_GT(n, 4u);
   ASSERT_EQ(moved.size(), 6 * n);
   const double top = StatorGeometry().base_thickness + StatorGeometry().tooth_height;
@@ -117,7 +118,7 @@ TEST(CondensedTooth, CarriesAWaveFromFootToTopAsASolutionWithAllUnknownsDoes)
   {
     const Condensation condensation(tooth.sector, forms, tooth.driven, {}, shift, true);
     const std::vector<double> given = tooth.at_foot(bending_wave);
-    const std::vector<double> moved = condensation.follow(0, given);
+    const std::vector<double> moved = condensation.prescribed_response(0, given);
     const dealii::FullMatrix<double> compliance =
         InterfaceCompliance(condensation).compliance(0, {});
 
@@ -140,7 +141,7 @@ TEST(CondensedTooth, CarriesAWaveFromFootToTopAsASolutionWithAllUnknownsDoes)
     DirectSector direct(tooth.sector, 0, shift, conditions);
     std::vector<double> solution = direct.solve(load);
     solution.resize(tooth.sector.n_unknowns());
-    expect_motion(condensation.inside(0, {}, {{{}, given, {}}}).front(),
+    expect_motion(condensation.interior(0, {}, {{{}, given, {}}}).front(),
                   tooth.sector.expand(0, solution), 1e-9);
     std::vector<std::vector<double>> loads;
     for (const unsigned int part : {0u, 1u})

@@ -136,7 +136,7 @@ namespace ringmotor::tests
       return sum;
     }
 
-    /** Forces and moments that keep the shell in this state. */
+    /** Forces and samples that keep the shell in this state. */
     dealii::Vector<double> forces(const dealii::Vector<double> &field) const
     {
       dealii::Vector<double> sum(n_dofs());

@@ -9,29 +9,29 @@
 namespace ringmotor
 {
   /**
-   * How the contact points of a ring move under forces on them at one or several moments. Points
-   * come in blocks, a tooth at a moment each, numbered by moment and tooth.
+   * How the contact points of a ring move under forces on them at one or several samples. Points
+   * come in blocks, a tooth at a sample each, numbered by sample and tooth.
    *
-   * What bodies do at once, forces of a moment move at that moment only. What modes with inertia
-   * add, forces move at all moments; all that counts is how long ago a tooth was where another one
+   * What bodies do at once, forces of a sample move at that sample only. What modes with inertia
+   * add, forces move at all samples; all that counts is how long ago a tooth was where another one
    * is: the blocks are the instants of one history, which form a ring of their own.
    */
   class BlockCompliance
   {
   public:
     /** Of bodies without inertia. @p at_once must outlive this object. */
-    BlockCompliance(const RingCompliance &at_once, const unsigned int n_moments);
+    BlockCompliance(const RingCompliance &at_once, const unsigned int n_samples);
 
     /** @param of_modes what modes add, by instants
-     * @param instant of each block, the same steps apart from tooth to tooth at all moments */
-    BlockCompliance(const RingCompliance &at_once, const unsigned int n_moments,
+     * @param instant of each block, the same steps apart from tooth to tooth at all samples */
+    BlockCompliance(const RingCompliance &at_once, const unsigned int n_samples,
                     RingCompliance of_modes, std::vector<unsigned int> instant);
 
-    unsigned int n_blocks() const { return n_moments * at_once.n_sectors(); }
+    unsigned int n_blocks() const { return n_samples * at_once.n_sectors(); }
     /** Blocks move those of the same part only. */
     unsigned int part_of(const unsigned int block) const
     {
-      return instant.empty() ? moment(block) : 0;
+      return instant.empty() ? sample(block) : 0;
     }
 
     /** Adds the motions (m) of all points by forces (N). */
@@ -58,7 +58,7 @@ namespace ringmotor
     std::vector<PointVector> by_point(const std::vector<PointVector> &of_instants) const;
 
   private:
-    unsigned int moment(const unsigned int block) const { return block / at_once.n_sectors(); }
+    unsigned int sample(const unsigned int block) const { return block / at_once.n_sectors(); }
     /** Teeth, or instants, from one block to another one. */
     unsigned int teeth_between(const unsigned int moved, const unsigned int loaded) const
     {
@@ -75,7 +75,7 @@ namespace ringmotor
     }
 
     const RingCompliance &at_once;
-    const unsigned int n_moments;
+    const unsigned int n_samples;
     RingCompliance of_modes;
     const std::vector<unsigned int> instant; ///< of each block; empty without modes
     RingCompliance::Far far_with_modes;

@@ -70,7 +70,7 @@ namespace ringmotor
     virtual unsigned int part_of_rigid(const unsigned int) const { return 0; }
     static constexpr unsigned int no_part = dealii::numbers::invalid_unsigned_int;
 
-    /** Points come in blocks (a tooth at a moment), one after the other. Within a block they move
+    /** Points come in blocks (a tooth at a sample), one after the other. Within a block they move
      * each other far more than others do. */
     virtual unsigned int n_blocks() const { return 1; }
     virtual unsigned int block_of_point(const unsigned int) const { return 0; }

@@ -53,7 +53,7 @@ namespace ringmotor
     double wave_energy       = 0.; ///< J, strain energy of the stator's wave in the whole ring
     /** A motion of the rotor with one wave around the ring that hardly anything holds: a tilt or,
      * without bars, a shift. */
-    struct LooseMotion
+    struct NearRigidMode
     {
       std::vector<std::array<std::complex<double>, 3>> motion; ///< of the rotor at each node of
                                                                ///< tooth 0; times exp(-i theta_j)
@@ -69,7 +69,7 @@ namespace ringmotor
     };
 
     std::vector<Node> nodes;
-    std::vector<LooseMotion> loose_motions;
+    std::vector<NearRigidMode> near_rigid_modes;
     double rotor_mass = 0.;       ///< kg, against its rise; 0: it follows its loads at once
     RingModes modes;              ///< of rotor and teeth, as far as they have inertia or damping
     RingModes coarse_modes;       ///< with those of the rotor of the level below: tell the error
@@ -98,7 +98,7 @@ namespace ringmotor
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &n_teeth &n_waves &angular_frequency &wave_energy &nodes &loose_motions &compliance
+      archive &n_teeth &n_waves &angular_frequency &wave_energy &nodes &near_rigid_modes &compliance
           &folded;
       archive &constants.normal &constants.tangential &tooth_compliance &faces &degree &n_dofs;
       archive &rotor_mass &modes &coarse_modes &modes_level &dynamics;

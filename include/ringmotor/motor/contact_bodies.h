@@ -38,9 +38,9 @@ namespace ringmotor
               const bool is_clamped = false);
 
     /** Its top is the interface, its foot is driven. @param angular_frequency rad/s, of a tooth
-     * with inertia; @param with_inside see Condensation */
+     * with inertia; @param with_interior see Condensation */
     Condensation condensed(const double angular_frequency = 0.,
-                           const bool with_inside         = false) const;
+                           const bool with_interior       = false) const;
 
     /** The real and the imaginary part of a wave at the foot, as Condensation wants them. */
     std::vector<double> foot_motion(const WaveMotion &wave) const;
@@ -63,7 +63,7 @@ namespace ringmotor
 
     /** Its lip is the interface; the preload on the ring's top and the torque on its inner side,
      * which hardly anything else holds, are supports 0 and 1. */
-    Condensation condensed(const bool with_inside = false) const;
+    Condensation condensed(const bool with_interior = false) const;
 
     /** The supports that have to hold: the rotor rises and turns freely, and tilts nearly so;
      * without bars it also shifts. */

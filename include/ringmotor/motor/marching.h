@@ -18,7 +18,7 @@ namespace ringmotor
     MarchingDriver(const CondensedMotor &motor, const Friction &friction, const Warp &warp,
                    const double preload);
 
-    /** Goes on from the first moment of a steady state, with steps of its length. */
+    /** Goes on from the first sample of a steady state, with steps of its length. */
     MarchingDriver(const CondensedMotor &motor, const Friction &friction,
                    const OperatingState &steady);
 

@@ -11,8 +11,9 @@ namespace ringmotor
    * a step: forces on it = stiffness q - load, beside what else holds it. */
   struct InertiaInStep
   {
-    double stiffness = 0.; ///< by q: N/m of the rise, the unit of LooseMotion::stiffness of others
-    double load      = 0.; ///< of the motion so far
+    double stiffness =
+        0.;           ///< by q: N/m of the rise, the unit of NearRigidMode::stiffness of others
+    double load = 0.; ///< of the motion so far
   };
 
   /**

@@ -34,18 +34,18 @@ namespace ringmotor
   };
 
   /**
-   * All teeth of a motor in contact with its rotor, at one or several moments.
+   * All teeth of a motor in contact with its rotor, at one or several samples.
    *
    * *Steady state* of a uniform ring. n waves and N teeth repeat themselves after P = N / gcd(n, N)
    * teeth, and T/P later each tooth is where its s-th neighbour was, n s = gcd(n, N) (mod N). One
-   * moment shows the whole period; S moments, T/(P S) apart, show it more finely. The slip of a
-   * point in a step is the difference of its positions at one moment and at the one before or, at
-   * the first moment, of its s-th neighbour at the last one. With one moment a step may be longer,
+   * sample shows the whole period; S samples, T/(P S) apart, show it more finely. The slip of a
+   * point in a step is the difference of its positions at one sample and at the one before or, at
+   * the first sample, of its s-th neighbour at the last one. With one sample a step may be longer,
    * too: J of them joined look back at the (J s)-th neighbour. The rotor turns at an even speed.
    *
    * *One step* from a known state, of a ring that need not be uniform.
    *
-   * Points are numbered by moment, tooth, node. Rigid motions are, for each moment, the rotor's
+   * Points are numbered by sample, tooth, node. Rigid motions are, for each sample, the rotor's
    * rise (m) and the cosine and sine parts of its loose motions; at last, if the torque is given,
    * its turn (rad) in a step.
    */
@@ -61,10 +61,10 @@ namespace ringmotor
     RingContact(const CondensedMotor &motor, const RotorLoad &load, const TimeStep &step,
                 const Warp &warp);
 
-    unsigned int n_points() const override { return n_moments * n_sectors * n_nodes; }
+    unsigned int n_points() const override { return n_samples * n_sectors * n_nodes; }
     unsigned int n_rigid() const override
     {
-      return n_moments * n_rigid_of_moment + (load.torque ? 1 : 0);
+      return n_samples * n_rigid_of_sample + (load.torque ? 1 : 0);
     }
     std::vector<PointVector> relative_motion(const ContactState &state) const override;
     std::vector<PointVector> motion_by(const ContactState &change) const override;
@@ -77,12 +77,12 @@ namespace ringmotor
     }
     unsigned int part_of_rigid(const unsigned int motion) const override
     {
-      // The turn belongs to all moments.
-      return motion < n_moments * n_rigid_of_moment
-                 ? compliance->part_of(motion / n_rigid_of_moment * n_sectors)
+      // The turn belongs to all samples.
+      return motion < n_samples * n_rigid_of_sample
+                 ? compliance->part_of(motion / n_rigid_of_sample * n_sectors)
                  : no_part;
     }
-    unsigned int n_blocks() const override { return n_moments * n_sectors; }
+    unsigned int n_blocks() const override { return n_samples * n_sectors; }
     unsigned int block_of_point(const unsigned int point) const override { return point / n_nodes; }
     unsigned int block_before(const unsigned int block) const override
     {
@@ -109,11 +109,11 @@ namespace ringmotor
     /** Teeth after which all repeats itself, and how often it does around the ring. */
     unsigned int n_teeth() const { return n_sectors; }
     unsigned int n_repeats() const { return fold; }
-    unsigned int n_times() const { return n_moments; }
-    /** Rigid motions of the rotor at one moment. */
-    unsigned int n_rigid_motions() const { return n_rigid_of_moment; }
+    unsigned int n_times() const { return n_samples; }
+    /** Rigid motions of the rotor at one sample. */
+    unsigned int n_rigid_motions() const { return n_rigid_of_sample; }
 
-    unsigned int moment(const unsigned int point) const { return point / (n_sectors * n_nodes); }
+    unsigned int sample(const unsigned int point) const { return point / (n_sectors * n_nodes); }
     unsigned int tooth(const unsigned int point) const { return point / n_nodes % n_sectors; }
     const CondensedMotor::Node &node(const unsigned int point) const
     {
@@ -130,17 +130,17 @@ namespace ringmotor
     std::vector<PointVector> rotor_motion(const ContactState &state) const;
     /** Positions of rotor over stator (m), but for the turn of the rotor. */
     std::vector<PointVector> positions(const ContactState &state) const;
-    /** Torque (N m) of friction on the rotor, the mean over all moments. */
+    /** Torque (N m) of friction on the rotor, the mean over all samples. */
     double torque(const ContactState &state) const;
     /** rad/s */
     double speed(const ContactState &state) const;
-    /** Energy (J) of the whole ring, the mean over all moments: elastic in all compliance at the
+    /** Energy (J) of the whole ring, the mean over all samples: elastic in all compliance at the
      * contact points and in what holds the loose motions; potential, of the preload on the rotor's
      * rise. */
     double stored_energy(const ContactState &state) const;
 
     /** What inertia and damping of the rotor take in the steady state, the motions of all points in
-     * its modes (m), and these modes at the first moment. Without inertia there is nothing. */
+     * its modes (m), and these modes at the first sample. Without inertia there is nothing. */
     ModalPower modal_power(const ContactState &state) const;
     std::vector<PointVector> modal_motion(const ContactState &state) const;
     std::vector<std::vector<ModalState>> modal_states(const ContactState &state) const;
@@ -160,12 +160,12 @@ namespace ringmotor
                                             const double turned) const;
     const PointVector &rigid_motion(const unsigned int point, const unsigned int which) const
     {
-      return rigid[point % (n_sectors * n_nodes) * n_rigid_of_moment + which];
+      return rigid[point % (n_sectors * n_nodes) * n_rigid_of_sample + which];
     }
-    /** What holds a rigid motion of a moment; with what inertia adds in a step. */
+    /** What holds a rigid motion of a sample; with what inertia adds in a step. */
     double static_stiffness(const unsigned int motion) const
     {
-      return motion == 0 ? 0. : motor.loose_motions[(motion - 1) / 2].stiffness;
+      return motion == 0 ? 0. : motor.near_rigid_modes[(motion - 1) / 2].stiffness;
     }
     double rigid_stiffness(const unsigned int motion) const
     {
@@ -180,15 +180,15 @@ namespace ringmotor
                  ? 1.
                  : 1. / (1. + rigid_inertia[motion].stiffness / motor.constants.normal);
     }
-    /** Points of one tooth at one moment that follow each other in a list. */
+    /** Points of one tooth at one sample that follow each other in a list. */
     struct PointsOfTooth
     {
-      unsigned int first_point;        ///< of the tooth, tells tooth and moment
+      unsigned int first_point;        ///< of the tooth, tells tooth and sample
       unsigned int first;              ///< place of the first one in the list
       std::vector<unsigned int> nodes; ///< of the tooth
     };
     std::vector<PointsOfTooth> by_tooth(const std::vector<unsigned int> &points) const;
-    /** Adds @p factor times the motions of the nodes of @p rows, on the tooth and at the moment of
+    /** Adds @p factor times the motions of the nodes of @p rows, on the tooth and at the sample of
      * the point @p at, by forces on points @p columns; only components from @p first on. */
     void add_elastic_rows(const PointsOfTooth &rows, const unsigned int at,
                           const std::vector<PointsOfTooth> &columns, const double factor,
@@ -196,16 +196,16 @@ namespace ringmotor
 
     const CondensedMotor &motor;
     const RotorLoad load;
-    const unsigned int fold, n_sectors, n_nodes, n_moments;
+    const unsigned int fold, n_sectors, n_nodes, n_samples;
     const double step;
     const std::optional<std::vector<PointVector>> given; ///< positions at the step's begin
     unsigned int steady_neighbour;
-    unsigned int n_rigid_of_moment; ///< of the rotor at one moment
+    unsigned int n_rigid_of_sample; ///< of the rotor at one sample
     const std::shared_ptr<const SteadyDynamics> dynamics;
     const std::shared_ptr<const BlockCompliance> compliance;
     std::vector<PointVector> stator;          ///< motion of all points without contact forces
     const std::vector<PointVector> vibration; ///< of the rotor without forces, if it has inertia
     const std::vector<InertiaInStep> rigid_inertia; ///< likewise; or empty
-    std::vector<PointVector> rigid; ///< motions of the points of a moment by unit rigid motions
+    std::vector<PointVector> rigid; ///< motions of the points of a sample by unit rigid motions
   };
 } // namespace ringmotor

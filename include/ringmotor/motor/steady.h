@@ -40,7 +40,7 @@ namespace ringmotor
     bool has_state() const { return next.has_value(); }
 
     /** Takes a known state, in which the rotor turns with @p speed (rad/s), as that from which the
-     * next one is to be found. Where it has other moments, those between follow from them. Of
+     * next one is to be found. Where it has other samples, those between follow from them. Of
      * @p solution the state, the motion and the status of all points are used. */
     void go_on_from(const RotorLoad &load, const ContactSolution &solution, const double speed);
 
@@ -70,9 +70,9 @@ namespace ringmotor
     Start by_coefficients(const RingContact &contact, Start start, RowSolver &solver,
                           unsigned int &n_iterations) const;
     Start from_rest(const RotorLoad &load) const;
-    /** From a state at the moments of @p coarse, between which forces grow linearly, to those of
+    /** From a state at the samples of @p coarse, between which forces grow linearly, to those of
      * @p fine. */
-    static Start at_other_moments(const RingContact &coarse, const ContactSolution &solution,
+    static Start at_other_samples(const RingContact &coarse, const ContactSolution &solution,
                                   const RingContact &fine, const double speed);
 
     const CondensedMotor &motor;

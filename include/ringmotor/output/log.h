@@ -14,11 +14,12 @@ namespace ringmotor
   class Log
   {
   public:
-    /** Writes to standard output. @param speaks true on MPI rank 0; the other ranks stay silent */
-    explicit Log(bool speaks);
+    /** Writes to standard output. @param is_root_rank true on MPI rank 0; the other ranks stay
+     * silent */
+    explicit Log(bool is_root_rank);
 
     /** Writes to any stream. @param is_terminal whether a line can be overwritten */
-    Log(bool speaks, std::ostream &out, bool is_terminal);
+    Log(bool is_root_rank, std::ostream &out, bool is_terminal);
 
     /** Prints `[  1.23 s] text`. */
     void line(const std::string &text);
@@ -37,7 +38,7 @@ namespace ringmotor
 
     void wipe_progress();
 
-    const bool speaks;
+    const bool is_root_rank;
     std::ostream &out;
     const bool is_terminal;
     const Clock::time_point start;

@@ -7,7 +7,7 @@
 
 namespace ringmotor
 {
-  /** Everything at the contact points at some moments; by moment, tooth, node. */
+  /** Everything at the contact points at some samples; by sample, tooth, node. */
   struct ContactFields
   {
     std::vector<double> times;             ///< s
@@ -17,13 +17,13 @@ namespace ringmotor
     std::vector<PointVector> motion;       ///< m, gap and slip in the step
     std::vector<PointVector> tooth, rotor; ///< m, displacements; the rotor's without its turn
     std::vector<PointVector> modal;        ///< m, of the rotor, in its modes, if it has inertia
-    std::vector<double> rigid;             ///< motions of the rotor by moment, see RingContact
+    std::vector<double> rigid;             ///< motions of the rotor by sample, see RingContact
     std::vector<unsigned char> status;     ///< see PointStatus
     double turn = 0.; ///< rad, of the rotor in the last step, if the torque was given
 
-    /** Makes room for so many moments in all, each like those that are there. */
-    void reserve(const std::size_t n_moments);
-    /** Adds moments that follow. */
+    /** Makes room for so many samples in all, each like those that are there. */
+    void reserve(const std::size_t n_samples);
+    /** Adds samples that follow. */
     void append(const ContactFields &later);
 
     template <class Archive>
@@ -33,6 +33,6 @@ namespace ringmotor
     }
   };
 
-  /** The fields of a state whose first moment is at @p first_time (s). */
+  /** The fields of a state whose first sample is at @p first_time (s). */
   ContactFields fields_of(const OperatingState &state, const double first_time);
 } // namespace ringmotor

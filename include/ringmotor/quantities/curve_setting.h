@@ -13,7 +13,7 @@ namespace ringmotor
   struct CurveSetting
   {
     unsigned int level = 0; ///< of the meshes, see ContactDiscretisation::level()
-    /** Into how many parts a step is divided: the moments of the steady state, or the parts of
+    /** Into how many parts a step is divided: the samples of the steady state, or the parts of
      * Time/Time step. */
     unsigned int n_parts = 1;
     /** How many steps are joined to one, see SteadyStep for those of the steady state: such long

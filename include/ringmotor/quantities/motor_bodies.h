@@ -10,11 +10,11 @@
 
 namespace ringmotor
 {
-  /** A moment of an operating point. */
-  struct PointMoment
+  /** A sample of an operating point. */
+  struct PointSample
   {
     const ContactFields &fields;
-    unsigned int moment; ///< in fields.times
+    unsigned int sample; ///< in fields.times
   };
 
   /**
@@ -36,18 +36,18 @@ namespace ringmotor
     const RingBody &rotor() const { return rotor_ring; }
     const RingBody &teeth() const { return tooth_ring; }
 
-    /** The displacement of the rotor without its turn, at each moment. */
+    /** The displacement of the rotor without its turn, at each sample. */
     std::vector<RingBody::Displacement>
-    rotor_motions(const std::vector<PointMoment> &moments) const;
+    rotor_motions(const std::vector<PointSample> &samples) const;
     /** The displacement of the teeth, a warp at rest included. */
     std::vector<RingBody::Displacement>
-    teeth_motions(const std::vector<PointMoment> &moments) const;
+    teeth_motions(const std::vector<PointSample> &samples) const;
 
   private:
     using Amplitudes = std::vector<std::array<std::complex<double>, 3>>;
 
     /** Amplitudes of the forces on a sector's lip, by node, for each nodal diameter. */
-    std::vector<Amplitudes> lip_forces(const PointMoment &at) const;
+    std::vector<Amplitudes> lip_forces(const PointSample &at) const;
 
     const Parameters &parameters;
     const MotorModel model;

@@ -19,13 +19,13 @@ namespace ringmotor
 
   /**
    * Strain energy (J) of the rotor, of the whole ring, by the multiple of the wave's frequency at
-   * which it changes, mean over moments: half the work of contact forces on the rotor's
+   * which it changes, mean over samples: half the work of contact forces on the rotor's
    * displacements, part by part around the ring. What stands still (0) is left out, and so are the
    * modes of a rotor with inertia, see OperatingPoint::modal_damping.
-   * @param first_moment from which the mean is taken
+   * @param first_sample from which the mean is taken
    */
   std::vector<double> rotor_energies(const ContactFields &fields, const RingPattern &pattern,
-                                     const unsigned int first_moment = 0);
+                                     const unsigned int first_sample = 0);
 
   /**
    * Power (W) that the rotor loses inside for each unit of its loss factor. A part with energy E in

@@ -168,7 +168,7 @@ namespace ringmotor
   /** What loads the rotor at an operating point that is asked for. */
   RotorLoad load_of(const Loading &loading, const PointRequest &request);
 
-  /** The parameters with a step of a part of its length: of the steady state, with so many moments;
+  /** The parameters with a step of a part of its length: of the steady state, with so many samples;
    * when marching, with each step divided by so much. */
   Parameters with_parts_of_a_step(const Parameters &parameters, const unsigned int n_parts);
 

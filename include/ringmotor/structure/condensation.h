@@ -60,13 +60,13 @@ namespace ringmotor
      * on the displacement. Their degrees of freedom must be independent.
      * @param driven degrees of freedom with a given motion, none of them on a cut
      * @param shift omega^2 in rad^2/s^2; 0: static
-     * @param with_inside keeps what inside() needs: the factors of both fields
+     * @param with_interior keeps what interior() needs: the factors of both fields
      * @throws ComputationError if a body without its interface is singular
      */
     Condensation(const CyclicSector &sector, const std::vector<LinearForm> &interface,
                  const std::vector<SectorNodes::Dof> &driven,
                  const std::vector<CondensationSupport> &supports, const double shift,
-                 const bool with_inside = false);
+                 const bool with_interior = false);
     ~Condensation();
 
     /** The motion of one of the supports @p held. */
@@ -77,12 +77,13 @@ namespace ringmotor
      * Interface displacements, real field, then imaginary one, without interface forces when the
      * driven degrees of freedom move by @p motion (in the same order; axes of the nodes).
      */
-    std::vector<double> follow(const unsigned int k, const std::vector<double> &motion) const;
+    std::vector<double> prescribed_response(const unsigned int k,
+                                            const std::vector<double> &motion) const;
 
     /** The motion of the whole body, inside too, under each of these loads; only if the factors
      * have been kept. */
-    std::vector<SectorMotion> inside(const unsigned int k, const std::vector<unsigned int> &held,
-                                     const std::vector<CondensationLoad> &loads) const;
+    std::vector<SectorMotion> interior(const unsigned int k, const std::vector<unsigned int> &held,
+                                       const std::vector<CondensationLoad> &loads) const;
 
   private:
     friend class InterfaceCompliance;
@@ -98,7 +99,7 @@ namespace ringmotor
     };
     struct Reduced;
 
-    void condense(const unsigned int part, const double shift, const bool with_inside);
+    void condense(const unsigned int part, const double shift, const bool with_interior);
     /** Which unknowns stay when the cut is eliminated, and how kept rows depend on unknowns. */
     Reduced layout(const unsigned int k, const std::vector<unsigned int> &held) const;
     /** The fields tied to each other at the cut: by columns, cut first. */

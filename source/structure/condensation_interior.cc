@@ -39,7 +39,7 @@ namespace ringmotor
     return factors.expand(std::move(kept));
   }
 
-  std::vector<SectorMotion> Condensation::inside(const unsigned int k,
+  std::vector<SectorMotion> Condensation::interior(const unsigned int k,
                                                  const std::vector<unsigned int> &held,
                                                  const std::vector<CondensationLoad> &loads) const
   {
