@@ -30,9 +30,9 @@ namespace
 
 int main(int argc, char **argv)
 {
-  std::vector<char *> arguments(argv, argv + argc + 1); // before GoogleTest takes its own out
+  std::vector<char *> arguments(argv, argv + argc + 1); // before GoogleTest removes its own
   testing::InitGoogleTest(&argc, argv);
-  if (testing::GTEST_FLAG(list_tests)) // ctest asks for the names: MPI would only take time
+  if (testing::GTEST_FLAG(list_tests)) // ctest requests the names: MPI would only take time
     return RUN_ALL_TESTS();
 
   ringmotor::restart_with_faster_blas_kernel(arguments.data());

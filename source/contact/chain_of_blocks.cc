@@ -64,7 +64,8 @@ namespace ringmotor
 
   void ChainOfBlocks::choose_shapes()
   {
-    // The first shapes tell most. With three the Krylov method takes some 40 steps, with eight 10.
+    // The first shapes are the most significant. With three the Krylov method takes some 40 steps,
+    // with eight 10.
     constexpr unsigned int fewest = 3, affordable = 1500;
     n_shapes = std::min<unsigned int>(problem.n_far_shapes(),
                                       std::max<unsigned int>(fewest, affordable / felt.size()));
@@ -111,7 +112,7 @@ namespace ringmotor
     {
       if (is_done[first])
         continue;
-      // Back to where the chain begins or, once around a ring, to where it hands on least.
+      // Back to where the chain begins or, once around a ring, to where the least is handed on.
       unsigned int begin = first, b = first;
       do
       {

@@ -66,7 +66,7 @@ namespace ringmotor
       // FFTW leaves the input of such a transform as it is.
       fftw_execute_dft_r2c(forward.plan, const_cast<double *>(sectors), of_fftw(harmonics));
     }
-    /** Destroys @p harmonics. */
+    /** Overwrites @p harmonics. */
     void to_sectors(std::complex<double> *harmonics, double *sectors) const
     {
       fftw_execute_dft_c2r(backward.plan, of_fftw(harmonics), sectors);
@@ -111,7 +111,7 @@ namespace ringmotor
     harmonics.resize((n_sectors / 2 + 1) * block);
     const Plan plan(n_sectors, block, Plan::Direction::to_harmonics);
     fftw_execute_dft_r2c(plan.plan, entries.data(), of_fftw(harmonics.data()));
-    for (std::complex<double> &entry : harmonics) // FFTW's way there and back multiplies by n
+    for (std::complex<double> &entry : harmonics) // a transform and its inverse multiply by n
       entry /= n_sectors;
   }
 

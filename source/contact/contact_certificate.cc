@@ -21,7 +21,7 @@ namespace ringmotor
       return a <= b || std::isnan(a) ? a : b;
     }
 
-    /** What violations are compared with; none is zero. */
+    /** Scales of the violations; none is zero. */
     struct Scales
     {
       double force, friction, gap, slip, balance;
@@ -51,7 +51,7 @@ namespace ringmotor
         scales.friction    = larger(scales.friction, bound);
         scales.balance += state.force[i][0];
       }
-      // Bodies that stick have tangential motions that cancel.
+      // The tangential motions of sticking bodies cancel.
       scales.slip = larger(scales.slip, 1e-5 * scales.gap);
       for (const double load : problem.balances(nothing))
         scales.balance = larger(scales.balance, std::abs(load));
@@ -62,7 +62,7 @@ namespace ringmotor
       {
         if (*scale == 0.)
           *scale = 1.;
-        if (std::isinf(*scale)) // against it, anything is small
+        if (std::isinf(*scale)) // any violation would seem small
           *scale = std::numeric_limits<double>::quiet_NaN();
       }
       return scales;

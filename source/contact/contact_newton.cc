@@ -16,8 +16,7 @@ namespace ringmotor
       std::vector<PointVector> motion;
     };
 
-    /** Both depend on each other linearly, so that between two places each is where the other is.
-     */
+    /** The motion depends linearly on the state, so both are interpolated by the same share. */
     Place between(const Place &from, const Place &to, const double share)
     {
       Place place = from;
@@ -56,9 +55,9 @@ namespace ringmotor
         return std::sqrt(sum);
       }
 
-      /** Goes towards @p to, or half, a quarter, ... of the way if only that brings a residual that
-       * is not larger than @p begin, the one at @p from; the whole way after all if none does, as
-       * at a kink. @return the residual */
+      /** Goes to @p to, or half, a quarter, ... of the way if only that gives a residual not larger
+       * than @p begin, the one at @p from; still the whole way if none does, as at a kink. @return
+       * the residual */
       double search(const Place &from, const double begin, Place &to) const
       {
         constexpr double shortest = 1. / 64.;
@@ -83,14 +82,14 @@ namespace ringmotor
       const ComplementarityConstants &constants;
     };
 
-    /** How exactly the next system is solved: no more exactly than the last step has come closer to
-     * the solution, squared, which preserves quadratic convergence (Eisenstat and Walker 1996). */
+    /** The tolerance of the next linear system: the square of the reduction of the residual in the
+     * last step, which preserves quadratic convergence (Eisenstat and Walker 1996). */
     class Forcing
     {
     public:
       double reduction() const { return value; }
 
-      /** By the residuals before and after a step. */
+      /** From the residuals before and after a step. */
       void update(const double before, const double after)
       {
         const double gain = std::isfinite(before) && before > 0. ? after / before : 1.;
@@ -112,7 +111,7 @@ namespace ringmotor
     ContactIterate iterate;
     Place place{start, problem.relative_motion(start)};
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    // What was seen belongs to another state; whatever the first step leads to is better.
+    // The motion seen belongs to another state; any result of the first step is an improvement.
     double left          = seen.empty() ? equations.residual(place) : infinity;
     double smallest      = infinity;
     unsigned int of_gain = 0; // iteration of the last gain
@@ -136,7 +135,7 @@ namespace ringmotor
       iterate.certificate = certify(problem, bound_of, place.state, place.motion);
       const double worst  = iterate.certificate.worst();
       const bool gains    = left < smallest;
-      // Without a gain below the limit of certificates rounding is all that is left.
+      // Certified and no longer improving: only rounding is left.
       if (worst <= limits.converged || (iterate.certificate.holds() && !gains) ||
           (!gains && iterate.n_iterations >= of_gain + limits.most_without_gain))
         break;

@@ -52,7 +52,7 @@ namespace ringmotor
       }
 
       /** By Newton's method; by proximal points, if it fails or the start has no forces. @p enough
-       * is the largest violation of the laws that does for one of a chain of problems. */
+       * is the largest violation of the laws that suffices for one of a chain of problems. */
       bool solve(const FrictionBoundOf &bound_of, const ContactState &start,
                  const std::vector<PointVector> &seen,
                  const double enough = NewtonLimits().converged)
@@ -79,9 +79,9 @@ namespace ringmotor
       /**
        * For a coefficient that falls with the slip: a chain of problems in which each point has the
        * coefficient that belongs to its slip in the problem before, the static one at first.
-       * Springs would only make such laws worse, which the bodies' stiffness has to keep in check.
-       * The chain moves away from a state in which a point could as well stick or slip on, and ends
-       * at one that is stable.
+       * Springs would only aggravate such laws, which the bodies' stiffness has to stabilise. The
+       * chain moves away from a state in which a point could either stick or continue to slip, and
+       * ends at a stable one.
        */
       bool solve_by_coefficients(const PointFriction &friction, const FrictionBoundOf &bound_of,
                                  const ContactState &start)
@@ -120,7 +120,7 @@ namespace ringmotor
       std::string tried() const { return text.str(); }
 
     private:
-      /** Where what was tried in vain is told. */
+      /** Where failed attempts are listed. */
       std::ostream &next_try() { return text << (text.str().empty() ? "" : ", "); }
 
       bool takes(const ContactIterate &iterate, const std::string &what, const double enough)

@@ -199,7 +199,7 @@ namespace ringmotor
     }
     for (unsigned int face = 0; face < meshed.faces.size(); ++face)
     {
-      // Mirrored and turned round again: the local axes change places.
+      // Mirrored and reoriented: the local axes are swapped.
       const auto &corners = meshed.corners[face];
       whole.surface.corners.push_back({{mirrored(corners[0]), mirrored(corners[2]),
                                         mirrored(corners[1]), mirrored(corners[3])}});

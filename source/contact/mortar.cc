@@ -67,8 +67,8 @@ namespace ringmotor
       return left;
     }
 
-    /** What two convex faces have in common. (Boost's intersection() is as exact only as its grid
-     * of whole numbers, some 1e-7 of the polygons' size.) */
+    /** What two convex faces have in common. (Boost's intersection() is only as exact as its
+     * integer grid, some 1e-7 of the polygons' size.) */
     Polygon common_part(const Face &a, const Face &b)
     {
       Polygon common     = outline(a);

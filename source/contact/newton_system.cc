@@ -21,7 +21,7 @@ namespace ringmotor
     }
   } // namespace
 
-  /** What friction at a touching node is to do, chosen from the last iterate. */
+  /** Stick or slip at a touching node, chosen from the last iterate. */
   struct NewtonSystem::Choice
   {
     bool sticks = false;
@@ -59,7 +59,7 @@ namespace ringmotor
     for (unsigned int a = 0; a < touching.size(); ++a)
     {
       const unsigned int point = touching[a];
-      // Rows in N: forces and scaled motions are of a size.
+      // Rows in N: forces and scaled motions are of similar size.
       rows[a].by_motion[0][0]    = constants.normal;
       rows[a].right_hand_side[0] = -constants.normal * motion[point][0];
       if (choices[a].sticks)
@@ -100,7 +100,7 @@ namespace ringmotor
     const Tangential &towards = choice.towards;
     row.has_friction = tangential(force).norm() > 0. || choice.limit != 0. || bound.value != 0. ||
                        bound.by_pressure != 0.;
-    // Where F_t is not yet at the bound, its direction would leave motions along it free
+    // Where F_t is still below the bound, its unit vector would leave motions along it undetermined
     // (Hueeber, Stadler and Wohlmuth 2008); the limit is the same.
     Tangential direction = tangential(force);
     if (direction.norm() > 0.)
@@ -109,7 +109,7 @@ namespace ringmotor
     {
       for (unsigned int d = 0; d < 2; ++d)
       {
-        // d(tau/|tau|) = (1 - e e^T) d tau / |tau|, d tau = dF_t - c_t d slip, one e of F_t
+        // d(tau/|tau|) = (1 - e e^T) d tau / |tau|, d tau = dF_t - c_t d slip, one e is that of F_t
         const double turn           = choice.ratio * ((c == d) - direction[c] * towards[d]);
         row.by_force[1 + c][1 + d]  = (c == d) - turn;
         row.by_motion[1 + c][1 + d] = constants.tangential * turn;

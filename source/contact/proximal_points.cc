@@ -9,8 +9,8 @@ namespace ringmotor
 {
   namespace
   {
-    /** What elastic nodes would hold the rigid motions with, if only their own compliance gave way:
-     * a scale for the springs of these motions. */
+    /** The stiffness of elastic nodes against the rigid motions with their own compliance alone: a
+     * scale for the springs of these motions. */
     class RigidStiffness
     {
     public:
@@ -35,10 +35,10 @@ namespace ringmotor
         }
       }
 
-      /** By the nodes that touch, or by the stiffest one if that is more. */
+      /** That of the touching nodes, or of the stiffest node if that is larger. */
       std::vector<double> against(const ContactState &state) const
       {
-        std::vector<double> stiffness; // of each motion's own sign
+        std::vector<double> stiffness; // with the sign for each motion
         for (const std::vector<double> &of_motion : of_node)
         {
           double of_touching = 0., largest = 0.;
@@ -79,7 +79,7 @@ namespace ringmotor
       return iterate;
     };
     ContactIterate found = judged(start);
-    // Of the springs, compared with the bodies themselves.
+    // Of the springs, relative to the bodies themselves.
     double strength = start.n_pressed() > 0 ? 1. / 16. : 1.;
     for (unsigned int step = 0; step < most_steps && strength < strongest; ++step)
     {
@@ -90,7 +90,7 @@ namespace ringmotor
       const ProximalProblem proximal(problem, found.state, springs);
       const ComplementarityConstants softer{constants.normal / (1. + strength),
                                             constants.tangential / (1. + strength)};
-      RowSolver of_springs; // whose systems are others
+      RowSolver of_springs; // whose systems differ
       const ContactIterate next =
           newton(proximal, bound_of, softer, found.state, of_proximal, of_springs);
       found.n_iterations = n_systems += next.n_iterations;
@@ -107,12 +107,12 @@ namespace ringmotor
       exact.n_iterations = found.n_iterations = n_systems += exact.n_iterations;
       if (exact.certified())
         return exact;
-      // The springs' forces vanish as the chain converges, so its limit solves the problem
-      // itself, also where that has more solutions than one and Newton's systems are singular.
+      // The springs' forces vanish as the chain converges, so its limit solves the problem itself,
+      // also where that has more than one solution and Newton's systems are singular.
       if (found.certificate.worst() <= fulfilled)
         return found;
     }
-    // A state that the chain did not confirm is none, even if it fulfils the laws.
+    // A state that the chain did not confirm is rejected, even if it fulfils the laws.
     found.failed = found.certificate.holds();
     return found;
   }

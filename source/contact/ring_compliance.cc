@@ -14,8 +14,8 @@ namespace ringmotor
 
   namespace
   {
-    /** The shares of the surface's motions in those of the contact points, as they come from the
-     * lower sector, the same one, and the higher one. */
+    /** The weights of the surface's motions in those of the contact points, from the lower sector,
+     * the same one, and the higher one. */
     class Shares
     {
     public:
@@ -54,7 +54,7 @@ namespace ringmotor
       return result;
     }
 
-    /** a b, or a^T b; zero if they have nothing to be summed over. */
+    /** a b, or a^T b; zero if the inner dimension is zero. */
     FullMatrix<double> product(const FullMatrix<double> &a, const FullMatrix<double> &b,
                                const bool transposed_a = false)
     {
@@ -64,7 +64,7 @@ namespace ringmotor
       return result;
     }
 
-    /** The motions of all nodes by unit forces on all nodes of a sector so many sectors lower. */
+    /** The motions of all nodes due to unit forces on all nodes of a sector @p distance lower. */
     FullMatrix<double> entries_at(const RingCompliance &ring, const unsigned int distance)
     {
       std::vector<unsigned int> nodes(ring.n_nodes());
@@ -74,7 +74,7 @@ namespace ringmotor
       return entries;
     }
 
-    /** How the shapes of a ring's sectors move by forces of shapes. */
+    /** The compliance between the shapes of a ring's sectors. */
     class ShapesOfRing
     {
     public:
@@ -92,7 +92,7 @@ namespace ringmotor
         return distance <= 1 || distance + 1 == n_sectors;
       }
 
-      /** By forces so many sectors away. */
+      /** Due to forces @p distance sectors away. */
       FullMatrix<double> at(const unsigned int distance) const
       {
         FullMatrix<double> kernel(n, n);
@@ -114,8 +114,8 @@ namespace ringmotor
         return kernel;
       }
 
-      /** The combinations of shapes, by columns, through which sectors that are not near know of
-       * each other. The nearest of them know most. */
+      /** The combinations of shapes, by columns, through which sectors that are not near are
+       * coupled. The nearest of them are coupled most. */
       FullMatrix<double> far_reaching() const
       {
         constexpr double rounding = 1e-14;
@@ -142,7 +142,7 @@ namespace ringmotor
       : node_count(coupling.nodes.size()), near(n_sectors)
   {
     const Shares shares(coupling);
-    std::vector<int> seen; // sectors whose surface the contact points of one sector see
+    std::vector<int> seen; // sectors to whose surface the contact points of one sector are coupled
     for (const int sector : {-1, 0, 1})
       if (shares.has(sector))
         seen.push_back(sector);
@@ -154,7 +154,7 @@ namespace ringmotor
     for (unsigned int a = 0; a < seen.size() && n_far > 0; ++a)
       basis.fill(product(shares.of(seen[a], body.shapes), far), 0, a * n_far);
 
-    // A point of sector d that sees sector d + a is moved by one of sector 0 that sees b.
+    // A point of sector d, coupled to sector d + a, is moved by one of sector 0, coupled to b.
     const bool has_shapes = body.shapes.n() > 0;
     for (unsigned int distance = 0; distance < (has_shapes ? n_sectors : 1); ++distance)
     {

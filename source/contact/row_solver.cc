@@ -15,15 +15,15 @@ namespace ringmotor
 
   namespace
   {
-    /** Unknowns from which on kept factors are worth while: below, new ones take milliseconds. */
+    /** Unknowns from which on keeping factors pays off: below, new ones take milliseconds. */
     constexpr unsigned int fewest_for_kept_factors = 300;
     /** Unknowns from which on GMRES with a chain of blocks is faster than dense factors. */
     constexpr unsigned int fewest_for_blocks = 2600;
-    /** Unknowns up to which a dense matrix is made where GMRES fails, in a second or two. More are
-     * met only far from any solution. */
+    /** Unknowns up to which a dense matrix is made where GMRES fails, in a second or two. More
+     * occur only far from any solution. */
     constexpr unsigned int most_dense = 4000;
 
-    /** @param solution a start, too
+    /** @param solution also the start
      * @return whether the residual was reduced in @p most_steps steps, without restarts, which
      * would make it stagnate */
     template <typename Matrix, typename Preconditioner>
@@ -37,8 +37,8 @@ namespace ringmotor
         return true;
       }
       SolverControl control(most_steps, reduction * right_hand_side.l2_norm(), false, false);
-      // Flexible, since what solves in single precision is not quite linear: GMRES itself ends with
-      // residuals a hundred times as large as it believes.
+      // Flexible, since a preconditioner in single precision is not quite linear: plain GMRES ends
+      // with residuals a hundred times as large as it estimates.
       SolverFGMRES<Vector<double>> solver(
           control, SolverFGMRES<Vector<double>>::AdditionalData(most_steps + 1));
       try
@@ -94,7 +94,7 @@ namespace ringmotor
         solve_by_blocks(rows, reduction, solution))
       return true;
     RingOfParts ring(rows);
-    // An LU factorisation takes two thirds of the cube.
+    // An LU factorisation takes 2/3 n^3 operations.
     const bool is_ring = ring.n_parts() > 1 && ring.n_operations() < 2. / 3. * std::pow(n, 3);
     if ((is_ring ? ring.largest_part() : n) > most_dense)
       return false;
@@ -114,7 +114,7 @@ namespace ringmotor
       solution = factors->start(right_hand_side);
       return gmres(rows, *factors, most_steps, reduction, right_hand_side, solution);
     };
-    // Far from the solution systems differ too much; after a failure one is solved without trying.
+    // Far from the solution systems differ too much; after a failure the next one skips this.
     const bool may_do = factors && !is_far && factors->fit(rows);
     // So many steps take about as long as new factors.
     if (may_do && solved(std::max<std::size_t>(10, rows.unknowns().size() / 60)))

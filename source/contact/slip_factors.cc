@@ -18,7 +18,7 @@ namespace ringmotor
     Node node{row.has_friction ? 3u : 1u, identity, identity, {0., 0.}};
     if (!row.has_friction)
       return node;
-    // The combination w of the rows along the surface with the least motion
+    // The combination w of the tangential rows with the least motion
     SymmetricTensor<2, 2> square;
     for (unsigned int c = 0; c < 2; ++c)
       for (unsigned int d = 0; d <= c; ++d)
@@ -27,7 +27,7 @@ namespace ringmotor
     const Tensor<1, 2> w           = smallest.second;
     if (std::abs(smallest.first) > hardly * hardly * largest.first)
       return node;
-    // says by v . dF_t + by_pressure dF_n what the force along v is.
+    // determines the force along v by v . dF_t + by_pressure dF_n.
     Tensor<1, 2> v;
     for (unsigned int c = 0; c < 2; ++c)
       for (unsigned int d = 0; d < 2; ++d)
@@ -75,8 +75,8 @@ namespace ringmotor
     FullMatrix<double> derivatives;
     rows.contact_problem().derivatives(touching, touching, derivatives);
     std::vector<double> line(n_columns);
-    // Not transposed, as would be faster to write: rows are in N, but unknowns in any unit, and
-    // pivots are compared within a column.
+    // Not transposed, although that would be faster to write: rows are in N, but unknowns in any
+    // unit, and pivots are compared within a column.
     const auto add_line = [&](const unsigned int i)
     {
       for (unsigned int b = 0; b < n_nodes; ++b)

@@ -17,7 +17,8 @@ namespace ringmotor
     constexpr std::array<std::pair<unsigned int, unsigned int>, n_strains> axes_of{
         {{0, 0}, {1, 1}, {0, 1}, {0, 2}, {1, 2}}};
     constexpr double shear_correction = 5. / 6.;
-    /** The tie of the rotation about the normal, against the bending stiffness of a cell. */
+    /** Stiffness of the tie of the rotation about the normal, relative to the bending stiffness of
+     * a cell. */
     constexpr double drill_fraction = 1e-3;
   } // namespace
 
@@ -134,8 +135,8 @@ namespace ringmotor
     {
       const double across = points.point(q)[1 - direction];
       const Place low = place_at(ties[direction][0], z), high = place_at(ties[direction][1], z);
-      // The gradient of z is normal to the layer: only one product of the change to local axes is
-      // left.
+      // The gradient of z is normal to the layer: only one product of the change to local axes
+      // remains.
       const double upright = place.axes[2] * place.gradients[2];
       for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
       {

@@ -81,8 +81,8 @@ namespace ringmotor
         }
       }
     }
-    // Two dense products (BLAS) hold every integral of a pair of shape functions; Hooke's law only
-    // combines them. At high degree this is several times faster than a loop over strains.
+    // Two dense products (BLAS) contain every integral of a pair of shape functions; Hooke's law
+    // only combines them. At high degree this is several times faster than a loop over strains.
     gram.reinit(3 * n_nodes, 3 * n_nodes);
     overlap.reinit(n_nodes, n_nodes);
     gradients.Tmmult(gram, weighted_gradients);

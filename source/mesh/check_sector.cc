@@ -76,7 +76,7 @@ namespace ringmotor
       const std::string &file;
       const double pitch;
       double inner_radius, outer_radius;
-      double tolerance; ///< m, between points that shall coincide
+      double tolerance; ///< m, between points that must coincide
     };
 
     SectorCheck::SectorCheck(const SectorMesh &mesh, const std::string &file)

@@ -24,7 +24,7 @@ namespace ringmotor
     }
 
     /**
-     * True if every block of the section `$name` of a file of format 4.1 holds the lines it
+     * True if every block of the section `$name` of a file of format 4.1 has the number of lines it
      * announces (@p lines_per_item for each node or element). deal.II trusts these numbers.
      */
     bool blocks_are_whole(std::istream &input, const std::string &name,
@@ -63,7 +63,7 @@ namespace ringmotor
              (blocks_are_whole(input, "Nodes", 2) && blocks_are_whole(input, "Elements", 1));
     }
 
-    /** Lets deal.II read the file, and says in our words what it does not like. */
+    /** Lets deal.II read the file, and rewords its errors. */
     void read(const std::string &file, Triangulation<3> &triangulation)
     {
       std::ifstream input(file);
@@ -72,8 +72,8 @@ namespace ringmotor
       const UserError damaged = mesh_file_error(
           file, "it is damaged, or not a mesh in Gmsh's ASCII format of version 2.2 or 4.1",
           "save it again as such, with hexahedra of first order (meshes/README.md)");
-      // deal.II does not look whether there was a number to read: without exceptions, a file that
-      // ends early would keep it busy for ever.
+      // deal.II does not check whether there was a number to read: without exceptions, a file that
+      // ends early would make it loop forever.
       input.exceptions(std::ios::failbit | std::ios::badbit);
       GridIn<3> reader(triangulation);
       try

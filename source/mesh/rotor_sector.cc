@@ -16,7 +16,7 @@ namespace ringmotor
 
   namespace
   {
-    /** Lines from @p from to @p to, the finer ones at @p from; without @p from itself. */
+    /** Lines from @p from to @p to, finer at @p from, which is not included. */
     void append_lines(std::vector<double> &lines, const double from, const double to,
                       const double first)
     {
@@ -26,8 +26,8 @@ namespace ringmotor
     }
 
     /**
-     * Lines across flange and lip, without the ring's: finer ones at the ring and, for contact, on
-     * both sides of the lip's outer line.
+     * Lines across flange and lip, without those of the ring: finer at the ring and, for contact,
+     * on both sides of the lip's outer edge.
      */
     void append_flange_lines(std::vector<double> &lines, const RotorGeometry &rotor,
                              const double first, const InterfaceGrading &lip)
@@ -58,7 +58,7 @@ namespace ringmotor
 
     /**
      * Where a flange that is a shell begins: half its thickness away from the ring. The stresses in
-     * the corners at the ring, which no shell knows, have died down there.
+     * the corners at the ring, which a shell cannot represent, have decayed there.
      */
     double root_radius(const RotorGeometry &rotor)
     {
@@ -187,7 +187,7 @@ namespace ringmotor
       append_lines(z_lines, flange_top, rotor.ring_upper_face - rotor.radial_bar_height, first);
       z_lines.push_back(rotor.ring_upper_face);
       z_lines = sorted(z_lines);
-      // The flange was met from both sides.
+      // The flange was added from both sides.
       z_lines.erase(std::unique(z_lines.begin(), z_lines.end(),
                                 [](const double a, const double b) { return b - a < 1e-12; }),
                     z_lines.end());

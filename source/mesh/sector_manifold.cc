@@ -49,7 +49,7 @@ namespace ringmotor
   template <int dim>
   std::pair<double, double> SectorManifold<dim>::radii(const double z) const
   {
-    // The ceramic ring (z < 0) has upright sides.
+    // The ceramic ring (z < 0) has vertical sides.
     const double fraction = std::max(0., z) / (stator.base_thickness + stator.tooth_height);
     return {
         stator.base_inner_radius + fraction * (stator.tip_inner_radius - stator.base_inner_radius),

@@ -60,7 +60,7 @@ namespace ringmotor
       if (cross_product_3d(x, y)[2] < 0.)
         std::swap(cell.vertices[1], cell.vertices[2]);
     }
-    GridTools::consistently_order_cells(cells); // turns them about their normals only
+    GridTools::consistently_order_cells(cells); // rotates them about their normals only
     mesh.shell = empty_triangulation<2>(mesh.triangulation->get_communicator());
     mesh.shell->create_triangulation(vertices, cells, SubCellData());
     mark_planes(mesh);

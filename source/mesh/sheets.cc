@@ -23,7 +23,7 @@ namespace ringmotor
 
     using Classes = boost::disjoint_sets<unsigned int *, unsigned int *>;
 
-    /** A line with its midpoint, or what is left of it: points alike are lines to be joined. */
+    /** A line with its midpoint, or a projection of it: lines with the same point are joined. */
     struct PlacedLine
     {
       Point<3> place;

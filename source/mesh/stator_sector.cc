@@ -155,8 +155,7 @@ namespace ringmotor
       std::vector<CellData<2>> cells;
     };
 
-    /** Towards the inner and outer side, where the slots' pattern ends freely, cells get thinner.
-     */
+    /** Cells get thinner towards the inner and outer sides, where the slots end freely. */
     std::vector<double> radial_lines(const unsigned int n_cells)
     {
       std::vector<double> lines;
@@ -200,8 +199,7 @@ namespace ringmotor
           }
     }
 
-    /** Covers the faces of the base marked as skin with the ceramic ring, a shell that hangs below
-     * them. */
+    /** Bonds the ceramic ring, a shell below the base, to the faces of the base marked as skin. */
     void add_piezoceramic_shell(SectorMesh &mesh, const StatorGeometry &stator,
                                 const SectorManifold<2> &shape)
     {
@@ -234,7 +232,7 @@ namespace ringmotor
 
   namespace
   {
-    /** Makes the box of chart coordinates the body that it stands for. */
+    /** Maps the box of chart coordinates to the body. */
     void bend_to_shape(Triangulation<3> &box, const StatorGeometry &stator,
                        const unsigned int n_teeth)
     {
@@ -286,8 +284,8 @@ namespace ringmotor
 
   namespace
   {
-    /** Lines from the inner (0) to the outer side (1) of the tooth's top, finer ones at the outer
-     * line of what the lip covers. */
+    /** Lines from the inner (0) to the outer side (1) of the tooth's top, finer at the outer edge
+     * of the strip that the lip covers. */
     std::vector<double> lines_across(const StatorGeometry &stator, const double lip_inner,
                                      const double lip_outer, const InterfaceGrading &grading)
     {

@@ -18,7 +18,7 @@ namespace ringmotor
   {
     using Complex = std::complex<double>;
 
-    /** A tooth alone: its compliance, and how its top follows the motion of its foot. */
+    /** A single tooth: its compliance, and the motion of its top due to that of its foot. */
     struct CondensedTooth
     {
       SectorSurface surface;
@@ -44,8 +44,8 @@ namespace ringmotor
       return tooth;
     }
 
-    /** Makes a body stiff against tangential forces, and normal forces without tangential effect.
-     */
+    /** Removes the tangential compliance of a body and the coupling of normal and tangential
+     * components. */
     void leave_normal_compliance(SurfaceCompliance &compliance)
     {
       for (unsigned int i = 0; i < compliance.at_rest.m(); ++i)
@@ -58,8 +58,8 @@ namespace ringmotor
       }
     }
 
-    /** m/N of the springs at a node between tooth and rotor: those of the penalty method, which are
-     * the same at all nodes, and those of a lining, by area. */
+    /** Compliance (m/N) of the springs at a node between tooth and rotor: those of the penalty
+     * method, which are the same at all nodes, and those of a lining, by area. */
     double spring_compliance(const Parameters &parameters, const MotorModel &model,
                              const unsigned int component, const double area)
     {
@@ -72,8 +72,8 @@ namespace ringmotor
              (normal ? model.lining_normal_compliance : model.lining_tangential_compliance) / area;
     }
 
-    /** Gives the motor its contact points, the compliance of its teeth and that of springs between
-     * teeth and rotor. */
+    /** Adds the contact points, the compliance of the teeth and that of springs between teeth and
+     * rotor to the motor. */
     void add_teeth(CondensedMotor &motor, const CondensedTooth &tooth, const MortarCoupling &mortar,
                    const Parameters &parameters, const MotorModel &model)
     {
@@ -111,8 +111,8 @@ namespace ringmotor
       }
     }
 
-    /** Median of the normal compliances of the points, and the largest eigenvalue of the tangential
-     * compliance of a tooth. */
+    /** The inverse of the median normal compliance of the contact points, and of the largest
+     * eigenvalue of the tangential compliance of a tooth. */
     ComplementarityConstants constants_for(const RingCompliance &compliance)
     {
       const unsigned int n = compliance.n_nodes();
@@ -130,7 +130,7 @@ namespace ringmotor
       std::vector<double> force(n_all, 0.), motion;
       double eigenvalue = std::sqrt(2. * n);
       motion.assign(3 * n, 1.);
-      for (unsigned int step = 0; step < 50; ++step) // the size is all that matters
+      for (unsigned int step = 0; step < 50; ++step) // only its magnitude matters
       {
         for (unsigned int i = 0; i < 3 * n; ++i)
           force[i] = i % 3 == 0 ? 0. : motion[i] / eigenvalue;
@@ -180,7 +180,7 @@ namespace ringmotor
 
   namespace
   {
-    /** The rotor as its contact with one tooth sees it. */
+    /** The rotor, condensed to its contact with one tooth. */
     struct CondensedRotor
     {
       MortarCoupling mortar;
@@ -232,7 +232,7 @@ namespace ringmotor
 
   namespace
   {
-    /** Gives a motor the modes of its bodies, as far as they have inertia. */
+    /** Adds the modes of its bodies to a motor. */
     void add_modes(CondensedMotor &motor, const SectorSurface &tooth_top,
                    const MortarCoupling &mortar, const ContactDiscretisation &discretisation,
                    const Parameters &parameters, const MotorModel &model,
@@ -257,7 +257,7 @@ namespace ringmotor
           tooth_modes(parameters, discretisation, mortar,
                       RotorVibration::highest_harmonic * motor.angular_frequency);
       for (RingModes *modes : {&motor.modes, &motor.coarse_modes})
-        for (std::vector<RingMode> &of_diameter : *modes) // a tooth moves alone, in any wave
+        for (std::vector<RingMode> &of_diameter : *modes) // teeth move independently
           of_diameter.insert(of_diameter.end(), of_tooth.begin(), of_tooth.end());
     }
   } // namespace

@@ -77,7 +77,7 @@ namespace ringmotor
     constexpr double share = 1. / 3.; // of the target
     Scene whole            = scene;
     whole.threshold        = share * target;
-    // Rayleigh's quotient costs nothing, operating points do.
+    // Rayleigh quotients are cheap, operating points are not.
     Scene cheap = whole;
     if (stage != EffectStage::stator)
       cheap.measure = {};
@@ -102,7 +102,7 @@ namespace ringmotor
               per_cent(*row.indicator) + ", more than a third of the target, " + per_cent(target) +
               ", but is not available in this version; choose a larger target, or off");
       }
-      if (row.indicator && !std::isfinite(*row.indicator)) // needed, but who knows how much
+      if (row.indicator && !std::isfinite(*row.indicator)) // needed, of unknown size
         row.indicator.reset();
       row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
       rows.push_back(std::move(row));

@@ -81,7 +81,7 @@ namespace ringmotor
     double whole = 0., changed = 0.;
     for (unsigned int m = 1; m <= n_harmonics(); ++m)
     {
-      // The Fourier coefficient of the pressure, by that of an even one.
+      // The Fourier coefficient of the pressure, relative to its mean.
       const double phase  = numbers::PI * m * pressed,
                    motion = std::pow(std::sin(phase) / phase, 2) * harmonics[m - 1].static_motion;
       whole += motion;

@@ -51,7 +51,7 @@ namespace ringmotor
                   {first_sample(state.force), state.rigid},
                   first_sample(steady.solution.motion)};
     start.state.rigid.resize(contact.n_rigid_motions());
-    // A part of a ring that repeats itself has no loose motions, which the whole one has.
+    // A repeating part of a ring has no near-rigid modes, but the whole ring has.
     start.state.rigid.resize(1 + 2 * motor.near_rigid_modes.size());
     if (!motor.modes.empty())
     {

@@ -15,7 +15,7 @@ namespace ringmotor
 
   namespace
   {
-    /** Only the program losses looks at them. */
+    /** Only the program losses reads them. */
     void reset_loss_factors(Materials &materials)
     {
       const Materials defaults;
@@ -24,7 +24,7 @@ namespace ringmotor
         (materials.*material).loss_factor = (defaults.*material).loss_factor;
     }
 
-    /** What no wave and no point depends on. */
+    /** Resets the entries that affect neither the wave nor any operating point. */
     void forget_what_never_matters(Parameters &parameters)
     {
       const Parameters defaults;
@@ -46,7 +46,7 @@ namespace ringmotor
     relevant.loading.control        = defaults.loading.control;
     relevant.loading.values         = defaults.loading.values;
     relevant.loading.n_curve_points = defaults.loading.n_curve_points;
-    if (!is_marched(parameters)) // marching goes on until what changes is small against the target
+    if (!is_marched(parameters)) // marching continues until changes are small against the target
       relevant.accuracy.contact_target = defaults.accuracy.contact_target;
     relevant.accuracy.time_limit           = defaults.accuracy.time_limit;
     relevant.accuracy.mode                 = defaults.accuracy.mode;
@@ -68,7 +68,7 @@ namespace ringmotor
     relevant.friction                = defaults.friction;
     relevant.time                    = defaults.time;
     relevant.initial_deformation     = defaults.initial_deformation;
-    // The bodies have the lining on them, and know no law.
+    // The condensed bodies include the lining, but do not depend on the friction law.
     relevant.friction.lining_normal_stiffness     = friction.lining_normal_stiffness;
     relevant.friction.lining_tangential_stiffness = friction.lining_tangential_stiffness;
     const MotorModel model                        = motor_model(parameters);

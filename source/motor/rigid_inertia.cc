@@ -17,7 +17,7 @@ namespace ringmotor
     std::vector<InertiaInStep> inertia;
     for (const Motion &motion : motions)
     {
-      // M a is M / response times what the step's force adds to the free motion.
+      // M a is M / response times the deviation from the free motion.
       const double stiffness = motion.inertia / scheme.response_in_step(dt, 0., damping);
       const double free = without_force(scheme, motion.state, dt, 0., damping).displacement.real();
       inertia.push_back({stiffness, stiffness * free});
@@ -34,7 +34,7 @@ namespace ringmotor
       const ModalState begin = motion.state;
       motion.state           = without_force(scheme, begin, dt, 0., damping);
       const double force     = (displacements[r] - motion.state.displacement.real()) /
-                           scheme.response_in_step(dt, 0., damping); // by inertia
+                           scheme.response_in_step(dt, 0., damping); // per mass
       add_force(scheme, force, dt, 0., damping, motion.state);
       const double net_force = motion.inertia * force;
       power += 0.5 * (net_force + motion.net_force) *

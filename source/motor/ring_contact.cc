@@ -15,7 +15,7 @@ namespace ringmotor
         n_nodes(motor.nodes.size()), n_samples(steady_step.n_samples),
         step(step_length(motor, steady_step)),
         steady_neighbour(steady_step.n_joined * ringmotor::steady_neighbour(motor) % n_sectors),
-        // Forces that repeat themselves around the ring shift and tilt nothing.
+        // Forces that repeat themselves around the ring neither shift nor tilt the rotor.
         n_rigid_of_sample(fold > 1 ? 1 : 1 + 2 * motor.near_rigid_modes.size()),
         dynamics(std::move(with_inertia)),
         compliance(dynamics
@@ -246,7 +246,7 @@ namespace ringmotor
         balance *= balance_factor(r);
       }
     }
-    if (load.torque) // as a force at the radius of contact, to be compared with the others
+    if (load.torque) // as a force at the contact radius, comparable with the others
       balances.back() = (torque(state) - *load.torque) / fold / motor.nodes.front().radius;
     return balances;
   }
@@ -294,7 +294,7 @@ namespace ringmotor
   double RingContact::stored_energy(const ContactState &state) const
   {
     std::vector<PointVector> deflection(n_points());
-    // The static one: what modes take beyond that is ModalPower.
+    // Static only: the power that modes take beyond that is ModalPower.
     compliance->add_motions_at_once(state.force, deflection);
     double energy = 0.;
     for (unsigned int point = 0; point < n_points(); ++point)

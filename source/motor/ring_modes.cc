@@ -13,14 +13,14 @@ namespace ringmotor
   {
     using Complex = std::complex<double>;
 
-    /** How often a wave of real numbers counts: with its conjugate, unless it is that itself. */
+    /** Multiplicity of a wave of real numbers: 2, or 1 if it is its own conjugate. */
     double multiplicity(const unsigned int m, const unsigned int n)
     {
       return m == 0 || 2 * m == n ? 1. : 2.;
     }
   } // namespace
 
-  /** Modes in terms of a few shapes of a sector's nodes, which are enough for all of them. */
+  /** Modes in terms of a few shapes of a sector's nodes that span all of them. */
   class ModesByShapes
   {
   public:
@@ -79,7 +79,7 @@ namespace ringmotor
         return of_tooth || !dynamics.is_hysteretic;
       }
 
-      /** Motion in a wave against that at rest. */
+      /** Motion in a wave relative to the static motion. */
       Complex amplification(const RingDynamics &dynamics, const HistoryWave &wave,
                             const double dt) const
       {
@@ -99,8 +99,8 @@ namespace ringmotor
       }
     };
 
-    /** Forces on shapes from those on the nodes of each of some sectors (or instants), as the
-     * amplitude of exp(i m angle j) over j. */
+    /** Forces on shapes due to those on the nodes of all sectors (or instants) j, as the amplitude
+     * of exp(i m angle j). */
     std::vector<Complex> wave_on_shapes(const std::vector<PointVector> &forces,
                                         const unsigned int n_sectors, const unsigned int m) const
     {
@@ -123,8 +123,8 @@ namespace ringmotor
       return result;
     }
 
-    /** Adds the motions of a wave exp(i m angle j) over j, of which the amplitudes of all modes
-     * with its nodal diameter are given. */
+    /** Adds the motions of a wave exp(i m angle j), given the amplitudes of all modes with its
+     * nodal diameter. */
     void add_motion(const unsigned int k, const std::vector<Complex> &amplitudes,
                     const bool conjugate, const unsigned int m, const unsigned int n_sectors,
                     std::vector<PointVector> &motion) const
@@ -227,7 +227,7 @@ namespace ringmotor
       if (modes->by_diameter[around.k].empty())
         continue;
       const std::vector<Complex> force = on_shapes(forces, m);
-      // Waves that are their own conjugates in time, or around the ring.
+      // Waves may be their own conjugates in time or around the ring.
       const double weight = multiplicity(m, n_instants) / multiplicity(around.k, n_sectors);
       for (unsigned int r = 0; r < states[around.k].size(); ++r)
       {
@@ -258,7 +258,7 @@ namespace ringmotor
         const Complex at_rest  = mode.static_motion(force), // times the frequency, like the next
             motion             = at_rest * mode.amplification(dynamics, around, dt),
                       velocity = motion * dynamics.scheme.velocity(around.z, dt);
-        // Forces at the middle of steps, against the motions in the steps.
+        // Forces at the middle of steps and motions in the steps.
         const Complex middle = 0.5 * (1. + 1. / around.z) * at_rest,
                       moved  = (1. - 1. / around.z) * (motion - at_rest);
         power.taken += weight * (std::conj(middle) * moved).real() / dt;

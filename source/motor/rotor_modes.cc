@@ -15,7 +15,7 @@ namespace ringmotor
   {
     using Complex = std::complex<double>;
 
-    /** Nodal diameters that the harmonics of the wave have; all if the rotor moves as a whole. */
+    /** Nodal diameters of the harmonics of the wave; all if the rotor moves as a whole. */
     std::set<unsigned int> nodal_diameters(const Motor &motor, const unsigned int n_harmonics,
                                            const bool moves_as_whole)
     {
@@ -109,8 +109,8 @@ namespace ringmotor
 
   const LipModes &RotorVibration::level(const unsigned int level) const
   {
-    // The error of leaving modes out falls with the third power of the highest frequency, to a
-    // third from level to level.
+    // The truncation error of the modes decreases with the third power of the highest frequency, to
+    // a third from level to level.
     constexpr std::array<double, finest_level + 1> up_to{{6., 8.5, highest_harmonic}};
     constexpr std::array<unsigned int, finest_level + 1> n_harmonics{{9, 13, 19}};
     if (!levels[level])

@@ -26,7 +26,7 @@ namespace ringmotor
       return text.str();
     }
 
-    /** What points remember in the steady state: what happened one step earlier. */
+    /** The memory of contact points in the steady state: the state one step earlier. */
     std::vector<FrictionMemory> travelled(const RingContact &contact,
                                           const ContactSolution &solution)
     {
@@ -46,7 +46,7 @@ namespace ringmotor
       return memory;
     }
 
-    /** Makes what points remember and what happened a step earlier agree, as the law says. */
+    /** Makes the memory and the state one step earlier agree, according to the law. */
     class MemoryUpdate
     {
     public:
@@ -57,7 +57,7 @@ namespace ringmotor
           had_stuck.push_back(memory.stuck);
       }
 
-      /** Changes @p memory where it does not agree with @p found; whether it did. */
+      /** Changes @p memory where it disagrees with @p found. Returns whether all agreed. */
       bool settled(const std::vector<FrictionMemory> &found, const std::vector<PointStatus> &status,
                    std::vector<FrictionMemory> &memory)
       {
@@ -75,7 +75,7 @@ namespace ringmotor
     private:
       const Friction &friction;
       const FrictionLawBase &law;
-      std::vector<char> had_stuck; ///< points assumed to have stuck in any round
+      std::vector<char> had_stuck; ///< contact points assumed to have stuck in any round
     };
   } // namespace
 
@@ -199,7 +199,8 @@ namespace ringmotor
       if (loss_factor > 1.5 * last.loss_factor)
         stages.push_back({loss_factor, dissipative, last.is_hysteretic});
     stages.push_back({last.loss_factor, dissipative, last.is_hysteretic});
-    // To schemes with little dissipation in two steps: in one, Newton's method does not follow.
+    // To schemes with little dissipation in two stages: with one, Newton's method does not
+    // converge.
     stages.push_back({last.loss_factor, mean(dissipative, last.scheme), last.is_hysteretic});
     for (const RingDynamics &stage : stages)
     {
@@ -258,7 +259,7 @@ namespace ringmotor
       {
         const unsigned int point = before * n_points + i;
         start.memory.push_back(memory[point]);
-        // After the last sample a tooth is what another one is at the first.
+        // After the last time sample comes the state of another tooth at the first one.
         const bool is_last     = before + 1 == n_coarse;
         const unsigned int now = m * n_points + i, next_known = is_last ? i : point + n_points,
                            next_fine = m * n_points + (is_last ? coarse.earlier(i) % n_points : i);
@@ -270,7 +271,7 @@ namespace ringmotor
       for (unsigned int r = 0; r < n_rigid; ++r)
         start.state.rigid[m * n_rigid + r] = known.rigid[before * n_rigid + r];
     }
-    for (PointVector &motion : start.motion) // shorter steps slip less
+    for (PointVector &motion : start.motion) // slips are smaller in shorter steps
       for (unsigned int c = 1; c < 3; ++c)
         motion[c] *= n_coarse / static_cast<double>(n_fine);
     return start;

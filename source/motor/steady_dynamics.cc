@@ -19,7 +19,7 @@ namespace ringmotor
 
   namespace
   {
-    /** Which instant of its history each tooth shows, by sample and tooth. */
+    /** The instant of the common history at each tooth, by time sample and tooth. */
     std::vector<unsigned int> instants(const CondensedMotor &motor, const SteadyStep &step)
     {
       const unsigned int n_sectors = motor.n_teeth / motor.n_repeats(), s = steady_neighbour(motor),

@@ -9,7 +9,7 @@ namespace ringmotor
 {
   namespace
   {
-    /** The sum of squares (N^2) by which forces differ. */
+    /** The sum of squares (N^2) of the differences of forces. */
     double distance(const StepEnd &a, const StepEnd &b)
     {
       double sum = 0.;
@@ -29,7 +29,7 @@ namespace ringmotor
     };
     turn(result.state.force);
     turn(result.motion);
-    // After the rise come cosine and sine parts of motions with one wave around the ring.
+    // The rise is followed by cosine and sine parts of motions with one wave around the ring.
     const std::complex<double> phase = std::polar(1., 2. * dealii::numbers::PI * by / n_teeth);
     std::vector<double> &rigid       = result.state.rigid;
     for (unsigned int r = 1; r + 1 < rigid.size(); r += 2)
@@ -49,7 +49,7 @@ namespace ringmotor
 
   void StepHistory::add(StepEnd end)
   {
-    // Extrapolation is close where steps are so short that there are more of them in a period.
+    // With more steps than this in a period, extrapolation is accurate.
     constexpr std::size_t most_ends = 120;
     repeats = by_repetition && distance(*by_repetition, end) < distance(by_extrapolation, end);
     if (ends.size() == most_ends)
@@ -67,7 +67,7 @@ namespace ringmotor
   StepEnd StepHistory::extrapolated(const double length) const
   {
     StepEnd next = last();
-    // What follows a state at rest is not like it.
+    // A state at rest is no basis for extrapolation.
     const StepEnd *before = ends.size() > 1 ? &ends[ends.size() - 2] : nullptr;
     if (!before || before->motion.empty())
     {
@@ -92,10 +92,10 @@ namespace ringmotor
 
   std::optional<StepEnd> StepHistory::repeated(const double length) const
   {
-    constexpr double tolerance = 0.05; // of a step, by which the wave is too early or too late
+    constexpr double tolerance = 0.05; // of a step, the largest time shift of the wave
     const double now = last().time + length, part = period / repetition.n_parts;
     const StepEnd *best  = nullptr;
-    unsigned int n_parts = 0; // since then
+    unsigned int n_parts = 0; // since that step
     double least         = tolerance * length;
     for (const StepEnd &end : ends)
     {

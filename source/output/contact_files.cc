@@ -22,13 +22,13 @@ namespace ringmotor
                                                                         : "slip";
     }
 
-    /** A contact point whose history is told. */
+    /** A contact point whose history is written. */
     struct Watched
     {
       unsigned int tooth, node;
     };
 
-    /** The contact points nearest to the places that are asked for. */
+    /** The contact points nearest to the requested places. */
     std::vector<Watched> watched_points(const CondensedMotor &motor,
                                         const std::vector<HistoryPoint> &places)
     {
@@ -57,14 +57,15 @@ namespace ringmotor
       return watched;
     }
 
-    /** A sample and a tooth that show what a watched tooth does at a time. */
+    /** A time sample and a tooth that represent the watched tooth at a time. */
     struct Sight
     {
       double time;
       unsigned int sample, tooth;
     };
 
-    /** What a tooth does: in the steady state, a period of it from the teeth of few samples. */
+    /** The history of a tooth: in the steady state, one period from the teeth of a few time
+     * samples. */
     std::vector<Sight> history_of(const unsigned int watched, const CondensedMotor &motor,
                                   const ContactFields &fields, const bool is_steady)
     {
@@ -75,7 +76,7 @@ namespace ringmotor
         else
           for (unsigned int tooth = 0; tooth < fields.n_teeth; ++tooth)
           {
-            // Tooth i + j is where tooth i was n j alpha / omega ago.
+            // Tooth i + j is in the state in which tooth i was n j alpha / omega ago.
             double time = fields.times[m] - motor.n_waves * (1. * tooth - watched) * motor.pitch() /
                                                 motor.angular_frequency;
             time -= motor.period() * std::floor(time / motor.period() + 1e-9);

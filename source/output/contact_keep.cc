@@ -20,7 +20,7 @@ namespace ringmotor
 
   namespace
   {
-    /** Version and revision leave open what was changed since or how it was compiled. */
+    /** Version and revision do not show later changes or how the program was compiled. */
     std::string this_build()
     {
       const fs::path program = "/proc/self/exe";
@@ -29,7 +29,7 @@ namespace ringmotor
              std::to_string(fs::last_write_time(program).time_since_epoch().count()) + "\n";
     }
 
-    /** Bytes of all files below a folder, none if there is no such folder. */
+    /** Bytes of all files below a folder, zero if there is no such folder. */
     std::uintmax_t size_of(const fs::path &folder)
     {
       std::uintmax_t size = 0;
@@ -121,7 +121,7 @@ namespace ringmotor
       if (resumes)
         log.line("resuming with the operating points in " + points_folder);
     }
-    Utilities::MPI::broadcast(communicator, 0); // no rank goes on before the folders are there
+    Utilities::MPI::broadcast(communicator, 0); // no rank continues before the folders exist
   }
 
   CondensedMotor ContactKeep::motor(const Parameters &parameters, const unsigned int level,

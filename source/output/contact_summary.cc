@@ -11,7 +11,7 @@ namespace ringmotor
 {
   namespace
   {
-    /** Names in `summary.json` that are not those of the list. */
+    /** Names in `summary.json` that differ from those of the list. */
     std::string name_in_summary(const std::string &name, const PointRequest &request)
     {
       static const std::map<std::string, std::string> others{

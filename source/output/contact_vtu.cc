@@ -15,7 +15,7 @@ namespace ringmotor
 
   namespace
   {
-    /** The fields of a contact point but for displacements. */
+    /** The fields of a contact point except displacements. */
     const std::vector<FieldName> point_fields{{"pressure", 1, "Pa"},   {"friction_t", 1, "Pa"},
                                               {"friction_r", 1, "Pa"}, {"slip_velocity", 1, "m/s"},
                                               {"status", 1, ""},       {"gap", 1, "m"}};
@@ -39,7 +39,7 @@ namespace ringmotor
       return result;
     }
 
-    /** The contact points of a ring at one sample. */
+    /** The contact points of a ring at one time sample. */
     class Snapshot
     {
     public:
@@ -59,7 +59,7 @@ namespace ringmotor
         return Point<3>(r * std::cos(theta), r * std::sin(theta), height);
       }
 
-      /** The number in the fields, at the last sample. */
+      /** The index in the fields, at the last time sample. */
       std::size_t point(const unsigned int tooth, const unsigned int node) const
       {
         return ((fields.times.size() - 1) * fields.n_teeth + tooth % fields.n_teeth) *

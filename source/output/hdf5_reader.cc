@@ -63,7 +63,7 @@ namespace ringmotor
 
     hid_t open_file(const std::string &path)
     {
-      // HDF5 prints its failures on the terminal; reject() tells them in one line.
+      // HDF5 prints its failures on the terminal; reject() reports them in one line.
       H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 
       const std::string expected = "a readable HDF5 file";

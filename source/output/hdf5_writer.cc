@@ -27,7 +27,7 @@ namespace ringmotor
 
     hid_t create_in_memory()
     {
-      // HDF5 prints its failures on the terminal; must() tells them in one line.
+      // HDF5 prints its failures on the terminal; must() reports them in one line.
       H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 
       // HDF5 takes two open files of one name for the same file.
@@ -40,9 +40,9 @@ namespace ringmotor
       const Hdf5Handle access(must(H5Pcreate(H5P_FILE_ACCESS), action));
       must(H5Pset_fapl_core(access, increment, is_kept_on_disk), action);
       const hid_t file = must(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), action);
-      // Objects get the format with checksums, as HDF5 can crash on damaged ones without. The head
-      // of the file keeps the older format: H5Fget_file_image() spoils the checksum of the newer
-      // one (HDF5 issue 1915).
+      // Objects get the format with checksums, as HDF5 can crash on damaged ones without them. The
+      // head of the file keeps the older format: H5Fget_file_image() spoils the checksum of the
+      // newer one (HDF5 issue 1915).
       must(H5Fset_libver_bounds(file, H5F_LIBVER_V110, H5F_LIBVER_V110), action);
       return file;
     }
@@ -96,7 +96,7 @@ namespace ringmotor
     must(H5Pset_obj_track_times(layout, false), action); // the same values make the same file
     if (!values.empty() && !dims.empty())
     {
-      // One chunk with a checksum, which is where HDF5 notices that values were damaged.
+      // One chunk with a checksum, by which HDF5 detects damaged values.
       must(H5Pset_chunk(layout, sizes.size(), sizes.data()), action);
       must(H5Pset_fletcher32(layout), action);
     }

@@ -21,7 +21,7 @@ namespace ringmotor
 
   void write_kept_file(const std::string &path, const std::string &key, const std::string &bytes)
   {
-    // The fingerprint takes the place of one that is as long: bytes may be many.
+    // The fingerprint replaces one of the same length in place: there may be many bytes.
     const std::string blank = fingerprint("");
     std::string file        = first_line + blank + "\n" + head_of(key);
     file += bytes;

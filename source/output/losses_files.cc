@@ -11,7 +11,7 @@ namespace ringmotor
   {
     using List = std::vector<Quantity> (LossBudget::*)() const;
 
-    /** What tells points apart. */
+    /** What distinguishes operating points. */
     std::vector<Quantity> load_of(const PointLosses &losses)
     {
       return {{"torque", units::torque, losses.point.result.torque},

@@ -180,10 +180,10 @@ namespace ringmotor
     energies.felt.value =
         felt_energy(parameters.support, parameters.stator, parameters.motor.n_teeth,
                     motion_of(trace_of(file, "bottom")));
-    // The lower side moves as the rest of the wave does: known as well as its energy.
+    // The motion of the lower side is as accurate as the energy of the whole wave.
     energies.felt.error = energies.felt.value * total.error / total.value;
     for (Estimate *energy : {&energies.metal, &energies.piezoceramic, &energies.felt})
-      energy->error += energy->value * frequency_error(file); // losses go with the frequency
+      energy->error += energy->value * frequency_error(file); // losses scale with the frequency
     return energies;
   }
 

@@ -15,7 +15,7 @@ namespace ringmotor
     // Keeps the keys in the order in which they are written here.
     using Json = nlohmann::ordered_json;
 
-    /** JSON knows neither nan nor inf (the library would silently write null). */
+    /** JSON has neither nan nor inf (the library would silently write null). */
     double finite(const double number, const std::string &owner)
     {
       if (!std::isfinite(number))

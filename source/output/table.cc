@@ -29,7 +29,7 @@ namespace ringmotor
     std::string formatted(const Number number)
     {
       std::array<char, 32> digits;
-      // Adding zero takes the sign from a zero.
+      // Adding zero removes the sign of a negative zero.
       const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), number + 0);
       return std::string(digits.data(), result.ptr);
     }

@@ -11,7 +11,7 @@ namespace ringmotor
     std::ostringstream out;
     out << std::fixed << std::setprecision(digits) << value;
     const std::string text = out.str();
-    // What is rounded to nothing has no sign.
+    // A number that is rounded to zero has no sign.
     return text.find_first_of("123456789n") == std::string::npos && text[0] == '-' ? text.substr(1)
                                                                                    : text;
   }

@@ -137,7 +137,7 @@ namespace ringmotor
   {
     Assert(field.angular_frequency > 0., ExcMessage("A motion needs a frequency."));
     const std::string record = folder + "/" + base_name + ".pvd";
-    // A record of an earlier run must not survive beside frames of this one.
+    // A record of an earlier run must not remain beside frames of this one.
     std::remove(record.c_str());
 
     Ring ring(field, {"displacement", 3, "m"});

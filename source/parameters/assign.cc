@@ -22,7 +22,7 @@ namespace ringmotor
 
   namespace
   {
-    /** The part of @p text after the number it starts with; nothing if it starts with none. */
+    /** The part of @p text after its leading number; no value if there is no such number. */
     std::optional<std::string> text_after_number(const std::string &text)
     {
       char *end = nullptr;
@@ -48,7 +48,7 @@ namespace ringmotor
                          });
     }
 
-    /** What is wrong with a refused @p value, as far as it can be guessed, and what is allowed. */
+    /** What is probably wrong with a rejected @p value, and what is allowed. */
     std::string explain_refusal(const std::string &value, const DeclaredEntries::Entry &entry)
     {
       if (value.empty())
@@ -73,7 +73,7 @@ namespace ringmotor
       return " = " + quoted(value) + " " + guess + "; allowed: " + entry.allowed;
     }
 
-    /** Hands one assignment to the handler, whose actions write to the parameters. */
+    /** Passes one assignment to the handler, whose actions write to the parameters. */
     void assign(const PrmFile::Assignment &assignment, const DeclaredEntries &declared,
                 ParameterHandler &prm)
     {
@@ -90,7 +90,7 @@ namespace ringmotor
       {
         prm.set(names.back(), assignment.value);
       }
-      catch (const ExceptionBase &) // a value outside the pattern; the text is deal.II's own
+      catch (const ExceptionBase &) // a value outside the pattern; replaces deal.II's text
       {
         throw UserError(assignment.place + ": " + assignment.path +
                         explain_refusal(assignment.value, *entry));
@@ -99,13 +99,13 @@ namespace ringmotor
         prm.leave_subsection();
     }
 
-    /** Units that users may have thought of: name, those of the entry, factor between them. */
+    /** Units that users may have in mind: name, units of the entry, power of ten between them. */
     struct OtherUnit
     {
       std::string name, of, power;
     };
 
-    /** The value with its unit as it should have been written, if some unit explains it. */
+    /** The value converted from the unit that makes it plausible, if there is one. */
     std::string guessed_units(const std::string &value, const std::string &units,
                               const std::function<bool(double)> &is_plausible)
     {
@@ -113,7 +113,7 @@ namespace ringmotor
           {"mm", "m", "-3"},         {"um", "m", "-6"},     {"GPa", "Pa", "9"}, {"MPa", "Pa", "6"},
           {"g/cm^3", "kg/m^3", "3"}, {"kN", "N", "3"},      {"mN", "N", "-3"},  {"kHz", "Hz", "3"},
           {"us", "s", "-6"},         {"mm^2", "m^2", "-6"}, {"%", "none", "-2"}};
-      if (value.find_first_not_of("0123456789.+-") != std::string::npos) // has a power of its own
+      if (value.find_first_not_of("0123456789.+-") != std::string::npos) // has its own exponent
         return "";
       for (const OtherUnit &other : others)
       {

@@ -35,7 +35,7 @@ namespace ringmotor
                         std::to_string(motor.n_teeth / 2));
     }
 
-    /** @throws UserError if the file leaves open entries whose paths start with one of these */
+    /** @throws UserError if required entries whose paths start with one of these are missing */
     void check_given(const Parameters &parameters, const std::string &whom,
                      const std::vector<std::string> &sections)
     {
@@ -106,7 +106,7 @@ namespace ringmotor
       check_amplitude(parameters.wave, stator);
     }
 
-    /** The wave has to be among the modes that the program stator computes. */
+    /** The wave must be among the modes that the program stator computes. */
     void check_modes_for_contact(const Parameters &parameters)
     {
       const std::vector<unsigned int> all = nodal_diameters_of(parameters);
@@ -173,7 +173,7 @@ namespace ringmotor
       const auto shown = [](const std::string &path, const std::optional<unsigned int> &count)
       { return count ? entry(path, *count) : path + " = auto"; };
       if ((first || last || n) &&
-          !(first >= 2u && first <= last && last <= n)) // auto is less than any
+          !(first >= 2u && first <= last && last <= n)) // auto compares less than any number
         throw UserError(shown("Time/Average from step", first) + " and " +
                         shown("Time/Average to step", last) + " are incompatible with " +
                         shown("Time/Number of steps", n) + "; allowed: all three auto, or " +

@@ -23,7 +23,7 @@ namespace ringmotor
 
   namespace
   {
-    /** Shells are for thin parts. */
+    /** Shells must be thin. */
     void check_shell(const std::string &element, const std::string &name, const double thickness,
                      const double width)
     {
@@ -57,8 +57,8 @@ namespace ringmotor
           root_height_share * (stator.tip_inner_radius - stator.base_inner_radius);
       const double smallest_radius = std::min(root_inner_radius, stator.tip_inner_radius);
 
-      // Half a pitch, measured at right angles to the slot's wall, holds half the slot and half the
-      // tooth; at least 5 % must be left for the tooth.
+      // Half a pitch, measured at right angles to the slot's wall, contains half the slot and half
+      // the tooth; at least 5 % must be left for the tooth.
       constexpr double most_slot = 0.95;
       const double widest        = most_slot * 2. * smallest_radius * std::sin(M_PI / n_teeth);
       if (stator.slot_width > widest)
@@ -68,8 +68,7 @@ namespace ringmotor
                         entry("allowed: up to 95 % of the pitch, here Stator/Slot width", widest));
     }
 
-    /** The second length lies above the first by more than a sliver of the rotor's height or width.
-     */
+    /** Two heights or radii of the rotor must be in order, more than a sliver apart. */
     void check_order(const std::string &low_name, const double low, const std::string &high_name,
                      const double high)
     {

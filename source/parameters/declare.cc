@@ -45,7 +45,7 @@ namespace ringmotor
       return {buffer.data(), end};
     }
 
-    /** Whether a text can be written as a value and read back: no comment, no joined line. */
+    /** Whether a text can be written as a value and read back: no comment, no line continuation. */
     bool fits_in_file(const std::string &text)
     {
       const auto is_forbidden = [](const unsigned char character)

@@ -17,8 +17,8 @@ namespace ringmotor
 
   namespace
   {
-    /** What stands between `Units: `, or another @p start, and the end of that sentence; empty
-     * without it. */
+    /** The text between `Units: `, or another @p start, and the end of that sentence; empty if
+     * absent. */
     std::string told(const std::string &start, const std::string &documentation)
     {
       const std::size_t found = documentation.find(start);
@@ -42,7 +42,7 @@ namespace ringmotor
       return path.substr(0, path.size() == last_name(path).size() ? 0 : path.rfind('/'));
     }
 
-    /** Insertions, deletions and replacements that lead from one name to the other, in any case. */
+    /** Insertions, deletions and replacements that turn one name into the other, ignoring case. */
     unsigned int edit_distance(const std::string &from, const std::string &to)
     {
       std::vector<unsigned int> row(to.size() + 1);
@@ -65,7 +65,7 @@ namespace ringmotor
 
     /**
      * The candidate whose last name resembles that of @p path most, or an empty string if none
-     * resembles it; among equals the one whose whole path does.
+     * does; ties are resolved by the whole path.
      */
     std::string nearest(const std::string &path, const std::vector<std::string> &candidates)
     {

@@ -54,15 +54,15 @@ namespace ringmotor
       return boost::algorithm::starts_with(path, section);
     }
 
-    /** Refuses a file that leaves the motor itself open, and notes what it leaves open of the rotor
-     * and its load. */
+    /** Rejects a file that does not define the motor itself, and records what is missing of the
+     * rotor and its load. */
     void check_required(Parameters &parameters, const ParameterHandler &prm,
                         const std::string &name)
     {
       std::vector<std::string> missing;
       for (std::string path : prm.get_entries_wrongly_not_set())
       {
-        // deal.II gives its internal names: points for slashes and _20 for blanks.
+        // deal.II returns its internal names: points for slashes and _20 for blanks.
         boost::algorithm::replace_all(path, ".", "/");
         boost::algorithm::replace_all(path, "_20", " ");
         const bool replaced_by_mesh =
@@ -83,7 +83,7 @@ namespace ringmotor
                         "; the motor has no default values, see --help for the required entries");
     }
 
-    /** The path of a mesh file as the program can open it from anywhere. */
+    /** The path of a mesh file in a form that can be opened from any directory. */
     std::string resolve_mesh_file(const std::string &mesh_file, const std::filesystem::path &folder)
     {
       if (mesh_file.empty())

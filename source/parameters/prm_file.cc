@@ -21,7 +21,7 @@ namespace ringmotor
       return boost::algorithm::trim_all_copy(name);
     }
 
-    /** A path from the open subsections and one more name. */
+    /** The path of a name within the open subsections. */
     std::string path_of(std::vector<std::string> subsections, const std::string &name)
     {
       subsections.push_back(name);

@@ -19,7 +19,7 @@ namespace ringmotor
   VectorInstructions vector_instructions()
   {
 #ifdef __x86_64__
-    // The compiler's test asks the operating system, too, which must save the registers.
+    // The compiler's test includes the operating system, which must save the registers.
     if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512cd") &&
         __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
         __builtin_cpu_supports("avx512vl"))
@@ -39,8 +39,8 @@ namespace ringmotor
 
   std::string faster_blas_kernel(const std::string &kernel, const VectorInstructions instructions)
   {
-    // What OpenBLAS takes for processors it does not know, and only these: all other kernels are
-    // for processors that it recognised. doc/accuracy_and_cost.md has the rates that were measured.
+    // What OpenBLAS uses for unknown processors, and only these: all other kernels are for
+    // processors that it recognised. doc/accuracy_and_cost.md has the measured rates.
     const std::set<std::string> without_avx2 = {"Prescott", "Core2", "Nehalem", "Barcelona",
                                                 "Sandybridge"};
     const std::set<std::string> with_avx2    = {"Haswell", "Zen"};

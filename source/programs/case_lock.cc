@@ -36,8 +36,8 @@ namespace ringmotor
                       ": another program is running in this folder; wait until it has ended, or "
                       "choose another folder (--output DIR)");
     }
-    // Some network file systems lock no folders; what else is wrong with it is told when results
-    // are written.
+    // Some network file systems lock no folders; any other problem with the folder is reported when
+    // results are written.
     std::cerr << "warning: the folder " << folder << " cannot be locked ("
               << std::generic_category().message(errno)
               << "): let no other program work in it at the same time" << std::endl;

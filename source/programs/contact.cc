@@ -42,7 +42,7 @@ namespace ringmotor
     {
     public:
       explicit ContactProgram(const Parameters &parameters);
-      /** @param resumes whether operating points that an earlier run has found are taken over */
+      /** @param resumes whether operating points that an earlier run has found are reused */
       void run(const bool resumes);
       void study();
 
@@ -57,7 +57,7 @@ namespace ringmotor
       {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
       }
-      /** Says what operating points cost if that is worth telling. */
+      /** Reports what operating points cost if that is worth telling. */
       void tell_price(const CondensedMotor &motor, const CurveSetting &setting,
                       const unsigned int n_points);
       /** @throws ComputationError */
@@ -70,7 +70,7 @@ namespace ringmotor
       void write_fields();
       Summary make_summary() const;
 
-      /** Switches effects on or off that are `auto`, by what they do. */
+      /** Switches effects that are `auto` on or off, by their influence. */
       ChosenEffects choose_effects();
 
       const Parameters &given;
@@ -81,13 +81,13 @@ namespace ringmotor
       const StatorWave wave;
       ChosenEffects effects;
       const Parameters &parameters;    ///< no effect of the contact is `auto`
-      std::optional<ContactKeep> keep; ///< of run(); a study measures what it costs without
+      std::optional<ContactKeep> keep; ///< of run(); a study measures the cost without it
       const std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
       double seconds_per_effort = 0.; ///< at the last point, see effort_of()
       CurveSearch search;
     };
 
-    /** To what the seconds of an operating point are assumed to be proportional. */
+    /** What the seconds of an operating point are assumed to be proportional to. */
     double effort_of(const CondensedMotor &motor, const CurveSetting &setting)
     {
       return std::pow(motor.nodes.size() * setting.n_parts, 1.5);
@@ -99,7 +99,7 @@ namespace ringmotor
              std::to_string(rung.n_steps) + " steps per period";
     }
 
-    /** @throws UserError if steps are so long that a tooth comes and goes unseen */
+    /** @throws UserError if steps are so long that the contact of a tooth can be missed */
     void check_time_step(const Parameters &parameters, const StatorWave &wave)
     {
       const double half_period = numbers::PI / wave.angular_frequency;
@@ -277,7 +277,7 @@ namespace ringmotor
       if (search.rotor_sticks() || !has_static_excess(motor_model(parameters).friction))
         return;
       // Static friction above dynamic friction has no fracture energy unless the law has a length
-      // or a velocity: how much of it is left depends on mesh and step.
+      // or a velocity: how much of its effect is left depends on mesh and step.
       const CurveSearch::StaticFrictionEffect effect = search.static_friction_effect();
       const bool of_torque = effect.middle.request.control == Control::torque;
       const auto change    = [&](const double value)

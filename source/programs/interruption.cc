@@ -10,7 +10,7 @@ namespace ringmotor
 {
   namespace
   {
-    // A signal may come at any time: what is said then stands ready, in memory that does not move.
+    // A signal may come at any time: the message is kept ready, in memory that does not move.
     constexpr std::size_t longest = 1000;
     char what_to_say[longest + 1];
 
@@ -25,7 +25,7 @@ namespace ringmotor
 
   void tell_when_interrupted(const std::string &words)
   {
-    std::vector<int> heard; // a program in the background of a script hears no Ctrl-C
+    std::vector<int> heard; // a background program of a script ignores Ctrl-C
     for (const int signal : {SIGINT, SIGTERM})
       if (std::signal(signal, SIG_IGN) != SIG_IGN)
         heard.push_back(signal);

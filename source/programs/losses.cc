@@ -43,7 +43,7 @@ namespace ringmotor
       Log log;
       Phases phases;
       WaveEnergies wave;
-      SectorField body; ///< its strain energy from place to place, for ParaView
+      SectorField body; ///< distribution of its strain energy, for ParaView
       std::vector<PointLosses> points;
     };
 

@@ -43,7 +43,7 @@ namespace ringmotor
            version = false;
     };
 
-    /** The options that a program has, as its usage tells them. */
+    /** The options of a program, as shown in its usage. */
     std::string options_of(const Program &program)
     {
       return std::string(" [--output DIR] [--check]") + (program.study ? " [--study]" : "") +
@@ -156,7 +156,7 @@ namespace ringmotor
     }
 
     /** Does the work in the folder of the case, which nobody else uses meanwhile.
-     * @param noted_in where the words of an error shall stay, empty before the work begins */
+     * @param noted_in where the message of an error is kept, empty before the work begins */
     void work_in_folder(const Program &program, const Work &do_it, const Parameters &parameters,
                         std::string &noted_in)
     {
@@ -196,7 +196,7 @@ namespace ringmotor
                   << results_folder(program.name, parameters) << std::endl;
     }
 
-    /** Leaves the words of an error for those who look at the results. */
+    /** Keeps the message of an error for those who look at the results. */
     void note_failure(const std::string &path, const std::string &message)
     {
       try
@@ -204,7 +204,7 @@ namespace ringmotor
         if (!path.empty())
           write_file(path, message + "\n");
       }
-      catch (const UserError &) // the disk: the message itself tells
+      catch (const UserError &) // cannot be written; the message is printed in any case
       {
       }
     }
@@ -214,7 +214,7 @@ namespace ringmotor
     {
       const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
       const bool alone        = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1;
-      if (rank != 0) // most errors happen on all ranks: let rank 0 speak
+      if (rank != 0) // most errors happen on all ranks: let rank 0 report them
         std::this_thread::sleep_for(std::chrono::seconds(2));
       std::cerr << name << (rank == 0 ? "" : " (rank " + std::to_string(rank) + ")") << ": "
                 << message << std::endl;
@@ -237,7 +237,7 @@ namespace ringmotor
   {
     restart_with_faster_blas_kernel(argv);
     spare_the_network_search();
-    std::signal(SIGXFSZ, SIG_IGN); // a file grown too large shall be an error that can be told
+    std::signal(SIGXFSZ, SIG_IGN); // a file grown too large must be an error that can be reported
     const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
     std::string noted_in;
     const auto failed = [&](const std::string &message, const int status)

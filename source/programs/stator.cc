@@ -28,7 +28,7 @@ namespace ringmotor
     /**
      * The program `stator`: natural modes of the stator and its travelling wave, or the modes of
      * the rotor or of a tooth, from a mesh that is refined until the frequencies are as accurate as
-     * asked for.
+     * requested.
      */
     class StatorProgram
     {
@@ -39,7 +39,7 @@ namespace ringmotor
 
     private:
       void after_pass(const Pass &pass);
-      /** The motor's wave or, if it was not asked for, the first mode. */
+      /** The motor's wave or, if it was not requested, the first mode. */
       const FoundMode &shown() const;
       void report();
       void report_wave(const WaveResult &wave);
@@ -48,7 +48,7 @@ namespace ringmotor
        * of the rotor: how much its inertia would matter. None if that mode or omega is not known.
        */
       std::optional<double> inertia_ratio() const;
-      /** The mode, its largest displacement being Wave/Amplitude. */
+      /** The mode, scaled to the largest displacement Wave/Amplitude. */
       Mode scaled(Mode mode) const;
       void write_results();
       void write_fields();
@@ -246,7 +246,7 @@ namespace ringmotor
                                  sector.dofs().get_fe().degree));
       if (wave == nullptr)
         return;
-      // Many frames of all sectors: where cells are small already, straight ones will do.
+      // Many frames of all sectors: where cells are small already, straight ones suffice.
       const bool fine = sector.sector_mesh().n_cells() > 50;
       write_ring_animation(folder, "ring", sample_sector(sector, wave->found.mode, fine ? 1 : 2),
                            parameters.output.frames_per_period);

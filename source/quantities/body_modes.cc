@@ -20,7 +20,7 @@ namespace ringmotor
   {
     constexpr unsigned int most_passes = 12, most_dofs = 400000;
 
-    /** A tooth knows nothing of waves around the ring: one nodal diameter stands for all. */
+    /** The modes of a tooth do not depend on the nodal diameter: one stands for all. */
     Modes request_for(const Parameters &parameters)
     {
       Modes modes           = parameters.modes;
@@ -30,8 +30,8 @@ namespace ringmotor
       return modes;
     }
 
-    /** What the modes may depend on: others are not known here, so that none is forgotten by
-     * relevant_for_wave(). */
+    /** What the modes may depend on. Other parameters are not available, so relevant_for_wave()
+     * cannot miss any. */
     Parameters relevant_for_modes(const Parameters &parameters)
     {
       if (parameters.modes.body != Body::stator)
@@ -42,7 +42,7 @@ namespace ringmotor
       return relevant;
     }
 
-    /** WaveResult::relative_error() is at least so many times that of the frequency, see
+    /** WaveResult::relative_error() is at least this multiple of that of the frequency, see
      * shape_estimate(). */
     constexpr double wave_to_frequency_error = 3.;
 
@@ -51,13 +51,13 @@ namespace ringmotor
       unsigned int degree, level;
     };
 
-    /** The first pass: cheap, it finds out where the modes lie and how hard they are. */
+    /** The first pass: cheap, it locates the modes and shows how hard they are to resolve. */
     constexpr Discretisation scout{2, 0};
     /** Largest relative error bar of the reference stator's modes of seven waves in that pass. */
     constexpr double error_of_scout = 2.5e-3;
 
     /** The cheapest discretisation with which the modes of bodies like the reference motor's reach
-     * a target at once, or nearly so. */
+     * a target immediately, or nearly so. */
     Discretisation fit_for(const Body body, const double target)
     {
       if (body == Body::rotor)
@@ -117,7 +117,7 @@ namespace ringmotor
     const Accuracy &accuracy = parameters.accuracy;
     const double by_wave     = wave() ? wave_target(accuracy) / wave_to_frequency_error : 1.;
     aim_at(by_wave < accuracy.target);
-    // Errors go as (h k)^(2p), k a wave number: what is q times harder for degree 2 is q^2 times
+    // Errors scale as (h k)^(2p), k a wave number: what is q times harder for degree 2 is q^2 times
     // harder for degree 4.
     const double difficulty = std::pow(mode_search.worst_relative_error() / error_of_scout, 2);
     const Discretisation discretisation = fit_for(
@@ -217,7 +217,7 @@ namespace ringmotor
   {
     const FoundMode *wave = search.working_mode(parameters.motor.n_waves);
     const Mode &mode      = wave ? wave->mode : search.modes().front().mode;
-    // What is off is known to what was given alone.
+    // Only the given parameters show which effects are off.
     const Scene scene{given, nullptr,
                       [&](const Effect &effect)
                       {

@@ -30,6 +30,6 @@ namespace ringmotor
         { return lip.emplace(given, uniform_vibration.level(level), level, n_harmonics); }};
     rows = choose_effects(chosen, EffectStage::contact, scene, given.accuracy.contact_target);
     own_vibration = is_marched(chosen) ? RotorVibration(chosen, wave.angular_frequency)
-                                       : uniform_vibration; // with what it has computed
+                                       : uniform_vibration; // with its computed results
   }
 } // namespace ringmotor

@@ -20,8 +20,8 @@ namespace ringmotor
     const auto before = known.find(steps.plain(coarser_level - 1));
     if (before == known.end() || before->second.count(request) == 0)
       return error;
-    // A value between those of the two coarser meshes swings about its limit, which then is between
-    // the last two.
+    // A value between those of the two coarser meshes oscillates about its limit: this then lies
+    // between the last two.
     const CurvePoint &coarsest  = before->second.at(request);
     const PointError one_before = change(coarsest, coarser), over_both = change(coarsest, point);
     for (double PointError::*const quantity : PointError::members)
@@ -37,19 +37,20 @@ namespace ringmotor
     const CurvePoint &point                                        = point_of(own, request);
     PointErrors errors;
     errors.mesh = mesh_error(request);
-    // Of first order, C / n with n steps per pitch: C follows from two of them.
+    // First order, C / n with n steps per pitch: C follows from two values of n.
     errors.time = change(point, point_of(other, request));
     errors.time *= other.n_steps() / std::abs(other.n_steps() - own.n_steps());
     if (motor().has_rotor_modes())
     {
-      // The error falls with the third power of the highest frequency, and the meshes' in half.
+      // The error falls with the third power of the highest frequency; that of the meshes is
+      // halved.
       constexpr double of_change = 0.6;
       errors.modes = change(point_of(plain, request), point_of(coarse_modes(), request));
       errors.modes *= of_change;
     }
     if (has_inertia)
     {
-      // It falls with the step: with its square for a mode, for impacts at least evenly.
+      // It decreases with the step: quadratically for a mode, at least linearly for impacts.
       errors.scheme = change(point_of(plain, request), point_of(other_scheme(), request));
       errors.scheme *= plain.n_steps() / own.n_steps();
     }
@@ -57,7 +58,7 @@ namespace ringmotor
     // What a window given by the user misses does not depend on the steps.
     errors.window  = parameters.time.n_steps ? point_of(plain, request).window : point.window;
     errors.effects = left_out.of(point);
-    errors.algebra = change(CurvePoint(), point); // of all that it has
+    errors.algebra = change(CurvePoint(), point); // its values
     errors.algebra *= point.largest_violation;
     return errors;
   }

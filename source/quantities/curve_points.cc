@@ -17,8 +17,8 @@ namespace ringmotor
                                                const unsigned int n_points)
   {
     Assert(shape.size() > 1 && n_points > 1, ExcInternalError());
-    // Motors work where torque changes their speed little: a fall of the speed to zero counts less
-    // than a rise of the torque to stall.
+    // Motors operate where torque changes their speed little: a fall of the speed to zero counts
+    // less than a rise of the torque to stall.
     constexpr double weight = 0.4;
     const double torque = shape.back().result.torque, speed = shape.front().result.speed / weight;
     std::vector<Point<2>> corners;

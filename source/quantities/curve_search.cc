@@ -16,8 +16,8 @@ namespace ringmotor
 {
   namespace
   {
-    /** Parts with which an imbalance of power that now exceeds its limit so many times will keep to
-     * it: it falls with the square of the step, and not evenly. */
+    /** Number of parts expected to bring a power imbalance of @p excess times its limit below it:
+     * it falls with the square of the step, but not regularly. */
     unsigned int parts_for_balance(const unsigned int n_parts, const double excess)
     {
       constexpr double margin = 1.2, most_at_once = 8.;
@@ -25,8 +25,8 @@ namespace ringmotor
       return std::ceil(factor * n_parts);
     }
 
-    /** The same motor with a wave that moves its surface faster, but not higher, with coarse
-     * modes of its rotor, or with another scheme. */
+    /** The same motor with a wave of larger tangential and radial, but not axial, motion, with
+     * coarse modes of its rotor, or with another scheme. */
     CondensedMotor changed(const CondensedMotor &motor, const CurveSetting &setting)
     {
       CondensedMotor other = motor;
@@ -40,7 +40,7 @@ namespace ringmotor
       return other;
     }
 
-    /** Targets from which on the modes of level 1 are likely to do. */
+    /** Targets from which on the modes of level 1 are likely to suffice. */
     constexpr double loose_target = 0.05;
 
     std::string short_text(const double number)
@@ -81,7 +81,7 @@ namespace ringmotor
       evaluate();
       if (is_fixed)
         return;
-      // Powers ask for the shortest steps of all, which are worth their price on the last mesh
+      // The power balance needs the shortest steps, which are worth their cost on the last mesh
       // only.
       if (worst_error() > accuracy.contact_target)
         refine();
@@ -92,8 +92,8 @@ namespace ringmotor
 
   void CurveSearch::refine_meshes()
   {
-    // Short steps and other waves are worth their price on meshes that stay, and leave the meshes
-    // not all of the target.
+    // Short steps and other waves are worth their cost only on the final meshes, and take a share
+    // of the target.
     constexpr double share = 0.9;
     const double target    = parameters.accuracy.contact_target;
     while (true)
@@ -322,8 +322,8 @@ namespace ringmotor
 
   void CurveSearch::find_held_torque()
   {
-    // Where nearly all points stick at rest, friction bears any torque, and the one that is found
-    // is of no meaning. A part of what it bears is asked for.
+    // Where nearly all contact points stick at rest, friction balances any torque, and the computed
+    // one is meaningless. A fraction of what friction can bear is prescribed instead.
     constexpr double asked = 0.25;
     if (!nearly_sticks())
       return;
@@ -375,7 +375,7 @@ namespace ringmotor
 
   void CurveSearch::evaluate()
   {
-    // Together as far as possible: ranks share them.
+    // As many together as possible, to share them among the ranks.
     find_on_both_meshes();
     for (const CurveSetting &setting : changed_motors())
       find_points_of(setting, all_requests());

@@ -35,20 +35,20 @@ namespace ringmotor
 
   namespace
   {
-    /** Teeth after which all repeats itself. */
+    /** Teeth after which the motion repeats. */
     unsigned int teeth_that_differ(const Motor &motor)
     {
       return motor.n_teeth / std::gcd(motor.n_waves, motor.n_teeth);
     }
 
-    constexpr unsigned int few_marched_steps = 30; // in a period; each of them costs
+    constexpr unsigned int few_marched_steps = 30; // in a period; each is expensive
   }                                                // namespace
 
   StepChoice::StepChoice(const Parameters &parameters, const double period)
       : is_marched(ringmotor::is_marched(parameters)),
         is_fixed(parameters.accuracy.mode == AccuracyMode::fixed),
         n_snapshots(parameters.time.n_snapshots),
-        // What has inertia vibrates several times in a period.
+        // With inertia, bodies vibrate several times in a period.
         few_steps(motor_model(parameters).has_inertia() ? 80 : 40),
         n_undivided(is_marched ? period / parameters.time.time_step
                                : teeth_that_differ(parameters.motor))
@@ -62,7 +62,7 @@ namespace ringmotor
 
   CurveSetting StepChoice::plain(const unsigned int level) const
   {
-    // Of steps as they are given and typed, a little fewer will do.
+    // As given step lengths are rounded, slightly fewer steps suffice.
     constexpr double nearly = 0.99;
     const double few        = is_marched ? nearly * few_marched_steps : few_steps;
     CurveSetting plain{level};

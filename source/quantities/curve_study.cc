@@ -72,7 +72,7 @@ namespace ringmotor
     const bool of_torque                   = requests[middle].control == Control::torque;
     Parameters without                     = parameters;
     without.effects.static_friction_excess = EffectChoice::off;
-    // Differences do not need the steps with which powers balance.
+    // Differences do not need steps so short that powers balance.
     const CurveSetting plain = steps.plain(reached_level);
     const CurvePoint &before = point_of(plain, middle);
     const CurvePoint dynamic =

@@ -64,7 +64,7 @@ namespace ringmotor
 
   PointError LeftOut::of(const CurvePoint &point) const
   {
-    PointError error = change(CurvePoint(), point); // all that it has
+    PointError error = change(CurvePoint(), point); // its values
     error *= relative;
     error += others;
     error.*prescribed(point.request).error = 0.; // does not change

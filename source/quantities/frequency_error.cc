@@ -9,7 +9,7 @@ namespace ringmotor
   Estimate frequency_estimate(const FrequencySample &sample)
   {
     const double kappa = sample.degree <= 2 ? 1.1 : sample.degree == 3 ? 3.3 : 2.5;
-    // Hopeless meshes know no more than that a frequency is not negative.
+    // Far too coarse meshes show only that a frequency is not negative.
     const double half_width = std::min(0.25 * kappa * sample.indicator, 0.5) * sample.frequency;
     return {sample.frequency - half_width, half_width};
   }
@@ -20,7 +20,7 @@ namespace ringmotor
   {
     const double progress =
         frequency_estimate(sample).error / frequency_estimate(earlier_sample).error;
-    if (progress > 0.99) // no second opinion: nothing is known
+    if (progress > 0.99) // no progress: the error is unknown
       return {value, std::abs(value)};
     const double ratio  = std::min(0.8, std::sqrt(progress));
     const double change = 2. * std::abs(value - earlier) * ratio / (1. - ratio);

@@ -48,7 +48,7 @@ namespace ringmotor
     Products of_plates(const CyclicSector &sector, const Mode &mode, const BarSection &plates)
     {
       BarElement bar(sector.geometry(), sector.dofs().get_fe());
-      std::set<unsigned int> done; // edges belong to the first of their cells
+      std::set<unsigned int> done; // edges are counted in their first cell
       Products products;
       for (const auto &cell : sector.dofs().active_cell_iterators())
         for (const unsigned int line : cell->line_indices())

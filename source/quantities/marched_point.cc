@@ -14,7 +14,7 @@ namespace ringmotor
 
   double remaining_change(const std::vector<double> &means)
   {
-    constexpr double slowest = 0.9; // a ratio that is told from no convergence at all
+    constexpr double slowest = 0.9; // ratio still distinguishable from no convergence
     const std::size_t n      = means.size();
     if (n < 3)
       return std::numeric_limits<double>::infinity();
@@ -74,7 +74,7 @@ namespace ringmotor
 
   namespace
   {
-    /** How a motor is marched until it has settled. */
+    /** Marches a motor until it has settled. */
     class Settling
     {
     public:
@@ -84,15 +84,15 @@ namespace ringmotor
       /** Of a step, s: a period of the solution is a whole number of them. */
       double step_length() const;
 
-      /** Marches a motor with inertia on with damping that falls, until transients of the start
-       * have died out as far as they do at once. */
+      /** Continues marching a motor with inertia under decreasing damping, until those initial
+       * transients that decay quickly have died out. */
       void calm(MarchedRun &run) const;
-      /** Marches on until the means have settled. @returns the last span */
+      /** Continues marching until the means have settled. @returns the last span */
       MarchedSpan settle(MarchedRun &run);
-      /** How far the last span may be from where they lead to. */
+      /** How far the last span may be from their limit. */
       const PointError &remaining() const { return rest; }
 
-      /** What may change, the rotor's power included; zero for what is prescribed. */
+      /** The values that may change, including the rotor's power; zero for prescribed ones. */
       PointError values_of(const MarchedSpan &span) const;
       std::vector<double> energies_of(const MarchedSpan &span) const
       {
@@ -101,8 +101,9 @@ namespace ringmotor
 
     private:
       void add(const PointError &values);
-      /** Speed and torque relative to the larger ones of all operating points; a loss to itself, or
-       * to a thousandth of what friction takes at the speed of the crests if that is more. */
+      /** Judges speed and torque relative to the largest ones of all operating points; a loss
+       * relative to itself or, if larger, a thousandth of the friction loss at the speed of the
+       * crests. */
       bool has_settled() const;
       [[noreturn]] void give_up() const;
 
@@ -134,7 +135,7 @@ namespace ringmotor
 
     double Settling::step_length() const
     {
-      constexpr double rounding = 1e-3; // of a step that is typed with a few digits
+      constexpr double rounding = 1e-3; // of a step given with a few digits
       const double period       = motor.period() / n_parts;
       return period / std::ceil(period / time.time_step * (1. - rounding));
     }
@@ -149,7 +150,7 @@ namespace ringmotor
 
     void Settling::calm(MarchedRun &run) const
     {
-      // Amplitudes fall by exp(pi eta) in a period.
+      // Amplitudes fall by a factor exp(pi eta) in a period.
       constexpr double decay = 2.;
       for (const double loss_factor : {0.3, 0.1, 0.03})
       {
@@ -162,8 +163,8 @@ namespace ringmotor
 
     MarchedSpan Settling::settle(MarchedRun &run)
     {
-      // Short periods are taken together, to a quarter of the wave's: most teeth are in contact for
-      // less, and forget how they rubbed when they let go.
+      // Short periods are combined to a quarter of the wave's: most teeth are in contact for less,
+      // and lose their friction history when they separate.
       const unsigned int n_periods = (n_parts + 3) / 4;
       const auto n_steps           = static_cast<unsigned int>(
           std::lround(n_periods * motor.period() / n_parts / step_length()));
@@ -189,9 +190,8 @@ namespace ringmotor
 
     bool Settling::has_settled() const
     {
-      // A rotor that sticks has no losses that could settle; where friction falls with the
-      // velocity, swings of it that hardly cost anything may go on for ever. The error bar has
-      // them.
+      // A sticking rotor has no losses that could settle; where friction falls with the velocity,
+      // its oscillations with almost no loss may continue forever. The error bar includes them.
       constexpr std::size_t patience = 20;
       constexpr double share         = 1e-3;
       const double little            = share * largest * motor.crest_speed();
@@ -226,7 +226,7 @@ namespace ringmotor
       throw ComputationError(text.str());
     }
 
-    /** The point that a span shows. */
+    /** The operating point of a span. */
     CurvePoint point_of(MarchedSpan span, const Settling &settling, const double angular_frequency)
     {
       CurvePoint point;
@@ -238,7 +238,7 @@ namespace ringmotor
       return point;
     }
 
-    /** The point of the steps that `Time` tells to average over. */
+    /** The operating point of the steps that `Time` specifies to average over. */
     CurvePoint find_by_window(const Time &time, MarchedRun &run, Settling &settling,
                               const double angular_frequency, const bool tells_window)
     {

@@ -15,7 +15,7 @@ namespace ringmotor
 
   namespace
   {
-    /** The points that are nearest to a point: more than one if they are equally far. */
+    /** The nodes nearest to a node: more than one if they are equally far. */
     std::vector<unsigned int> nearest(const CondensedMotor::Node &node,
                                       const std::vector<CondensedMotor::Node> &others)
     {
@@ -34,7 +34,7 @@ namespace ringmotor
 
     using Weights = MeshTransfer::Weights;
 
-    /** The weights by which a field is interpolated to a point, in the face that holds it. */
+    /** The weights by which a field is interpolated to a node, in the face that contains it. */
     Weights interpolation(const CondensedMotor::Node &node, const CondensedMotor &from)
     {
       double least = std::numeric_limits<double>::infinity();
@@ -82,7 +82,7 @@ namespace ringmotor
   {
     constexpr double closed   = 1e-12; // m
     const unsigned int n_from = target.size(), n_to = source.size(),
-                       n_blocks = known.force.size() / n_from; // a tooth at a sample
+                       n_blocks = known.force.size() / n_from; // a tooth at a time sample
     ContactFields result        = known;
     result.tooth.clear();
     result.rotor.clear();
@@ -102,7 +102,7 @@ namespace ringmotor
           result.motion.back()[0] += weight * motion[b][0];
         result.status.push_back(known.status[block * n_from + source[a]]);
       }
-      // The force of each point goes to the closed points around it, or else to the nearest one.
+      // The force of each node goes to the closed nodes around it, or else to the nearest one.
       for (unsigned int b = 0; b < n_from; ++b)
       {
         Weights shares;

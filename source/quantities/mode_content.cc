@@ -20,7 +20,7 @@ namespace ringmotor
   {
     using Complex = std::complex<double>;
 
-    /** Motion at a quadrature point with the wave's phase taken off: nearly constant around the
+    /** Motion at a quadrature point with the wave's phase removed: nearly constant around the
      * ring. */
     struct Sample
     {
@@ -65,7 +65,7 @@ namespace ringmotor
       }
     }
 
-    /** The mass of shells moves as their mid-surface. */
+    /** The mass of shells moves with their mid-surface. */
     void sample_shells(const CyclicSector &sector, const Mode &mode, std::vector<Sample> &samples)
     {
       ShellTrace trace(sector, QGauss<2>(sector.shell_dofs().get_fe().degree + 1));
@@ -176,7 +176,7 @@ namespace ringmotor
     center_z /= mass;
 
     // Rigid motions of the cross-section in (r, theta, z): axial shift and its tilt; radial and
-    // tangential shift and the turn about the axis; torsion. They are made orthonormal in this
+    // tangential shift and the rotation about the axis; torsion. They are orthonormalised in this
     // order.
     constexpr unsigned int n_motions = 6;
     FullMatrix<double> gram(n_motions, n_motions);

@@ -115,7 +115,7 @@ namespace ringmotor
       for (unsigned int direction = 0; direction < 3; ++direction)
         n_cells[sheets.sheet(*cell, direction)] += 1.;
 
-    // Most error for the least new cells first, until three fifths of the error are dealt with.
+    // Sheets with the most error per new cell first, until three fifths of the error are covered.
     std::vector<unsigned int> order(sheets.n_sheets());
     std::iota(order.begin(), order.end(), 0);
     std::sort(order.begin(), order.end(),

@@ -16,7 +16,7 @@ namespace ringmotor
     /**
      * Forces F on the nodes of a sector's surface are F_1 + i F_2, both with the symmetry
      * F(-theta) = S conj(F(theta)) of a half sector's real and imaginary fields: the two loads on
-     * the half sector. (A node on the mirror plane belongs to it by half.)
+     * the half sector. (A node on the mirror plane counts half.)
      */
     std::vector<CondensationLoad> loads_on_half(const std::vector<std::array<Complex, 3>> &forces,
                                                 const SectorSurface &surface)
@@ -104,8 +104,8 @@ namespace ringmotor
       for (unsigned int m = 0; m < samples.size(); ++m)
       {
         std::vector<CondensationLoad> of_sample = loads_on_half(forces[m][k], rotor_body.whole_lip);
-        // How far supports move, see RingContact: rise, then cosine and sine parts of each loose
-        // motion. The turn is left out.
+        // Displacements of supports, see RingContact: rise, then cosine and sine parts of each
+        // near-rigid mode. The rotation is left out.
         const std::vector<double> &rigid = samples[m].fields.rigid;
         AssertThrow(!rigid.empty(), ExcMessage("the rigid motions of the rotor are missing"));
         const std::size_t n_rigid = rigid.size() / samples[m].fields.times.size(),
@@ -145,7 +145,7 @@ namespace ringmotor
     const auto following            = [&](const Condensation &tooth) {
       return tooth.interior(0, {}, {{{}, tooth_body.foot_motion(wave.foot), {}}}).front();
     };
-    // Contact forces move a tooth nearly as they would without its inertia.
+    // Contact forces move a tooth nearly as if it had no inertia.
     const RingBody::Amplitude free_motion = tooth_ring.amplitude(
         model.teeth_vibrate ? following(tooth_body.condensed(wave.angular_frequency, true))
                             : following(condensation),

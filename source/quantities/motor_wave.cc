@@ -16,7 +16,7 @@ namespace ringmotor
   {
     const std::string tangential_ratio = "A_t/A_n";
 
-    /** The numbers of the shape on this mesh, yet without error bars. */
+    /** The quantities of the shape on this mesh, still without error bars. */
     std::vector<Quantity> shape_of(const WaveResult &wave)
     {
       const auto motion = [&](const std::string &name)

@@ -11,14 +11,14 @@ namespace ringmotor
 {
   namespace
   {
-    /** How things were at a point when the step began. */
+    /** The state at a contact point at the beginning of the step. */
     struct Before
     {
       PointVector force, free_motion;
       double gap;
     };
 
-    /** What is nothing but rounding of numbers of some size becomes zero. */
+    /** Sets @p value to zero if it is mere rounding error of numbers of @p size. */
     void drop_rounding(double &value, const double size)
     {
       if (std::abs(value) < 1e-13 * size)
@@ -35,7 +35,7 @@ namespace ringmotor
       point.torque        = contact.torque(solution.state);
       point.modal_power   = state.modal_power.taken;
       point.modal_damping = state.modal_power.damped_by_factor;
-      // Sums over the points of all samples become powers of the whole ring.
+      // Converts sums over the points of all time samples to powers of the whole ring.
       const double per_second = contact.n_repeats() / (contact.n_times() * contact.time_step());
       double pressed = 0., stuck = 0.;
       std::set<std::pair<unsigned int, unsigned int>> touching;

@@ -57,7 +57,7 @@ namespace ringmotor
   {
     static const std::vector<double OperatingPoint::*> members = []
     {
-      // Beside the list, what only serves to compute others.
+      // In addition to the list, those that only serve to compute others.
       std::vector<double OperatingPoint::*> members{&OperatingPoint::gross_power,
                                                     &OperatingPoint::modal_damping};
       for (const PointQuantity &quantity : point_quantities())

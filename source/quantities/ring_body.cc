@@ -168,7 +168,7 @@ namespace ringmotor
         for (const auto &half_cell : half_cells)
         {
           std::array<unsigned int, 8> cell;
-          for (unsigned int v = 0; v < 8; ++v) // mirrored and turned round again: right-handed
+          for (unsigned int v = 0; v < 8; ++v) // mirrored, then reordered: right-handed
             cell[v] = number[image ? n_half + half_cell[v ^ 1] : half_cell[v]];
           ring_cells.push_back(cell);
         }

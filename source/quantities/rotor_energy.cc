@@ -14,7 +14,7 @@ namespace ringmotor
   {
     using Complex = std::complex<double>;
 
-    /** The nodes on which a force acts at any time: few of them. */
+    /** The few nodes on which a force acts at any time. */
     std::vector<std::size_t> pressed_nodes(const std::vector<PointVector> &force,
                                            const std::size_t n_nodes)
     {
@@ -29,7 +29,7 @@ namespace ringmotor
       return nodes;
     }
 
-    /** The part of vectors that has q waves around the teeth that differ, at some nodes. */
+    /** The component of vectors with q waves around the teeth of one repetition, at some nodes. */
     std::vector<Complex> wave_part(const PointVector *vectors, const unsigned int n_teeth,
                                    const std::size_t n_nodes, const std::vector<std::size_t> &nodes,
                                    const unsigned int q)
@@ -51,7 +51,7 @@ namespace ringmotor
   {
     const int n_teeth = pattern.n_teeth, n_waves = pattern.n_waves, p = pattern.warp_waves;
     for (int order = 0; order <= n_teeth; ++order)
-      for (int m = 0; m <= order; ++m) // of equal orders the slowest
+      for (int m = 0; m <= order; ++m) // among equal orders the slowest
         for (const int l : {order - m, m - order})
           for (const int sign : {1, -1})
             if ((p > 0 || l == 0) &&

@@ -102,8 +102,8 @@ namespace ringmotor
                             known->result.speed);
         return *known;
       }
-    // With inertia the neighbour on the curve is nearer than the same point with other steps, but
-    // not than that with a wave or with modes that differ little.
+    // With inertia the neighbour on the curve is closer than the same point with other steps, but
+    // not closer than that with a slightly different wave or modes.
     const bool neighbour_is_nearer =
         model.has_inertia() && steady.has_state() && !setting.has_changed_motor();
     if (start && !is_marched(parameters) && !neighbour_is_nearer)

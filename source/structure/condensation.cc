@@ -73,7 +73,7 @@ namespace ringmotor
     for (unsigned int s = 0; s < supports.size(); ++s)
       if (supports[s].part == part)
       {
-        if (is_root_rank) // entries are added up over the ranks
+        if (is_root_rank) // entries are summed over the ranks
         {
           for (const auto &[dof, load] : supports[s].load)
             if (real_field.number[dof] != none)
@@ -221,7 +221,7 @@ namespace ringmotor
       for (std::size_t i = 0; i < loads[l].forces.size(); ++i)
         for (const auto &[place, coefficient] : forms[i])
           solution[place] += coefficient * loads[l].forces[i];
-      // The given motion of each driven unknown; loads on the others are those that it causes.
+      // The prescribed motion of each driven unknown becomes loads on the others.
       std::vector<double> given(size, 0.);
       for (const unsigned int part : {0u, 1u})
         for (std::size_t i = 0; i < loads[l].driven.size() / 2; ++i)

@@ -9,7 +9,7 @@ namespace ringmotor
 
   namespace
   {
-    /** Above this part of a field on the cut, the dense matrix of the cut costs more than it
+    /** If the cut has more than this fraction of a field, its dense matrix costs more than it
      * saves. */
     constexpr double largest_cut = 0.12;
   } // namespace

@@ -190,7 +190,7 @@ namespace ringmotor
     std::array<Vector<double>, 2> fields{{Vector<double>(n_dofs()), Vector<double>(n_dofs())}};
     nodes().interpolate(motion, fields[0], fields[1]);
 
-    // Each unknown drives its degrees of freedom with known factors: least squares inverts that.
+    // The degrees of freedom are known combinations of the unknowns: least squares inverts that.
     const std::array<double, 4> factor = factors(k);
     std::vector<double> unknowns       = to_unknowns(k, fields), weights(unknown_count, 0.);
     for (unsigned int part = 0; part < 2; ++part)

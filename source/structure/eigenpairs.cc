@@ -11,7 +11,7 @@
 #include <string>
 #include <type_traits>
 
-// Last, as it includes C's complex.h, which makes a macro of the letter I.
+// Last, as it includes C's complex.h, which defines the macro I.
 #include <arpack/arpack.hpp>
 
 namespace ringmotor
@@ -20,8 +20,7 @@ namespace ringmotor
   {
     using Complex = std::complex<double>;
 
-    /** Relative residual at which ARPACK takes a pair as found; the error of the value is its
-     * square. */
+    /** Relative residual at which ARPACK accepts a pair; the error of the value is its square. */
     constexpr double tolerance = 1e-12;
 
     template <typename Number>
@@ -63,7 +62,7 @@ namespace ringmotor
       Arpack(const ShiftInvertedPencil &pencil, const EigenvalueChoice choice,
              const unsigned int count, const std::vector<double> &start)
           : pencil(pencil), size(pencil.size / (is_complex<Number> ? 2 : 1)), count(count),
-            // ARPACK wants count + 2 <= n_basis <= size. A small basis is tested for convergence
+            // ARPACK requires count + 2 <= n_basis <= size. A small basis is tested for convergence
             // early.
             n_basis(std::min(size, static_cast<int>(2 * count + 6))), which(name(choice)),
             residual(size), basis(static_cast<std::size_t>(size) * n_basis), work(3 * size),
@@ -71,7 +70,7 @@ namespace ringmotor
       {
         from_real(start, residual.data());
         parameters[0] = 1;   // exact shifts
-        parameters[2] = 300; // restarts at most
+        parameters[2] = 300; // maximum number of restarts
         parameters[6] = 3;   // shift and invert
       }
 

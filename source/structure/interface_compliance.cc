@@ -66,7 +66,7 @@ namespace ringmotor
     Rows rows                 = rows_of(condensation, part);
     const std::size_t n_inner = rows.inner.size(), n_cut = rows.cut.size(),
                       n_forms = rows.forms.size();
-    // How the inner rows move by forces on the interface, and against unit motions of the cut.
+    // Motions of the inner rows due to forces on the interface, and minus those due to the cut.
     std::vector<double> matrix(n_inner * n_inner), motions((n_forms + n_cut) * n_inner, 0.);
     FullMatrix<double> across(n_inner, n_cut), followed(n_inner, n_cut);
     for (std::size_t i = 0; i < n_inner; ++i)
@@ -93,7 +93,7 @@ namespace ringmotor
         for (std::size_t j = 0; j < n_cut; ++j)
           rows.by_cut(f, j) -= coefficient * motions[(n_forms + j) * n_inner + place];
       }
-    field.at_rest.symmetrize(); // up to rounding it is
+    field.at_rest.symmetrize(); // symmetric up to rounding
     field.cut.reinit(n_cut, n_cut);
     for (std::size_t j = 0; j < n_cut; ++j)
     {
@@ -110,7 +110,7 @@ namespace ringmotor
 
   void InterfaceCompliance::find_shapes(FullMatrix<double> by_cut, Field &field)
   {
-    // Columns of one size in m/sqrt(N m): what is small then hardly moves the interface.
+    // Columns scaled to m/sqrt(N m): those that are small then barely move the interface.
     std::vector<double> scale(by_cut.n(), 1.);
     for (std::size_t j = 0; j < scale.size(); ++j)
       if (field.cut(j, j) != 0.)
@@ -178,7 +178,7 @@ namespace ringmotor
     std::copy(loads.begin(), loads.end(), &by_rows(0, 0));
     std::copy(motions.begin(), motions.end(), &solved(0, 0));
     by_rows.mTmult(response, solved);
-    response.symmetrize(); // up to rounding it is
+    response.symmetrize(); // symmetric up to rounding
     return response;
   }
 
@@ -205,7 +205,7 @@ namespace ringmotor
         compliance.add(whole, 1., i * n_forms, j * n_forms);
       }
     }
-    compliance.symmetrize(); // up to rounding it is
+    compliance.symmetrize(); // symmetric up to rounding
     return compliance;
   }
 } // namespace ringmotor

@@ -41,8 +41,8 @@ namespace ringmotor
   {
     /**
      * Replaces the eigenvalues by Rayleigh quotients from the strains, which rounding errors of a
-     * large rigid motion hardly touch. In the assembled stiffness they blur the eigenvalues of slow
-     * modes.
+     * large rigid motion barely affect. In the assembled stiffness they blur the eigenvalues of
+     * slow modes.
      */
     void sharpen_eigenvalues(const CyclicSector &sector, std::vector<Mode> &modes)
     {
@@ -119,7 +119,7 @@ namespace ringmotor
     std::map<unsigned int, double> shifts;
     while (shifts.size() < windows.size())
     {
-      // Of the shifts in the middle of a window the one that serves most, and of those the lowest.
+      // The lowest of the window midpoints that serve the most nodal diameters.
       std::vector<unsigned int> best;
       double best_shift = 0.;
       for (const auto &of_candidates : windows)
@@ -149,7 +149,7 @@ namespace ringmotor
   std::vector<Mode> ModeSolver::lowest(const unsigned int k, const unsigned int n_elastic)
   {
     // A little below zero the shifted stiffness is definite, rigid motions or not: far enough away
-    // from their rounding errors, close enough to tell slow elastic modes apart.
+    // from their rounding errors, close enough to separate slow elastic modes.
     const double shift = -slow_eigenvalue(sector);
     factors.factorise(k, shift);
     return solve(k, shift, EigenvalueChoice::nearest, n_elastic + (k < 2 ? 2 : 0));

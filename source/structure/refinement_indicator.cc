@@ -17,7 +17,7 @@ namespace ringmotor
   namespace
   {
     /**
-     * On the nodes of a line element of degree p: the matrix that takes nodal values to the nodal
+     * On the nodes of a line element of degree p: the matrix that maps nodal values to the nodal
      * values of one member, of degree @p member, of the hierarchy of integrated Legendre
      * polynomials (orthogonal in the energy of a bar).
      */
@@ -85,15 +85,15 @@ namespace ringmotor
     }
 
     /**
-     * The sum of the series that the energies of the parts of highest and second highest degree
-     * begin, from the next degree on.
+     * The sum, from the next degree on, of the series that starts with the energies of the parts of
+     * second highest and highest degree.
      */
     double rest_of_series(const unsigned int degree, const double highest, const double second)
     {
       // At a re-entrant right angle displacements go as r^0.54 and the energies fall with the
       // degree p as p^-3.2. Where they seem to fall more slowly, the motion is odd or even in the
-      // cell, and one of the two parts small by symmetry. No series is trusted to fall faster than
-      // this:
+      // cell, and one of the two parts is small by symmetry. No series is assumed to fall faster
+      // than this:
       constexpr double fastest = 0.05;
       const double slowest     = std::pow((degree - 1.) / degree, 3.2);
       const double decay       = std::clamp(highest / second, fastest, slowest);
@@ -101,9 +101,8 @@ namespace ringmotor
     }
 
     /**
-     * Takes the rigid motion that fits the displacements of a cell's nodes best off its field. It
-     * strains nothing, but on a curved cell it is no polynomial of first degree, and its parts
-     * would.
+     * Subtracts the rigid motion that best fits the displacements of a cell's nodes. It causes no
+     * strain, but on a curved cell it is not a polynomial of first degree, and its parts would.
      */
     template <int dim>
     void remove_rigid_motion(const FiniteElement<dim, 3> &fe,
@@ -144,7 +143,7 @@ namespace ringmotor
 
     using Sums = std::vector<std::vector<double>>; ///< by motion and sheet
 
-    /** The part of solid or shell cells in the indicators. */
+    /** The contribution of solid or shell cells to the indicators. */
     template <int dim>
     class CellIndicator
     {

@@ -23,7 +23,7 @@ namespace ringmotor
       if (k == 0)
         return which == 0 ? NodeMotion{{{0., 0., 1.}}, {}}
                           : NodeMotion{{{-i * x[1], i * x[0], 0.}}, {{0., 0., i}}};
-      // Both turn with exp(-i theta): R(alpha) (1, -i) = exp(i alpha) (1, -i).
+      // Both rotate with exp(-i theta): R(alpha) (1, -i) = exp(i alpha) (1, -i).
       return which == 0 ? NodeMotion{{{1., -i, 0.}}, {}}
                         : NodeMotion{{{-x[2], i * x[2], x[0] - i * x[1]}}, {{-i, -1., 0.}}};
     }
@@ -111,8 +111,8 @@ namespace ringmotor
       const SectorMotion expanded = sector.expand(k, motion);
       return motion_products(sector, {&expanded}).front().total_stiffness();
     };
-    // Bars at one height hold a ring against shifts, but not against tilts about that height: those
-    // combinations of the two motions are wanted that nothing stands against.
+    // Bars at one height constrain the shifts of a ring, but not its tilts about that height: find
+    // the combinations of the two motions that nothing resists.
     const auto free    = free_motions(sector, k);
     const double first = stiffness(free[0]), second = stiffness(free[1]);
     const double mixed = 0.5 * (stiffness(sum(1., free[0], 1., free[1])) - first - second);

@@ -135,7 +135,7 @@ namespace ringmotor
     if (mesh.bars.empty())
       return;
     BarElement element(mapping, fe);
-    std::set<unsigned int> done; // edges belong to the first of their cells
+    std::set<unsigned int> done; // an edge belongs to the first of its cells
     for (const auto &cell : dof_handler.active_cell_iterators())
       for (const unsigned int line : cell->line_indices())
         if (const auto bar = mesh.bars.find(cell->line(line)->boundary_id());

@@ -78,7 +78,7 @@ namespace ringmotor
     for (const Dof dof : owned_dofs)
       owned_nodes.add_index(nodes.node(dof));
 
-    // The edges with bars belong to cells, so that their entries are there already.
+    // The edges with bars belong to cells, so their entries are already there.
     DynamicSparsityPattern pattern(elements.n_dofs()), coupled_pattern(elements.n_dofs()),
         node_pattern(nodes.size());
     const auto add_coupled = [&](const std::vector<Dof> &dofs)
@@ -230,8 +230,7 @@ namespace ringmotor
   std::array<Vector<double>, 2>
   SectorMatrices::multiply_mass(const std::array<Vector<double>, 2> &fields) const
   {
-    // The mass by nodes knows no direction: in Cartesian components one matrix serves all of both
-    // fields.
+    // The mass by nodes is isotropic: one matrix serves all Cartesian components of both fields.
     const SectorNodes &nodes = elements.nodes();
     const Epetra_Map &owned  = node_mass.trilinos_matrix().RowMap();
     Epetra_MultiVector motion(owned, 6), mass_times_motion(owned, 6);

@@ -47,7 +47,7 @@ namespace ringmotor
       check_angle(ids::mirror, 0., "mirror plane");
       check_angle(ids::cut, numbers::PI / mesh.n_sectors, "cut");
     }
-    // Unit vectors of r and theta. The mirror plane needs none: there they are x and y.
+    // Unit vectors of r and theta. Not needed on the mirror plane, where they are x and y.
     for (Node &node : nodes)
       if (node.plane != ids::free && node.plane != ids::mirror)
       {
@@ -289,7 +289,7 @@ namespace ringmotor
   void SectorNodes::rotate_to_axes(const std::vector<Dof> &cell_dofs,
                                    FullMatrix<double> &matrix) const
   {
-    // Position of the y component in the cell, for the node whose x component is met.
+    // Position of the y component in the cell, for the node of each x component.
     for (unsigned int i = 0; i < cell_dofs.size(); ++i)
     {
       const Node &node = nodes[place[cell_dofs[i]].node];

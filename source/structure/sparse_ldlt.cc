@@ -14,7 +14,7 @@ namespace ringmotor
   {
     DMUMPS_STRUC_C data{};
 
-    /** Control parameter @p i in the counting of the MUMPS manual. */
+    /** Control parameter @p i as numbered in the MUMPS manual. */
     int &control(const int i) { return data.icntl[i - 1]; }
     int information(const int i) const { return data.infog[i - 1]; }
   };
@@ -37,8 +37,8 @@ namespace ringmotor
     // approximate minimum fill: a quarter of PORD's operations on these matrices
     mumps->control(7)  = 2;
     mumps->control(8)  = 1; // scaling by the diagonal: enough for one kind of unknown, and cheap
-    mumps->control(13) = 1; // no parallel root: in that one MUMPS does not count negative pivots
-    // Every rank gives its own entries; a single one is spared their redistribution.
+    mumps->control(13) = 1; // no parallel root: there MUMPS does not count negative pivots
+    // Every rank provides its own entries; a single rank avoids redistributing them.
     mumps->control(18) = Utilities::MPI::n_mpi_processes(communicator) > 1 ? 3 : 0;
     if (!kept_rows.empty())
     {
@@ -72,8 +72,7 @@ namespace ringmotor
       run(1, "analysis");
     analysed = true;
 
-    // Delayed pivots may need more room than the analysis foresaw: MUMPS then asks to be given
-    // more.
+    // Delayed pivots may need more memory than the analysis predicted: MUMPS then requests more.
     const int not_enough_room = -9;
     for (mumps->control(14) = 30; mumps->control(14) < 1000; mumps->control(14) *= 3)
     {

@@ -75,8 +75,8 @@ namespace ringmotor
         const double height = sector.sector_mesh().sections.at(cells).lower_face();
         for (const unsigned int q : values.quadrature_point_indices())
         {
-          // The reference surface's area: its motors' shells are flat, where it is that of the
-          // face.
+          // The area of the reference surface, which equals that of the face as these shells are
+          // flat.
           const Tensor<1, 3> arm         = height * values.normal_vector(q);
           const std::array<Complex, 3> t = traction(values.quadrature_point(q) + arm);
           for (unsigned int i = 0; i < dofs.size(); ++i)

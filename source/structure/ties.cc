@@ -29,7 +29,7 @@ namespace ringmotor
       double distance; ///< m
     };
 
-    /** The point nearest to @p x in these cells, if they come so near as @p reach. */
+    /** The point nearest to @p x in these cells, if it is within @p reach. */
     template <int dim>
     std::optional<Foot<dim>>
     foot_of(const Point<3> &x,
@@ -72,8 +72,8 @@ namespace ringmotor
 
     using Weights = std::map<unsigned int, double>; ///< by node
 
-    /** The coordinate of a node that this one differs from by no more than rounding errors of the
-     * search for it, if there is one: where meshes match, they shall match exactly. */
+    /** The coordinate of a node that this one equals up to rounding errors of the search, if there
+     * is one: matching meshes must match exactly. */
     double snapped(const double coordinate, const std::vector<Point<3>> &nodes)
     {
       for (const Point<3> &node : nodes)
@@ -82,7 +82,7 @@ namespace ringmotor
       return coordinate;
     }
 
-    /** The nodes of displacement that a cell's shape functions give weight at a point. */
+    /** The weights of a cell's displacement nodes at a point, from its shape functions. */
     Weights weights_at(const Foot<3> &foot, const SectorNodes &nodes)
     {
       const FiniteElement<3> &fe = foot.cell->get_fe();
@@ -99,12 +99,12 @@ namespace ringmotor
       return weights;
     }
 
-    /** What a shell's edge sees of the solid along a line across it, as sums over nodes. */
+    /** Averages of the solid's displacement on a line across a shell's edge, by nodes. */
     struct AcrossTheShell
     {
       Weights mean;      ///< of the displacement
       Weights parabolic; ///< mean with the weight of the shear stress, 3/2 (1 - 4 z^2/t^2)
-      Weights slope;     ///< the displacement's moment by the moment of inertia, 12/t^3 int z u dz
+      Weights slope;     ///< first moment over moment of inertia, 12/t^3 int z u dz
     };
 
     AcrossTheShell
@@ -113,7 +113,7 @@ namespace ringmotor
                      const Point<3> &on_surface, const Tensor<1, 3> &normal,
                      const ShellSection &section)
     {
-      // Exact for what varies linearly, whatever cells the line runs through.
+      // Exact for linear functions, whatever cells the line runs through.
       const QGauss<1> gauss(3);
       constexpr unsigned int n_panels = 16;
       AcrossTheShell result;
@@ -173,15 +173,14 @@ namespace ringmotor
 
   namespace
   {
-    /** Displacement and rotation of a point of the shell's edge as the solid has them there. */
+    /** Displacement and rotation of a point of the shell's edge, as given by the solid there. */
     std::array<SlaveNode, 2> edge_slaves(const std::array<unsigned int, 2> &shell_nodes,
                                          const AcrossTheShell &across, const Tensor<1, 3> &normal,
                                          const ShellSection &section)
     {
       const Tensor<2, 3> along_normal = outer_product(normal, normal);
       const Tensor<2, 3> in_surface   = unit_symmetric_tensor<3>() - symmetrize(along_normal);
-      // u(z) = mean + z slope; slope = theta x n, so that theta = n x slope but for its part along
-      // n.
+      // u(z) = mean + z slope; slope = theta x n, so theta = n x slope except for its part along n.
       SlaveNode displacement{shell_nodes[0], {}, {}}, rotation{shell_nodes[1], {}, normal};
       for (const auto &[node, mean] : across.mean)
       {
@@ -193,7 +192,7 @@ namespace ringmotor
       return {{displacement, rotation}};
     }
 
-    /** Points of the shell's edge that nodes of the solid lie over, all different. */
+    /** Number of distinct points of the shell's edge over which nodes of the solid lie. */
     std::size_t n_feet(const TiedMeshes &meshes)
     {
       const auto edge_cells = cells_at(meshes.shell, ids::shell_root);

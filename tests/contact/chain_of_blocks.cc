@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The preconditioner of large systems: the inverse of what it leaves in, against solutions that
-// were chosen first.
+// The preconditioner of large systems: it is the inverse of the couplings that it retains, tested
+// with manufactured solutions.
 
 #include "support/row_systems.h"
 
@@ -12,8 +12,8 @@ using namespace ringmotor::tests;
 
 namespace
 {
-  /** Blocks of points on a ring that know of each other through far shapes only. In the steady
-   * state slips are measured from where the block before is. */
+  /** Blocks of points on a ring, coupled through far shapes only. In the steady state slips are
+   * measured relative to the previous block. */
   class RingOfBlocks : public DenseContact
   {
   public:
@@ -106,7 +106,7 @@ TEST(ChainOfBlocks, IsTheInverseWhereBlocksKnowFarShapesOnly)
   for (const bool is_steady : {false, true})
     for (const bool is_whole : {false, true})
     {
-      // The whole ring, whose chain has to be cut, and one in which a block does not touch.
+      // The whole ring, whose chain must be cut, and one in which a block does not touch.
       const RingOfBlocks problem(9, is_steady);
       std::vector<unsigned int> touching;
       for (unsigned int i = 0; i < problem.n_points(); ++i)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The friction laws against their definitions, written out by hand for round numbers: values at no,
-// small and large slip, derivatives against finite differences, what a point remembers. Then one
-// point on springs, whose slip and friction are the roots of scalar equations.
+// The friction laws against their definitions, written out by hand for round numbers: values at
+// zero, small and large slip, derivatives against finite differences, the memory of a contact node.
+// Then one contact node on springs, whose slip and friction are the roots of scalar equations.
 
 #include "support/dense_contact.h"
 
@@ -36,7 +36,7 @@ namespace
     return friction_coefficient(friction_of(law), memory, slip, time_step).value;
   }
 
-  /** The derivative at a slip (m) against a central difference. */
+  /** Compares the derivative at a slip (m) with a central difference. */
   void expect_derivative(const FrictionLaw law, const double slip, const FrictionMemory &memory)
   {
     const double h = 1e-4 * slip;
@@ -52,7 +52,7 @@ namespace
 
   /**
    * One point on springs: pressed with 2 N, pulled by 1e-6 m along (0.6, 0.8), 2e-7 m/N. Returns
-   * how far it slips.
+   * the distance slipped.
    */
   double slip_on_springs(const PointFriction &friction, const double start_force = 0.)
   {
@@ -108,7 +108,7 @@ TEST(FrictionLaws, HaveTheirDerivatives)
                                   FrictionLaw::velocity, FrictionLaw::slip_weakening})
       for (const double slip : {1e-11, 1e-8, decay_length, 1.5e-6, 1e-5, 1.})
         expect_derivative(law, slip, memory);
-  // At rest, where only one side exists
+  // At rest, where only the one-sided derivative exists
   EXPECT_NEAR(
       friction_coefficient(friction_of(FrictionLaw::velocity), stuck, 0., time_step).derivative,
       -(mu_s - mu_d) / decay_length, 1e-6 / decay_length);
@@ -119,11 +119,11 @@ TEST(FrictionLaws, HaveTheirDerivatives)
 
 TEST(FrictionLaws, Remember)
 {
-  // Weakening goes on where the last step left it, in any division into steps.
+  // Weakening continues from the end of the last step, however the slip is divided into steps.
   for (const double before : {0., 1e-6, 2.5e-6, 4e-6, 1.})
     EXPECT_NEAR(value(FrictionLaw::slip_weakening, 0.5e-6, {false, before}),
                 value(FrictionLaw::slip_weakening, 0.5e-6 + before, {true, 0.}), 1e-15);
-  // The law of velocity knows the velocity only.
+  // The velocity law depends on the velocity only.
   const Friction velocity = friction_of(FrictionLaw::velocity);
   EXPECT_NEAR(friction_coefficient(velocity, stuck, 1e-8, time_step).value,
               friction_coefficient(velocity, slipping, 3e-8, 3. * time_step).value, 1e-15);
@@ -156,7 +156,7 @@ TEST(FrictionOfAPoint, SolvesTheScalarEquation)
 TEST(FrictionOfAPoint, MayJumpWhereItWeakensQuickly)
 {
   // From 3 to 0.3 within 1e-7 m: friction falls by 5.4 N, the spring by 0.5 N. It may stick (the
-  // pull of 5 N is below 6 N) or slip at 0.6 N; the third solution between them is unstable.
+  // pull of 5 N is below 6 N) or slip at 0.6 N; the third, intermediate solution is unstable.
   Friction friction           = friction_of(FrictionLaw::slip_weakening);
   friction.static_coefficient = 3.;
   friction.weakening_length   = 1e-7;
@@ -168,8 +168,8 @@ TEST(FrictionOfAPoint, MayJumpWhereItWeakensQuickly)
 
 TEST(FrictionOfManyPoints, FallsFromTheStaticCoefficientWhereThePullExceedsIt)
 {
-  // As above, but pulled by 0.1 N to 12 N; from a start without forces all static coefficients
-  // count at first. Those that are pulled with less than 6 N stick, the others slip at 0.6 N.
+  // As above, but pulled by 0.1 N to 12 N; from a start without forces all contact nodes have the
+  // static coefficient at first. Those pulled with less than 6 N stick, the others slip at 0.6 N.
   constexpr unsigned int n_points = 60;
   constexpr double compliance     = 2e-7; // m/N
   Friction weakening              = friction_of(FrictionLaw::slip_weakening),

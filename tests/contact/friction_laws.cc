@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// What friction laws say beside their coefficient, against their definitions in doc/theory.md:
-// which entries they need, when a static limit is lost within a step and when memories agree in a
-// steady state, each as a table of all cases. The search for the memory of the law with a jump
-// ends: a point gets mu_s at most once and loses it at most once. Advice names entries that there
-// are.
+// The properties of friction laws other than the coefficient, against their definitions in
+// doc/theory.md: which entries they need, when a static limit is lost within a step and when
+// memories agree in a steady state, each as a table of all cases. The search for the memory of the
+// law with a jump terminates: a point gets mu_s at most once and loses it at most once. Advice
+// names existing entries.
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -35,7 +35,7 @@ namespace
     return friction;
   }
 
-  /** What a law refuses, or nothing. */
+  /** The message with which a law refuses its entries, or an empty string. */
   std::string refusal(const Friction &friction)
   {
     try
@@ -49,7 +49,7 @@ namespace
     }
   }
 
-  /** Settles the memory of a point that was to have stuck or not. */
+  /** Settles the memory of a point that was assumed to have stuck or not. */
   bool settle_stuck(const bool found, const PointStatus status, const bool had_stuck, bool &stuck)
   {
     const Friction friction = friction_of(FrictionLaw::static_dynamic);
@@ -110,7 +110,7 @@ TEST(FrictionLaws, HaveAnExcessUnlessOneCoefficientIsAll)
   {
     Friction friction = friction_of(word);
     EXPECT_EQ(has_static_excess(friction), word != FrictionLaw::coulomb);
-    friction.static_coefficient = 0.2; // below the dynamic one: unusual, but another one
+    friction.static_coefficient = 0.2; // below the dynamic one: unusual, but different
     EXPECT_EQ(has_static_excess(friction), word != FrictionLaw::coulomb);
     friction.static_coefficient = 0.3;
     EXPECT_FALSE(has_static_excess(friction));
@@ -154,12 +154,12 @@ TEST(FrictionMemory, OfTheJumpGoesByWhatSticks)
   };
   const PointStatus open = PointStatus::open, stick = PointStatus::stick, slip = PointStatus::slip;
   for (const Case &row :
-       std::vector<Case>{// It sticks, and so did the one before: kept; if either slips: lost.
+       std::vector<Case>{// It sticks, and so did the previous one: kept; if either slips: lost.
                          {true, true, stick, true, true},
                          {true, true, slip, true, false},
                          {true, false, stick, true, false},
                          {true, false, slip, true, false},
-                         // Without the static coefficient the one before counts, but once only.
+                         // Without the static coefficient the previous one counts, but only once.
                          {false, true, stick, false, true},
                          {false, true, slip, false, true},
                          {false, true, stick, true, false},
@@ -178,7 +178,7 @@ TEST(FrictionMemory, OfTheJumpGoesByWhatSticks)
 
 TEST(FrictionMemory, OfTheJumpEndsItsSearchWhateverIsFound)
 {
-  // All sequences of six solutions, in each of which the point before stuck or not.
+  // All sequences of six solutions, in each of which the previous point stuck or not.
   constexpr unsigned int n_solutions = 6, n_cases = 6 * 6 * 6 * 6 * 6 * 6;
   unsigned int most[] = {0, 0};
   for (const bool start : {false, true})
@@ -223,7 +223,7 @@ TEST(FrictionLaws, ThatDependOnTheDistanceSlippedStartFromGivenCoefficients)
 
 TEST(FrictionLaws, AdviseEntriesThatThereAre)
 {
-  // Laws that fall with the slip may have no steady state; the others always have one.
+  // Laws with slip weakening may have no steady state; the others always have one.
   Parameters parameters;
   dealii::ParameterHandler prm;
   parameters.declare(prm);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Where a method of active sets may fail: no friction and much of it, points that all touch or open
-// at once, normal and tangential motions strongly coupled, bad constants, starts that hold no rigid
-// motion, problems without a solution. Answers are known, or are checked against the laws
-// themselves; what has no answer must be refused.
+// Cases where an active-set method may fail: no friction and high friction, contact nodes that all
+// touch or open together, strongly coupled normal and tangential motions, bad constants, initial
+// states that constrain no rigid motion, problems without a solution. Solutions are known, or are
+// checked against the laws themselves; problems without a solution must be refused.
 
 #include "support/contact_laws.h"
 #include "support/half_planes.h"
@@ -33,7 +33,7 @@ namespace
 
   constexpr double load = 180.;
 
-  /** Without the rigid motions after the first, and their loads. */
+  /** Without the rigid motions other than the first, and their loads. */
   DenseContact held(const DenseContact &free)
   {
     DenseContact problem(free.n_points(), 1);
@@ -72,7 +72,8 @@ TEST(ContactHard, WithoutFriction)
 
 TEST(ContactHard, WithoutFrictionAndFreeToMove)
 {
-  // Nothing balances a tangential force; without one the motion is any, and one of them is found.
+  // Nothing balances a tangential force; without one the rigid motion is arbitrary, and some
+  // solution is found.
   const LineContact line = cylinders(steel);
   expect_refused(line.shift(load, 1.), 0., line.constants());
   const DenseContact unloaded = line.shift(load, 0.);
@@ -122,7 +123,7 @@ TEST(ContactHard, FromEverywhere)
 
 TEST(ContactHard, OfNothing)
 {
-  // Nothing touches, with and without rigid motions that are held otherwise.
+  // No contact node touches, or there is none.
   DenseContact apart(3, 0);
   for (unsigned int i = 0; i < 9; ++i)
     apart.compliance(i, i) = 1e-8;
@@ -135,7 +136,7 @@ TEST(ContactHard, OfNothing)
     EXPECT_EQ(count(expect_solved(apart, 0.3, {1e8, 1e8}, start), PointStatus::open), 3u);
   const DenseContact nowhere(0, 0);
   EXPECT_TRUE(solve_contact(nowhere, coulomb(0.3), {1., 1.}, nowhere.nothing()).status.empty());
-  // A rigid motion that nothing holds
+  // An unconstrained rigid motion
   DenseContact adrift(3, 1);
   expect_refused(adrift, 0.3, {1e8, 1e8});
 }
@@ -211,7 +212,7 @@ TEST(ContactHard, OfRigidFaces)
 
 TEST(ContactHard, OfTwinPoints)
 {
-  // Two points in one place: pressures that only their sum decides
+  // Two coincident contact nodes: only the sum of their pressures is determined
   DenseContact problem(2, 0);
   for (unsigned int i = 0; i < 6; ++i)
     for (const unsigned int j : {i % 3, i % 3 + 3})
@@ -243,7 +244,7 @@ TEST(ContactHard, OfNoNumbers)
 
 TEST(ContactHard, RollingWithHardlyAnyFriction)
 {
-  // Nearly all slips, and one or two strips that stick decide the creep.
+  // Nearly all strips slip, and one or two sticking strips determine the creep.
   for (const double place : {0., 0.25, 0.5})
     for (const double mu : {1e-5, 1e-4, 1e-3, 1e-2})
       for (const double part : {-0.9, -0.5, -0.1, 0., 0.1, 0.5, 0.9})

@@ -4,14 +4,15 @@
 // layer of cells along the line, without lateral contraction (nu = 0), where plane stress and plane
 // strain are one: E* = E/2, a^2 = 4 F' R_c / (pi E*), p_0 = 2 F'/(pi a), F' force per length. The
 // blocks are 18 a wide and 9 a deep, which makes a 0.4 % smaller than on half-spaces: the pressure
-// is compared with Hertz's of the half width that the largest pressure on the best mesh tells.
+// is compared with Hertz's for the half width that follows from the largest pressure on the finest
+// mesh.
 //
-// With the width h of cells errors vanish as the smoothness of the solution lets them, whose
-// pressure ends like a square root: displacements in the energy norm as h (linear cells) and
+// Convergence with the cell width h is limited by the regularity of the solution, whose pressure
+// ends like a square root: displacements converge in the energy norm as h (linear cells) and
 // h^(3/2) (quadratic ones), read off the differences of energies, which have twice the order;
-// pressures in L2 as h whatever the degree, and as h^(3/2) in their own norm, H^(-1/2), here the
-// elastic energy of their error. How well the edge of contact falls into the mesh makes errors
-// jump: they are means over meshes in which it lies at -1/3, 0 and 1/3 of a cell.
+// pressures in L2 as h whatever the degree, and as h^(3/2) in their natural norm, H^(-1/2), here
+// the elastic energy of their error. Errors vary with the position of the contact edge in its cell:
+// they are means over meshes in which it lies at -1/3, 0 and 1/3 of a cell.
 
 #include "support/elastic_contact.h"
 #include "support/record.h"
@@ -45,7 +46,7 @@ namespace
     return lines;
   }
 
-  /** A zone of equal cells, wider ones beyond; in units of a. */
+  /** A zone of equal cells, surrounded by wider ones; in units of a. */
   BlockLines block_lines(const double zone, const unsigned int n_zone, const unsigned int level,
                          const double side)
   {
@@ -76,7 +77,7 @@ namespace
     dealii::FullMatrix<double> compliance;     ///< normal, m/N
   };
 
-  /** @p phase: where the edge of contact lies, in cells, off a line of the mesh. */
+  /** @p phase: distance of the contact edge from a mesh line, in cells. */
   Found press(const unsigned int degree, const unsigned int level, const double phase)
   {
     const double n    = 2 << level;
@@ -116,7 +117,7 @@ namespace
     return found;
   }
 
-  /** Squares of the pressure's error, relative, against Hertz's of this half width (in units of a).
+  /** Squared relative errors of the pressure against Hertz's for this half width (in units of a).
    */
   struct PressureError
   {
@@ -174,7 +175,7 @@ TEST_P(Hertz, IsApproachedAsFastAsItsSmoothnessAllows)
     record(what + "_slope_" + std::to_string(level), slope);
     return slope;
   };
-  // Means of squares have twice the slope.
+  // Mean squares have twice the slope.
   for (unsigned int level = 1; level < n_levels; ++level)
   {
     EXPECT_GT(recorded("l2", level, 0.5 * std::log2(in_l2[level - 1] / in_l2[level])), 0.9);

@@ -3,7 +3,7 @@
 // Cylinders pressed together and shifted, as elastic half-planes in strips of constant pressure:
 // - Hertz: a^2 = 4 P R / (pi E*), p = p0 sqrt(1 - x^2/a^2), p0 = 2 P / (pi a);
 // - Cattaneo 1938, Mindlin 1949: a tangential force Q leaves the middle of half width
-//   c = a sqrt(1 - Q/(mu P)) stuck; friction is mu p less (c/a) mu p0 sqrt(1 - x^2/c^2) there
+//   c = a sqrt(1 - Q/(mu P)) stuck; friction is mu p minus (c/a) mu p0 sqrt(1 - x^2/c^2) there
 //   (Johnson 1985, section 7.2).
 // The answer must not depend on the constants of the method or the units.
 
@@ -77,7 +77,7 @@ TEST(LineContact, IsCattaneoMindlin)
            0.5 * line.width * count(found, PointStatus::stick));
     EXPECT_NEAR(0.5 * line.width * count(found, PointStatus::stick), stuck, line.width) << part;
     EXPECT_NEAR(total(found.state, 1), part * mu * load, 1e-9 * load);
-    EXPECT_LT(found.state.rigid[1], 0.); // friction along t on the upper body: it went back
+    EXPECT_LT(found.state.rigid[1], 0.); // friction along t on the upper body: it moved along -t
     const double q0 = mu * 2. * load / (M_PI * half_width);
     for (unsigned int i = 0; i < line.n_strips; ++i)
     {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The coupling of surfaces that do not match, against integrals by hand. Along theta, where the
-// weight r plays no part, the dual functions of a linear face 0 <= s <= 1 are 2 - 3 s and 3 s - 1:
-// with the rotor's hat functions at s = -3/4, 1/4, 5/4 they make integrals of 7, 66, -9 and
+// The mortar coupling of non-matching surfaces against integrals by hand. Along theta, where the
+// weight r has no effect, the dual functions of a linear face 0 <= s <= 1 are 2 - 3 s and 3 s - 1:
+// with the rotor's hat functions at s = -3/4, 1/4, 5/4 they give integrals of 7, 66, -9 and
 // -3, 22, 45 in units of 1/128. On grids along r and theta all integrals are products of those of
-// one variable, here by Gauss points piece by piece; dual functions are made of polynomials of two
-// variables in the one case and of one in the other. What the coupling is for: surfaces that match
-// are coupled node by node (biorthogonality), weights add up to 1, and a function that both
-// surfaces contain goes over unchanged.
+// one variable, here by Gauss points piece by piece; dual functions are built from polynomials of
+// two variables in the one case and of one in the other. Properties: matching surfaces are coupled
+// node by node (biorthogonality), weights add up to 1, and a function that both discretisations
+// contain is transferred unchanged.
 
 #include "support/geometry.h"
 #include "support/plane_surface.h"
@@ -41,8 +41,7 @@ namespace
     return sum;
   }
 
-  /** What the nodes of the coupling see of a function of (r, theta) that the rotor has at its
-   * nodes. */
+  /** The values at the coupling's nodes of a function of (r, theta) given at the rotor's nodes. */
   Lines seen(const MortarCoupling &coupling, const ContactSurface &rotor, const double pitch,
              const double shift, const std::function<double(double, double)> &function)
   {
@@ -96,8 +95,8 @@ TEST(Mortar, HasTheWeightsOfLinearFacesByHand)
 
 TEST(Mortar, FindsTheNeighboursSectors)
 {
-  // The rotor's sector, turned on by a quarter of its only cell: a tooth then sees the sector
-  // before its own as well, and none beyond.
+  // The rotor's sector, advanced by a quarter of its only cell: a tooth then also overlaps the
+  // previous sector, and no other.
   const double h             = 0.01;
   const Lines radii          = {0.03, 0.031};
   const ContactSurface tooth = plane_surface(radii, {0., h}, 1), &rotor = tooth;
@@ -112,7 +111,7 @@ TEST(Mortar, FindsTheNeighboursSectors)
     for (unsigned int k = 0; k < 4; ++k)
       EXPECT_EQ(weight(node, k, 1), 0.);
   }
-  // The other way: three quarters of a cell later the same nodes belong to the next sector.
+  // The other direction: three quarters of a cell later the same nodes belong to the next sector.
   for (const MortarCoupling::Node &node : couple(tooth, rotor, h, -0.75 * h).nodes)
   {
     const unsigned int first = 2 * (node.tooth_node / 2);

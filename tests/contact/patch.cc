@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The patch test: two blocks with meshes that do not match, pressed together (and sheared, with
-// sticking contact) between clamped ends. Without lateral contraction (nu = 0) and, where they are
-// sheared, with the tractions of a constant shear stress on their sides, stresses are constant:
+// The patch test: two blocks with non-matching meshes, pressed together (and sheared, with sticking
+// contact) between clamped ends. Without lateral contraction (nu = 0) and, where they are sheared,
+// with the tractions of a constant shear stress on their sides, stresses are constant:
 // p = d / (H_1/E_1 + H_2/E_2) for an approach d of the ends, tau likewise with G = E/2. Linear and
-// quadratic functions contain that solution, so it must come out, tractions as force per area.
+// quadratic elements contain that solution, so it must be reproduced, tractions as force per area.
 //
-// It does for blocks whose faces are flat, cut out of a ring of very large radius. On a ring like
-// the motor's, arcs of quadratic cells are not run through at even speed: with half an arc a (rad)
+// It is reproduced for flat faces, cut out of a ring of very large radius. On a ring like the
+// motor's, the parametrisation of quadratic arcs is not uniform: with half an arc a (rad)
 // dtheta/ds = a (1 + a^2 (3 s^2 - 1) / 6), -1 <= s <= 1, against a in the plane of the coupling. To
-// order a^2 this takes nothing from a linear cell's forces, but (a^2/6) (6/5 - 2/3) / (1/3) of the
-// ones at the ends of a quadratic arc and half as much of its middle.
+// order a^2 this leaves a linear cell's forces unchanged, but changes those at the ends of a
+// quadratic arc by (a^2/6) (6/5 - 2/3) / (1/3) and the one at its middle by half as much.
 //
 // A shear stress of constant direction has components along theta and r that change with theta.
-// Dual functions of quadratic faces make up linear functions of their nodes' values, those of
-// linear faces only constants: these are wrong by up to the change over a face of the tooth.
+// Dual functions of quadratic faces reproduce linear functions, those of linear faces only
+// constants: the latter are in error by up to the change over a face of the tooth.
 
 #include "support/elastic_contact.h"
 #include "support/record.h"
@@ -54,7 +54,7 @@ namespace
                   {{0., 0.2, 0.6, 0.8, 1.}, {0., 0.35, 0.7, 1.}, {0., 0.6 * height, height}});
   }
 
-  /** How far tractions and displacements are from constant stress, relative to it. */
+  /** Deviation of tractions and displacements from the constant-stress solution, relative to it. */
   struct Deviation
   {
     double traction = 0., displacement = 0.;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Small problems that are solved by hand:
+// Small problems solved by hand:
 // - a block of weight G that a horizontal force F pushes up a plane of inclination alpha slides at
 //   F/G = (tan alpha + mu)/(1 - mu tan alpha);
 // - a particle on springs beside an obstacle (Klarbring 1990), stiffness ((1, 2), (2, 5)) and load
 //   (0.55, 1) along and towards the obstacle: u_t = 0.75 + 5 r_t + 2 p, gap = 0.1 + 2 r_t + p with
-//   the friction r_t. It is in balance away from the obstacle for any mu; with mu 0.6 also where it
-//   sticks (p = 1, r_t = -0.55) and where it slips (u_t = 0.25, p = 0.5).
+//   the friction r_t. It is in equilibrium away from the obstacle for any mu; with mu 0.6 also
+//   where it sticks (p = 1, r_t = -0.55) and where it slips (u_t = 0.25, p = 0.5).
 
 #include "support/contact_laws.h"
 #include "support/record.h"
@@ -26,8 +26,8 @@ namespace
   constexpr double slope = 0.1, weight = 20.;
 
   /**
-   * A block on three points of a plane that rises along t. Rigid motions: upwards and, if
-   * @p push (N) is given, horizontal; otherwise it moves by 1e-6 m up along the horizontal.
+   * A block on three points of a plane that rises along t. Rigid motions: upwards and, if @p push
+   * (N) is given, horizontal; otherwise it moves upwards by a horizontal distance of 1e-6 m.
    */
   DenseContact block(const double *push)
   {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Random contact problems: what is solved, and by Newton's method alone, and that nothing wrong is
-// taken for a solution.
+// Random contact problems: how many are solved, how many by Newton's method alone, and that no
+// wrong state is accepted as a solution.
 
 #include "support/random_contact.h"
 #include "support/contact_laws.h"
@@ -16,7 +16,8 @@ using namespace ringmotor::tests;
 
 TEST(ContactHard, ByNewtonsMethodAlone)
 {
-  // Much friction and strong coupling: 0.73 of these problems are solved, 0.59 by whole steps.
+  // Much friction and strong coupling: 73 % of these problems are solved, 59 % with full Newton
+  // steps.
   constexpr double mu               = 3.;
   constexpr unsigned int n_problems = 300;
   const FrictionBoundOf bound_of    = [&](const unsigned int, const double pressed, const double) {
@@ -55,17 +56,17 @@ TEST(ContactHard, OfAnyCompliance)
               problem.load = {-0.3 * n_points, 0.3 * mu * n_points * random(-0.9, 0.9)};
             const ContactSolution found =
                 expect_solved(problem, mu, constants_of(problem), problem.nothing());
-            if (rigid_motions) // at first nothing touches that could hold them
+            if (rigid_motions) // no initial contact constrains them
               continue;
             ++n_solved;
             n_helped += !found.how.empty();
           }
-  EXPECT_LT(n_helped, 0.02 * n_solved); // Newton's method alone is enough nearly always
+  EXPECT_LT(n_helped, 0.02 * n_solved); // Newton's method alone nearly always suffices
 }
 
 TEST(ContactHard, IsRefusedRatherThanWrong)
 {
-  // Beyond what friction there is; most have a solution, but it need not be found.
+  // Friction beyond realistic values; most problems have a solution, but it need not be found.
   random_numbers.seed(1);
   unsigned int n_solved = 0;
   for (unsigned int i = 0; i < 100; ++i)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The compliance of a ring from that of one sector: a small ring, all of its sectors in one mesh
-// without any symmetry, solved for forces on single nodes of several sectors, must move as its
-// condensed sectors say it does.
+// without any symmetry, solved for forces on single nodes of several sectors, must move as the
+// compliance of its condensed sectors predicts.
 
 #include "support/materials.h"
 #include "support/plane_surface.h"
@@ -102,7 +102,7 @@ namespace
     return mesh;
   }
 
-  /** Forces or motions by sector, three for each node. */
+  /** Forces or motions by sector, three per node. */
   using ByComponent = std::vector<std::vector<double>>;
 
   /** The whole ring, without any use of its symmetry. */
@@ -114,7 +114,7 @@ namespace
       factors.factorise(0, 0.);
     }
 
-    /** Motions of nodes at these places (of sector 0) under forces on them. */
+    /** Motions of nodes at these positions (of sector 0) under forces on them. */
     ByComponent motion(const std::vector<SurfaceNode> &nodes, const ByComponent &forces)
     {
       SectorMotion loads = sector.at_rest();
@@ -231,7 +231,7 @@ namespace
     return motion;
   }
 
-  /** Motions of all sectors but the first under forces on that one, by far shapes. */
+  /** Motions of all sectors but the first under forces on the first, computed from far shapes. */
   ByComponent motion_by_far(const RingCompliance &ring, const std::vector<double> &forces)
   {
     const RingCompliance::Far &far = ring.far();
@@ -251,7 +251,7 @@ namespace
     return motion;
   }
 
-  /** Some force everywhere but on one sector. */
+  /** Generic forces on all sectors but one. */
   ByComponent some_forces(const unsigned int n_nodes)
   {
     ByComponent forces(n_sectors, std::vector<double>(3 * n_nodes, 0.));
@@ -295,7 +295,7 @@ TEST_P(RingOfSectors, MovesAsTheWholeRing)
     expect_same(motion_by_entries(*one, forces), moved);
   }
 
-  // Far shapes are fewer and know the most of other sectors.
+  // Far shapes are fewer and describe the motion of other sectors almost completely.
   ByComponent on_first(n_sectors, std::vector<double>(3 * nodes.size(), 0.));
   on_first[0]         = forces[0];
   ByComponent on_rest = direct.motion(nodes, on_first);
@@ -303,7 +303,7 @@ TEST_P(RingOfSectors, MovesAsTheWholeRing)
   EXPECT_LT(ring.far().shapes.n(), 3 * nodes.size());
   expect_same(motion_by_far(ring, forces[0]), on_rest, 0.03);
 
-  // Forces that repeat themselves after three sectors
+  // Forces with a period of three sectors
   ByComponent repeated = forces;
   for (unsigned int j = 3; j < n_sectors; ++j)
     repeated[j] = repeated[j - 3];
@@ -361,7 +361,7 @@ TEST(RingCompliance, AddsWhatHappensWithinSectors)
   body.at_rest(0, 0) = 1.;
   RingCompliance ring(3, body, same_nodes(2), {});
   dealii::FullMatrix<double> within(6, 6);
-  within(4, 2) = 5.; // the second node's tangential motion by the first one's radial force
+  within(4, 2) = 5.; // the second node's tangential motion due to the first one's radial force
   ring.add_within_sectors(within);
   RingCompliance table = ring;
   table.tabulate();

@@ -8,14 +8,14 @@
 //   guide, section on the 2D Carter/Fromm problem).
 // - Bentall and Johnson 1967, an aluminium roller on a steel roller. Closed forms without a
 //   tangential force, with Dundurs' beta, K = beta a/R and e = atanh(beta)/pi: without friction the
-//   pressure above which half of the load is carried decides, creep = K sqrt(1 - t^2), asin t + t
-//   sqrt(1 - t^2) = pi/4. Without slip Muskhelishvili's function X = (z + a)^(1/2 + i e) (z -
-//   a)^(1/2 - i e) = z + 2 i e a - (1/2 + 2 e^2) a^2/z + ... solves the problem: creep = 2 e a/R
-//   under the load (1 + 4 e^2) pi E* a^2/(4 R). The example of CONTACT with 200 strips in the
-//   contact: creep 5.260e-4 (mu 1e-4) and 3.591e-4 (mu 10), which is still 2 % below the limit of
-//   fine meshes; with mu 0.05 and Fx/(mu P) of 0, 0.75 and -0.75 creep 4.294e-4, 2.108e-4, 5.392e-4
-//   and friction power 9.475e-3, 0.1955, 4.418e-2 W at 1 m width and 1 m/s (four digits, its
-//   iterations end at 2.4e-4).
+//   pressure level above which half of the load is carried determines the creep = K sqrt(1 - t^2),
+//   asin t + t sqrt(1 - t^2) = pi/4. Without slip Muskhelishvili's function X = (z + a)^(1/2 + i e)
+//   (z - a)^(1/2 - i e) = z + 2 i e a - (1/2 + 2 e^2) a^2/z + ... solves the problem:
+//   creep = 2 e a/R under the load (1 + 4 e^2) pi E* a^2/(4 R). The example of CONTACT with 200
+//   strips in the contact: creep 5.260e-4 (mu 1e-4) and 3.591e-4 (mu 10), which is still 2 % below
+//   the limit of fine meshes; with mu 0.05 and Fx/(mu P) of 0, 0.75 and -0.75 creep 4.294e-4,
+//   2.108e-4, 5.392e-4 and friction power 9.475e-3, 0.1955, 4.418e-2 W at 1 m width and 1 m/s (four
+//   digits, its iterations end at 2.4e-4).
 
 #include "support/half_planes.h"
 #include "support/record.h"
@@ -38,7 +38,8 @@ namespace
     return aluminium_on_steel.mismatch() / (2. * aluminium_on_steel.compliance());
   }
 
-  /** Strips that share the edges of the contact by Hertz, and @p n_beyond on either side. */
+  /** Strips aligned with the edges of the contact by Hertz, with @p n_beyond more on either side.
+   */
   LineContact rollers(const HalfPlanes &bodies, const double radius, const double half_width,
                       const unsigned int n_touching, const unsigned int n_beyond)
   {
@@ -52,8 +53,8 @@ namespace
     return M_PI * half_width * half_width / (4. * line.radius * line.bodies.compliance());
   }
 
-  /** What friction takes while the contact rolls by one strip, with the means of the forces before
-   * and after, or with those after. */
+  /** The work lost to friction while the contact rolls by one strip, from the means of the forces
+   * before and after, or from those after. */
   double dissipation(const ContactSolution &solution, const bool means)
   {
     double sum = 0.;
@@ -67,8 +68,8 @@ namespace
     return sum;
   }
 
-  /** The work of the pressure on the curvature of the surfaces as they roll by one strip; not zero
-   * where it is not symmetric. */
+  /** The work of the pressure on the curvature of the surfaces as they roll by one strip; nonzero
+   * if the pressure is not symmetric. */
   double work_of_pressure(const DenseContact &problem, const ContactSolution &solution)
   {
     double sum = 0.;
@@ -178,7 +179,7 @@ TEST(Rolling, HasTheCreepWithoutSlipInTheLimit)
   std::vector<double> creep;
   for (const unsigned int n : {50u, 100u, 200u})
   {
-    // The edges of the contact are those of the mesh.
+    // The edges of the contact coincide with mesh lines.
     const LineContact line     = rollers(aluminium_on_steel, radius, half_width, n, 0);
     const double load          = (1. + 4. * e * e) * hertz_load(line, half_width);
     const DenseContact problem = line.rolling(load, 0.);

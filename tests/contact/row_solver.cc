@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The linear systems of Newton's method in every way in which they are solved, against solutions
-// that were chosen first: from them follow the right-hand sides, by the laws of the problem alone.
+// The linear systems of Newton's method with every solver, against manufactured solutions: the
+// right-hand sides follow from them by the problem's definition only.
 
 #include "support/row_systems.h"
 
@@ -10,8 +10,8 @@ using namespace ringmotor::tests;
 
 namespace
 {
-  /** Points on springs of their own, each moved a little by the next one's force, with a rigid
-   * motion of all; blocks of points, and matrices of two of them at most. */
+  /** Points on individual springs, each moved slightly by the next one's force, with a common rigid
+   * motion; in blocks, with matrices for at most two of them. */
   class SpringBed : public ContactProblem
   {
   public:
@@ -28,7 +28,7 @@ namespace
       for (unsigned int i = 0; i < size; ++i)
       {
         motion[i] = change.force[i] + 0.2 * change.force[(i + 1) % size];
-        motion[i][0] += 1e6 * change.rigid[0]; // units need not be alike
+        motion[i][0] += 1e6 * change.rigid[0]; // units may differ
       }
       return motion;
     }
@@ -73,7 +73,7 @@ namespace
     const unsigned int size;
   };
 
-  /** Reduction of residuals by GMRES, and some rounding. */
+  /** Residual reduction of GMRES, with a margin for rounding. */
   constexpr double gmres = 1.5e-8;
 } // namespace
 
@@ -101,7 +101,7 @@ TEST(RowSolver, SolvesRingsOfParts)
 
 TEST(RowSolver, SolvesSystemsThatAreNearlyTheSameAndOthers)
 {
-  // Enough unknowns for kept factors in single precision.
+  // Enough unknowns for cached factors in single precision.
   const unsigned int n = 400;
   const RandomProblem problem(n, 1, 2);
   RowSolver solver;
@@ -112,7 +112,7 @@ TEST(RowSolver, SolvesSystemsThatAreNearlyTheSameAndOthers)
     system.change(n_changed);
     system.expect_fulfilled_by(solver, gmres);
   }
-  System(problem, {1, 2, 3, 4, 5}).expect_solved_by(solver); // other nodes, and few
+  System(problem, {1, 2, 3, 4, 5}).expect_solved_by(solver); // other nodes, and only a few
 }
 
 TEST(RowSolver, SolvesSystemsOfSlippingNodes)
@@ -123,7 +123,7 @@ TEST(RowSolver, SolvesSystemsOfSlippingNodes)
   {
     RowSolver solver;
     System system(problem, all_but_some(n));
-    for (unsigned int repetition = 0; repetition < 3; ++repetition) // with kept factors, too
+    for (unsigned int repetition = 0; repetition < 3; ++repetition) // also with cached factors
     {
       system.slip(little);
       system.expect_fulfilled_by(solver, gmres);
@@ -144,8 +144,8 @@ TEST(SlipFactors, AreTheInverseButForRounding)
     const SlipFactors factors(rows);
     ASSERT_TRUE(factors.is_regular());
     EXPECT_TRUE(factors.fit(rows));
-    // Each correction leaves what single precision makes of a badly conditioned random system; four
-    // leave nothing if the factors are those of the rows.
+    // Each correction reduces the error only as far as single precision allows for an
+    // ill-conditioned random system; four suffice if the factors are those of the rows.
     dealii::Vector<double> solution = factors.start(system.right_hand_side), residual(rows.size()),
                            correction(rows.size());
     for (unsigned int number = 0; number < 4; ++number)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The compliance of a rotor's lip over a whole sector: half and whole sector are different matrices
-// for the same body and must give the same, and a compliance is Hermitian.
+// The compliance of a rotor's lip over a whole sector: half and whole sector have different
+// matrices for the same body and must give the same result, and a compliance is Hermitian.
 
 #include "support/materials.h"
 
@@ -24,7 +24,7 @@ using ComplexMatrix = dealii::Table<2, Complex>;
 
 namespace
 {
-  /** The condensed lip of a rotor; loads on the ring hold rigid motions. */
+  /** The condensed lip of a rotor; loads on the ring constrain rigid motions. */
   struct Lip
   {
     SectorMesh mesh;
@@ -45,8 +45,8 @@ namespace
       for (const bool turns : {false, true})
         for (const unsigned int part : {0u, 1u})
         {
-          // The half sector's real field rises, its imaginary one turns; the whole sector's both
-          // do.
+          // The half sector's real field rises, its imaginary field turns; both fields of the whole
+          // sector do both.
           if (form == SectorForm::half && part != (turns ? 1 : 0))
             continue;
           const Complex phase     = part == 0 ? Complex(1.) : Complex(0., 1.);
@@ -67,7 +67,7 @@ namespace
                                                     std::vector<SectorNodes::Dof>(), supports, 0.);
     }
 
-    /** Of one wave, by rows, three for each node. */
+    /** For one wave, by rows, three per node. */
     ComplexMatrix compliance(const unsigned int k) const
     {
       std::vector<unsigned int> held(k > 1 ? 0 : mesh.form == SectorForm::half ? 2 : 4);

@@ -3,11 +3,12 @@
 // A sphere pressed on a plane of its material and shifted by Q, growing from zero (Cattaneo 1938,
 // Mindlin 1949; Johnson 1985, section 7.2): the circle of radius c = a (1 - Q/(mu P))^(1/3) sticks,
 // the sphere shifts by 3 mu P (2 - nu)/(8 a G) (1 - (1 - k)^(2/3)), k = Q/(mu P), and friction
-// takes the work 9 (2 - nu) (mu P)^2 / (20 a G) (1 - (1 - k)^(5/3) - 5k/6 (1 + (1 - k)^(2/3))), a
-// quarter of what a cycle between -Q and Q takes (Mindlin and Deresiewicz 1953). With nu = 0 that
-// is exact; otherwise it leaves out that material also slips across Q. For the polyethylene ball of
-// the program CONTACT (G 200 MPa, nu 0.42, R 50 mm, a 1 mm, mu 0.4, k 7/8) the closed forms are
-// 8.172e-3 mm and 2.755e-3 N mm, the numbers of the full law are 8.16e-3 mm and 2.733e-3 N mm.
+// dissipates the work 9 (2 - nu) (mu P)^2 / (20 a G)
+// (1 - (1 - k)^(5/3) - 5k/6 (1 + (1 - k)^(2/3))), a quarter of the dissipation in a cycle between
+// -Q and Q (Mindlin and Deresiewicz 1953). With nu = 0 that is exact; otherwise it neglects slip
+// perpendicular to Q. For the polyethylene ball of the program CONTACT (G 200 MPa, nu 0.42, R 50
+// mm, a 1 mm, mu 0.4, k 7/8) the closed forms are 8.172e-3 mm and 2.755e-3 N mm, the numbers of the
+// full law are 8.16e-3 mm and 2.733e-3 N mm.
 
 #include "support/half_spaces.h"
 #include "support/record.h"

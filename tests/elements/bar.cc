@@ -2,8 +2,8 @@
 
 // Bars along edges of solid cells, against exact values: E A (t . G t)^2 L for a displacement of
 // uniform gradient G along a straight edge; no energy in rigid motions of a curved one; length and
-// mass of a quarter of a circle; E A (u/R)^2 L for the expansion of a circle by u. All cells at an
-// edge find the same.
+// mass of a quarter of a circle; E A (u/R)^2 L for the expansion of a circle by u. All cells
+// sharing an edge give the same.
 
 #include <ringmotor/elements/bar.h>
 
@@ -116,7 +116,7 @@ namespace
       double length = 0., stiffness = 0., mass = 0.;
     };
 
-    /** Over the edges on the bar, each once. */
+    /** Sum over the edges on the bar, each counted once. */
     Sums sums(const BarSection &section, const dealii::Vector<double> &field,
               const IsOnBar &is_on_bar) const
     {
@@ -159,7 +159,7 @@ namespace
   class Bar : public testing::TestWithParam<unsigned int>
   {
   };
-  /** Degree 1 does not hold the turn of a curved edge. */
+  /** Degree 1 cannot represent the rotation of a curved edge. */
   using CurvedBar = Bar;
 } // namespace
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The shell element, degree 1 (MITC4) to 4: no energy in rigid motions and in no other motion of a
-// cell, exact energies of uniform stretch, transverse shear, bending and twist of a flat patch
+// The shell element, degree 1 (MITC4) to 4: zero energy in rigid motions and in no other motion of
+// a cell, exact energies of uniform stretch, transverse shear, bending and twist of a flat patch
 // (classical plate theory, exact for these states), no net force on the inner nodes of such a patch
 // (the patch test), mass and inertia of the body. Hard: the same on strongly distorted cells, on
-// cells of 1:100 and for thin shells.
+// cells with an aspect ratio of 1:100 and for thin shells.
 
 #include "support/shell_model.h"
 
@@ -42,7 +42,7 @@ namespace
     const double membrane = young * t / (1. - poisson * poisson), bending = membrane * t * t / 12.,
                  shear = 5. / 6. * young / (2. * (1. + poisson)) * t;
     const double a = 1e-3, b = -4e-4, c = 6e-4;
-    return {// u = (a x + c y, b y, 0); the rotation about the normal goes along with the turn -c/2.
+    return {// u = (a x + c y, b y, 0); the rotation about the normal follows the turn -c/2.
             {"membrane",
              [=](const Point<3> &x) {
                return Vector6{{a * x[0] + c * x[1], b * x[1], 0., 0., 0., -0.5 * c}};
@@ -76,7 +76,7 @@ namespace
           << state.name << ", t = " << t;
   }
 
-  /** Inner nodes are in equilibrium in uniform states; not in moments, if the normals stay upright
+  /** Inner nodes are in equilibrium in uniform states; not in moments if the normals stay upright
    * in shear. */
   void expect_no_inner_forces(const unsigned int degree, const double t, const ParameterMesh &mesh,
                               const double tolerance)
@@ -152,7 +152,7 @@ TEST_P(ShellDegrees, OnlyRigidMotionsAreFree)
         copy = stiffness;
         copy.compute_eigenvalues_symmetric(-1e30, 1e30, 0., values, vectors);
         EXPECT_LT(std::abs(values[5]) / values[values.size() - 1], 1e-14);
-        // The tie of the rotation about the normal is that weak.
+        // The coupling of the rotation about the normal is that weak.
         EXPECT_GT(values[6] / values[values.size() - 1], 1e-11);
       });
 }
@@ -202,8 +202,8 @@ TEST_P(ShellDegrees, EnergiesOfMotionsNeedNoMatrices)
 
 TEST_P(ShellDegreesHard, ThinShellsTellRigidMotionsFromBending)
 {
-  // A shell of 1e-4 of its radius moves rigidly by a hundred times its radius. The energy left, by
-  // roundoff, would be that of a bending by 1e-9 of the radius or less.
+  // A shell of 1e-4 of its radius moves rigidly by a hundred times its radius. The remaining
+  // energy, due to roundoff, is that of a bending by 1e-9 of the radius or less.
   const double t = 1e-4, far = 100.;
   const Shell shell(cylinder(1.), {{0., 0.2}, {0.7, 1.3}, {{2, 2}}, 0.1}, GetParam(), material,
                     {t});
@@ -219,7 +219,7 @@ TEST_P(ShellDegreesHard, ThinShellsTellRigidMotionsFromBending)
 
 TEST_P(ShellDegreesHard, UniformStatesOnHardMeshes)
 {
-  // Cells of 1:100, and cells whose sides meet at angles far from right ones.
+  // Cells with an aspect ratio of 1:100, and cells with angles far from right angles.
   const ParameterMesh stretched{{0., 0.}, {1., 0.01}, {{2, 2}}, 0.05},
       strongly_distorted{{0., 0.}, {1., 1.}, {{3, 3}}, 0.2};
   for (const ParameterMesh &mesh : {stretched, strongly_distorted})

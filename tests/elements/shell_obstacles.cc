@@ -93,8 +93,8 @@ namespace
 
   /**
    * The work of a pressure t^3 cos(2 theta) at a quarter of a ring of radius 1 between planes of
-   * symmetry on all sides, against the exact one. It bends without stretch of its middle and
-   * without boundary layers.
+   * symmetry on all sides, against the exact one. It bends without membrane strain and without
+   * boundary layers.
    */
   double ring_error(const unsigned int n, const unsigned int degree, const double t,
                     const double distortion = 0.)
@@ -123,7 +123,7 @@ namespace
   }
 
   /** The deflection at the end of a clamped strip along x under its weight, without Poisson's
-   * effect, against the exact one of a bar that bends and shears. */
+   * effect, against the exact one of a beam with bending and shear. */
   double strip_error(const double length, const double width, const Cells &cells,
                      const unsigned int degree, const double t)
   {
@@ -201,7 +201,7 @@ TEST(ShellObstacles, PinchedHemisphere)
 
 TEST(ShellObstacles, DegreeOneIsMitc4)
 {
-  // What is published for MITC4 with 16 cells to a side: 0.989 of 0.3024, 0.930 of 1.8248e-5.
+  // Published values for MITC4 with 16 cells per side: 0.989 of 0.3024, 0.930 of 1.8248e-5.
   const double of_roof     = roof({{16, 16}}, 1, 0.25).deflection / 0.3024,
                of_cylinder = pinched_cylinder(16, 1) / 1.8248e-5;
   record("roof", of_roof);
@@ -212,7 +212,7 @@ TEST(ShellObstacles, DegreeOneIsMitc4)
 
 TEST(ShellObstaclesHard, RingsBendAlikeAtAnyThickness)
 {
-  // The locking sweep, cells along the lines of curvature: errors as the cells are halved,
+  // The locking sweep, cells along the lines of curvature: errors as the cell size is halved,
   // thickness to radius 1e-2 to 1e-4. The error of degree 1 is of order n^-2 and does not depend on
   // the thickness. Degrees 3 and 4 have errors of order n^-2 and n^-4, whatever the thickness, and
   // smaller ones where the cells are not much longer than the shell is thick.
@@ -238,10 +238,11 @@ TEST(ShellObstaclesHard, RingsBendAlikeAtAnyThickness)
 
 TEST(ShellObstaclesHard, RingsOfDistortedCells)
 {
-  // Where cells run across the lines of curvature, bending makes them stretch: membrane locking.
-  // Degree 1 (MITC4 ties the shear only) and degree 3 lock: errors at thickness 1e-2, 1e-3 and 1e-4
-  // of 0.003, 0.05, 0.44 with 32 cells to a quarter, and of 0.004, 0.07, 0.80 with 8. Degree 4 is
-  // not free of it, but its errors with 8 cells are 6e-6, 7e-5, 8e-4; with 4, 5e-4, 2e-3, 2e-2.
+  // Where cells are oblique to the lines of curvature, bending causes membrane strain: membrane
+  // locking. Degree 1 (MITC4 treats shear locking only) and degree 3 lock: errors at thickness
+  // 1e-2, 1e-3 and 1e-4 of 0.003, 0.05, 0.44 with 32 cells per quarter, and of 0.004, 0.07, 0.80
+  // with 8. Degree 4 is not free of locking, but its errors with 8 cells are 6e-6, 7e-5, 8e-4; with
+  // 4, 5e-4, 2e-3, 2e-2.
   for (const double t : {1e-2, 1e-3, 1e-4})
   {
     for (const auto &[degree, n] : {std::pair{1u, 32u}, std::pair{3u, 8u}, std::pair{4u, 8u}})
@@ -285,9 +286,9 @@ TEST(ShellObstaclesHard, ThinRoofsDoNotLock)
 
 TEST(ShellObstaclesHard, StretchedStrips)
 {
-  // One cell, 100 times as long as wide, which holds the deflection exactly, and 100 cells, each
-  // 100 times as wide as long. What is left is roundoff; it grows with the squares of length to
-  // thickness and of the sides of a cell.
+  // One cell, 100 times as long as wide, which represents the deflection exactly, and 100 cells,
+  // each 100 times as wide as long. The remaining error is roundoff, which grows with the squares
+  // of the ratio of length to thickness and of the aspect ratio of a cell.
   const double length = 10., aspect = 100.;
   for (const double t : {0.1, 0.01})
   {
@@ -306,8 +307,8 @@ TEST(ShellObstaclesHard, StretchedStrips)
 
 TEST(ShellObstaclesHard, StretchedCellsOnARoof)
 {
-  // Cells of 12.5 by 0.125 are no worse than the same two cells along the roof with 12 across, nor
-  // those the other way.
+  // Cells of 12.5 by 0.125 are no worse than the same two cells along the roof with 12 across; the
+  // same in the other direction.
   const double best = roof({{16, 16}}, 5, 0.25).deflection;
   for (const auto &[usual, stretched] :
        {std::pair{Cells{{2, 12}}, Cells{{2, 140}}}, std::pair{Cells{{12, 2}}, Cells{{140, 2}}}})

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Cell matrices of the solid element against what any correct one must do: no energy in rigid
+// Cell matrices of the solid element against properties of any correct one: no energy in rigid
 // motions, exact energy of a uniform strain (1/2 strain : stress : strain times the volume, by
-// Hooke's law), mass and inertia of the body, also on distorted cells with curved sides. The
-// patch test: neighbouring distorted cells in a uniform strain exert no net force on inner nodes.
+// Hooke's law), mass and inertia of the body, also on distorted cells with curved sides. The patch
+// test: neighbouring distorted cells in a uniform strain exert no net force on inner nodes.
 
 #include "support/geometry.h"
 #include "support/materials.h"
@@ -34,8 +34,8 @@ namespace
 
   using Displacement = std::function<Tensor<1, 3>(const Point<3> &)>;
 
-  /** 2 x 2 x 2 cells, pulled out of shape; inner faces and sides are curved around the z axis. At a
-   * height of 1 the cells are about as high as wide. */
+  /** 2 x 2 x 2 distorted cells; inner faces and sides are curved around the z axis. With a height
+   * of 1 the cells are about as high as wide. */
   class Patch
   {
   public:
@@ -73,7 +73,7 @@ namespace
       return field;
     }
 
-    /** Forces that keep the body in this state of displacement. */
+    /** Forces that maintain this displacement field. */
     dealii::Vector<double> forces(const dealii::Vector<double> &field) const
     {
       dealii::Vector<double> sum(dof_handler.n_dofs());
@@ -219,7 +219,8 @@ namespace
     EXPECT_EQ(n_inner, 3 * std::pow(2 * degree - 1, 3));
   }
 
-  /** The geometry is of second degree in each direction: only such elements hold it exactly. */
+  /** The geometry is of second degree in each direction: only such elements represent it exactly.
+   */
   class Solid : public testing::TestWithParam<unsigned int>
   {
   };
@@ -256,7 +257,7 @@ TEST_P(Solid, PassesThePatchTest)
 
 TEST_P(SolidHard, ThinCellsPassThePatchTest)
 {
-  // Cells 100 times as wide as high: the matrix loses two digits, the energies without it none.
+  // Cells 100 times as wide as high: the matrix loses two digits, the matrix-free energies none.
   const Patch patch(GetParam(), 0.01);
   const double exact = patch.volume() * exact_energy_density(generic_gradient());
   const auto field   = patch.interpolate(linear(generic_gradient()));
@@ -281,7 +282,7 @@ TEST_P(Solid, MassAndInertiaAreThoseOfTheBody)
   for (unsigned int i = 0; i < 3; ++i)
     for (unsigned int j = 0; j < 3; ++j)
       EXPECT_NEAR(patch.mass_product(shifts[i], shifts[j]) / exact, i == j ? 1. : 0., 1e-12);
-  // x times x: twice the energy of a stretch is the second moment either way
+  // x times x: twice the energy of a stretch is the second moment in either direction
   const auto stretch = patch.interpolate([](const auto &x) { return vector(0., 0., x[0]); });
   const auto other   = patch.interpolate([](const auto &x) { return vector(x[0], 0., 0.); });
   EXPECT_NEAR(patch.mass_product(stretch, stretch) / patch.mass_product(other, other), 1., 1e-12);
@@ -309,8 +310,8 @@ TEST_P(Solid, MatricesAreSymmetricAndFull)
 
 TEST_P(Solid, EnergiesOfMotionsNeedNoMatrices)
 {
-  // The exact energy of a uniform strain again, the inertia of a shift, and for any motion what the
-  // matrices give.
+  // The exact energy of a uniform strain again, the inertia of a translation, and for a generic
+  // motion the same as with the matrices.
   const Patch patch(GetParam());
   const auto stretch = patch.interpolate(linear(generic_gradient()));
   const auto shift   = patch.interpolate([](const auto &) { return vector(0.6, 0., 0.8); });

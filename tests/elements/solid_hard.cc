@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Solid elements of hard materials, against exact solutions: a thick ring under inner pressure in
-// plane strain (Lame) that is almost incompressible; two bars in series, one of them 1e6 times as
-// stiff as the other.
+// Solid elements of difficult materials, against exact solutions: a thick ring under inner pressure
+// in plane strain (Lame) that is almost incompressible; two bars in series, one of them 1e6 times
+// as stiff as the other.
 
 #include "support/record.h"
 #include "support/static_solid.h"
@@ -75,7 +75,7 @@ namespace
            std::to_string(std::lround(1000. * nu));
   }
 
-  /** Two cubes of 1 m along x, held at x = 0, pulled with 1 Pa at x = 2 m. */
+  /** Two cubes of 1 m along x, fixed at x = 0, pulled with 1 Pa at x = 2 m. */
   StaticSolid pulled_pair(const double first_young, const double second_young,
                           const unsigned int degree)
   {
@@ -96,8 +96,8 @@ namespace
 TEST(SolidMaterialsHard, AlmostIncompressibleRing)
 {
   // The error grows like 1/(1 - 2 nu), from nu = 0.3 to 0.499 by about 150 at any degree, but still
-  // falls with the cells at nearly its order. With 2 x 4 cells, degree 2 misses a tenth of the
-  // widening at 0.499, degree 3 2e-3, degree 4 4e-5; with 4 x 8 cells, 1e-2, 5e-5 and 2e-7.
+  // decreases with the cell size at nearly its order. With 2 x 4 cells, degree 2 misses a tenth of
+  // the widening at 0.499, degree 3 2e-3, degree 4 4e-5; with 4 x 8 cells, 1e-2, 5e-5 and 2e-7.
   struct Limits
   {
     unsigned int degree;
@@ -127,7 +127,8 @@ TEST(SolidMaterialsHard, BarsInSeriesOfVeryDifferentStiffness)
       const StaticSolid pair = pulled_pair(first, second, degree);
       const double middle    = pair.displacement(0, Point<3>(1., 1., 1.)),
                    end       = pair.displacement(0, Point<3>(2., 1., 1.));
-      // Behind the soft bar, the stiff one moves by 1e6 times its stretch: that many digits go.
+      // Behind the soft bar, the stiff one moves by 1e6 times its stretch: that many digits are
+      // lost.
       EXPECT_NEAR(middle * first, 1., first < second ? 1e-8 : 1e-11) << degree;
       EXPECT_NEAR((end - middle) * second, 1., first < second ? 1e-7 : 1e-11) << degree;
       record("middle_" + std::to_string(degree) + (first < second ? "_soft_first" : "_stiff_first"),

@@ -60,7 +60,7 @@ TEST(ThickPlate, HasTheExactFrequencies)
   {
     record("error_" + std::to_string(i), found[i] / exact[i] - 1.);
     EXPECT_NEAR(found[i] / exact[i], 1., 2e-5) << "mode " << i;
-    // from above, but for the digits of the target
+    // from above, up to the digits of the target
     EXPECT_GT(found[i] / exact[i], 1. - 4e-7) << "mode " << i;
   }
 }

@@ -3,8 +3,8 @@
 // The meshes in meshes/ are half and whole sectors of the reference stator, made with Gmsh. Their
 // volumes are known in closed form, and so is, from independent finite-element computations
 // (CalculiX 2.20, C3D20, extrapolated), the frequency of the wave with n = 7: 30004 +- 3 Hz out of
-// plane, 34166.7 +- 3 Hz in plane. The two files are mirror images of each other, so that the real
-// form on the half and the complex form on the whole sector must agree.
+// plane, 34166.7 +- 3 Hz in plane. The two files are mirror images of each other, so the real form
+// on the half and the complex form on the whole sector must agree.
 
 #include <ringmotor/mesh/ids.h>
 #include <ringmotor/mesh/read_sector.h>
@@ -82,7 +82,7 @@ TEST(ImportedSector, HasTheVolumesOfTheReferenceStator)
         volume[cell->material_id()] += form == SectorForm::half ? weight : 0.5 * weight;
     }
     // Arcs are exact to 1e-7. In each of the three cells from inside to outside the slot's wall
-    // bends by 0.3 um, 0.2 um on average, and half a tooth is 0.75 mm wide or more.
+    // deviates from a plane by 0.3 um, 0.2 um on average, and half a tooth is 0.75 mm wide or more.
     for (const auto &[id, value] : expected)
       EXPECT_NEAR(volume[id] / value, 1., id == ids::tooth ? 3e-4 : 1e-7) << "id " << id;
   }
@@ -119,7 +119,7 @@ TEST(ImportedSectorLong, ReachesTheReferenceFrequenciesWhenRefined)
     const FoundMode &found = search.modes()[i];
     EXPECT_EQ(found.content.family(), family[i]);
     // Computed frequencies are too high, here by some 2e-4 (slot roots). The reference is known to
-    // 1e-4, and the bent slot walls make less than 2e-5.
+    // 1e-4, and the curved slot walls contribute less than 2e-5.
     EXPECT_GT(found.mode.frequency() / reference[i], 1. - 1.2e-4);
     EXPECT_LT(found.mode.frequency() / reference[i], 1. + 3e-4);
     EXPECT_NEAR(found.frequency.value, reference[i], found.frequency.error + 1e-4 * reference[i]);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Everything a user can do wrong in a mesh file is refused in one line that says where and what to
-// do. It is tried on a ring of six sectors with six cells each, written as Gmsh would, and on
-// damaged copies of a file in meshes/; deal.II's reader must not speak, hang or crash.
+// Every mistake in a mesh file is refused in one line that says where it is and what to do. Tested
+// with a ring of six sectors with six cells each, written as Gmsh would, and with damaged copies of
+// a file in meshes/; deal.II's reader must not print anything, hang or crash.
 
 #include "output/scratch.h"
 
@@ -143,13 +143,13 @@ TEST(MeshFile, TakesWellMadeFiles)
     EXPECT_EQ(mesh.triangulation->n_active_cells(), 6u);
   }
 
-  // Cuts need not be plane, only turned copies of each other.
+  // Cuts need not be planes, only rotated copies of each other.
   SmallSector skewed;
   for (auto &node : skewed.nodes)
     node[1] += 1e3 * (node[0] - 25e-3) + 500. * node[2];
   EXPECT_EQ(read(skewed.write(scratch), 6).form, SectorForm::whole);
 
-  // Line ends of another system
+  // Line ends of another operating system
   std::string text = content_of(half_sector_file);
   for (std::size_t i = text.find('\n'); i != std::string::npos; i = text.find('\n', i + 2))
     text.insert(i, "\r");
@@ -193,7 +193,7 @@ TEST(MeshFile, RefusesAFileThatLacksALine)
   const std::string whole = content_of(half_sector_file);
   const std::string path  = scratch.path("part.msh");
   unsigned int n_lines    = 0;
-  // Nobody misses a line of the geometry before the nodes.
+  // Lines of the geometry before the nodes may be missing.
   for (std::size_t begin = whole.find("$Nodes"); begin < whole.size(); ++n_lines)
   {
     const std::size_t end = whole.find('\n', begin) + 1;

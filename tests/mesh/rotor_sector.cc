@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The generated sector of the rotor against the closed forms of its volume and of the areas of its
-// faces, and an inner face of cells that shrink as they should.
+// faces, and an inner face of cells of properly decreasing size.
 
 #include "support/geometry.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Cutting a sheet is a change of the mesh, not of the body: no hanging nodes, the same volume, one
-// more cell for each cell that the sheet runs through, and cuts that still match. The number of
-// sheets of a box is the number of its layers in the three directions.
+// Cutting a sheet changes the mesh, not the body: no hanging nodes, the same volume, one more cell
+// for each cell that the sheet runs through, and cuts that still match. The number of sheets of a
+// box is the number of its layers in the three directions.
 
 #include "support/geometry.h"
 #include "support/ring_sector.h"
@@ -26,7 +26,7 @@ namespace
     return make_stator_sector(StatorGeometry(), 90, form, SectorGrading::level(1), MPI_COMM_SELF);
   }
 
-  /** A whole sector in two pieces that hang together only across the cuts: 2 x 2 cells each. */
+  /** A whole sector in two pieces that are connected only across the cuts: 2 x 2 cells each. */
   SectorMesh split_sector()
   {
     const double pitch = 0.5;
@@ -132,8 +132,8 @@ TEST(Sheets, GoOnAcrossTheCuts)
 
 TEST(Sheets, OfTheStatorRunThroughTheSector)
 {
-  // A sheet that meets the mirror plane, as the layers in r and z do, runs through it; each other
-  // one has a mirror image of its own.
+  // A sheet that meets the mirror plane, as the layers in r and z do, crosses it; every other one
+  // has its own mirror image.
   const SectorMesh half = coarse_stator(SectorForm::half), whole = coarse_stator(SectorForm::whole);
   const Sheets half_sheets(half), whole_sheets(whole);
   std::set<unsigned int> through;

@@ -2,7 +2,7 @@
 
 // The generated sector of the stator against its geometry: closed forms of the volumes (the area
 // between a slot wall and theta = 0 is the integral of r (alpha/2 - asin(c/r)), c half the slot's
-// width), slot walls that are planes, heights, and faces that belong to exactly one kind.
+// width), plane slot walls, heights, and faces of exactly one kind each.
 
 #include "support/geometry.h"
 
@@ -88,7 +88,7 @@ namespace
     return std::hypot(x[0], x[1]);
   }
 
-  /** How much of the unit normal of a face points along theta. */
+  /** The theta component of a face's unit normal. */
   template <typename Face>
   double tangential_part_of_normal(const Face &face)
   {
@@ -112,7 +112,7 @@ TEST(StatorSector, HasTheExactVolume)
 
 TEST(StatorSector, HasParallelSlotWallsAndFlatTops)
 {
-  // Also on the midpoints that quadratic cells are made of: the faces are refined once.
+  // Also at the midpoints that define quadratic cells: the faces are refined once.
   for (const StatorGeometry &stator : {StatorGeometry(), other_stator()})
     for (const SectorForm form : {SectorForm::half, SectorForm::whole})
     {
@@ -149,7 +149,7 @@ TEST(StatorSector, HasParallelSlotWallsAndFlatTops)
 
 namespace
 {
-  /** The faces of cuts and mirror plane are where their marks say. */
+  /** The faces of cuts and mirror plane are where their marks indicate. */
   void expect_marks_in_place(const SectorMesh &mesh)
   {
     const std::map<dealii::types::boundary_id, double> places{{ids::cut, half_pitch},
@@ -217,7 +217,7 @@ TEST(StatorSector, MarksAllFaces)
 
 TEST(StatorSector, IsGradedTowardsTheSlotRoot)
 {
-  // n layers with ratio q: the cell at the root is q^n half slots thin, in height and across.
+  // n layers with ratio q: the cell at the root measures q^n half slots, in height and across.
   const StatorGeometry stator;
   for (const unsigned int n_layers : {0u, 1u, 3u})
   {

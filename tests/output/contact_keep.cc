@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// What the program contact keeps for later runs: it is found again under the same circumstances
-// only, and then it is the same to the last bit.
+// What the program contact keeps for later runs: it is reused only under the same circumstances,
+// and then bit for bit the same.
 
 #include "parameters/sample.h"
 #include "support/motor_model.h"
@@ -29,8 +29,8 @@ namespace
     return wave;
   }
 
-  // Entries that change no operating point by itself, and those that change no condensed motor:
-  // this list is a promise to the user, who may change them and still resume.
+  // Entries that affect no single operating point, and those that do not affect the condensed
+  // motor: this list is a promise to the user, who may change them and still resume.
   const std::set<std::string> not_of_points{
       "Motor/Name", "Motor/Unusual values", "Loading/Control", "Loading/Values",
       "Loading/Number of curve points", "Accuracy/Contact target", "Accuracy/Mode",
@@ -41,7 +41,7 @@ namespace
       "Materials/Rotor metal/Loss factor", "Materials/Target plate/Loss factor",
       "Support/Felt thickness", "Support/Felt modulus", "Support/Felt loss factor",
       "Support/Felt inner radius", "Support/Felt outer radius",
-      // of effects that are off
+      // entries of effects that are off
       "Stator/Target plate cross-section", "Materials/Target plate/Young modulus",
       "Materials/Target plate/Poisson ratio", "Materials/Target plate/Density",
       "Friction/Lining normal stiffness", "Friction/Lining tangential stiffness"};
@@ -169,7 +169,7 @@ namespace
       return ContactKeep(scratch.path(""), *wave, resumes, log, MPI_COMM_SELF);
     }
 
-    /** The bytes of a motor, and what the log said. */
+    /** The bytes of a motor, and the log's text. */
     std::pair<std::string, std::string> motor()
     {
       said.str("");
@@ -235,7 +235,7 @@ TEST_F(ContactKeepFiles, NeverGiveADamagedMotorOrThatOfAnother)
   EXPECT_NE(motor().second.find("read from"), std::string::npos) << "the new one is kept";
 }
 
-// The points that are left start from the last one that is there, as if it had just been computed.
+// The remaining points start from the last existing one, as if it had just been computed.
 TEST_F(ContactKeepFiles, PointsThatAreMissingComeOutTheSameToTheLastBit)
 {
   parameters.friction.law                = FrictionLaw::static_dynamic;

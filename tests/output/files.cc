@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Files are written all or nothing, and a disk that refuses is told in one line. The expected
-// reasons are the system's texts of the errors that the kernel documents: /dev/full always answers
-// "no space left", a size limit of the process (setrlimit) "file too large".
+// Files are written completely or not at all, and disk errors are reported in one line. The
+// expected reasons are the system's texts of the errors that the kernel documents: /dev/full always
+// answers "no space left", a size limit of the process (setrlimit) "file too large".
 
 #include "scratch.h"
 
@@ -33,7 +33,7 @@ namespace
     return message_of<UserError>([&]() { write_file(path, content); });
   }
 
-  /** Lets this process write files up to a size only, as a full disk would. */
+  /** Limits the size of files that this process can write, as a full disk would. */
   class FileSizeLimit
   {
   public:
@@ -140,7 +140,7 @@ TEST(OutputFolder, IsRefusedWhereItCannotBeMadeOrWritten)
   expect_refusal(refusal(file), file, "Not a directory");
   expect_refusal(refusal(file + "/below"), file + "/below", "Not a directory");
 
-  // The kernel's own folders take no files, whoever asks.
+  // The kernel's own folders accept no files from any user.
   expect_refusal(refusal("/proc/ringmotor"), "/proc/ringmotor", "No such file or directory");
   expect_refusal(refusal("/proc"), "/proc", "No such file or directory");
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// What goes into an HDF5 file comes back to the last bit, and a file that is not the expected one
-// is refused in one line that names the file, the dataset, what was found and what was expected.
+// Data written to an HDF5 file is read back bit for bit, and a file other than the expected one is
+// refused in one line that names the file, the dataset, what was found and what was expected.
 
 #include "scratch.h"
 
@@ -148,8 +148,8 @@ TEST(Hdf5, RefusesAFileThatWasCutOff)
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "HDF5 itself must stay silent";
 }
 
-// With one byte damaged anywhere, the file is refused or (the byte was of no importance) still
-// gives the right values: never wrong ones, never a crash of HDF5.
+// With one byte damaged anywhere, the file is refused or (if the byte was irrelevant) still gives
+// the right values: never wrong ones, never a crash of HDF5.
 TEST(Hdf5, NeverGivesDamagedValues)
 {
   const Scratch scratch;

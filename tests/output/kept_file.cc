@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// A file that is kept for a later run gives back what went in, to the last byte and under the same
-// key, or nothing.
+// A file kept for a later run returns what was written, byte for byte and under the same key, or
+// nothing.
 
 #include "scratch.h"
 
@@ -20,7 +20,7 @@ using namespace ringmotor::tests;
 
 namespace
 {
-  // Keys of one length, bytes that look like the head of a file, zeros.
+  // Keys of equal length, bytes that look like a file header, zeros.
   const std::string key = "preload 14\n", other_key = "preload 15\n",
                     bytes = std::string("12\nab\0\0\n\xff", 9);
 

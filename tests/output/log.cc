@@ -60,7 +60,7 @@ TEST(Log, ForeseesTheTimeLeft)
   pause_ms(300); // time before the task must not count
   log.progress("steps", 0.);
   pause_ms(100);
-  log.progress("steps", 0.01); // 0.1 s for one of a hundred: 9.9 s are left
+  log.progress("steps", 0.01); // 0.1 s for one of a hundred: 9.9 s remain
   std::smatch left;
   const std::string text = out.str();
   ASSERT_TRUE(std::regex_search(text, left, std::regex(R"(1 %, (\d+) s left)"))) << text;
@@ -100,7 +100,7 @@ TEST(PeakMemory, SeesALargeArray)
 {
   const double before = peak_memory_MB();
   EXPECT_GT(before, 1.);
-  // Larger than all before, so that it must raise the peak; written to, so that it is resident.
+  // Larger than anything before, so it must raise the peak; written to, so it is resident.
   const std::size_t n_bytes = static_cast<std::size_t>(before * 1e6) + 100000000;
   const std::vector<char> memory(n_bytes, 'x');
   EXPECT_GE(peak_memory_MB(), before + 99. + memory[0] - 'x');

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Which wave is taken for which motor: every entry that the wave can depend on tells one motor from
-// another, by its name and both values; no other entry does. The lists here are the promise to the
-// user, not those of the program.
+// Which wave is accepted for which motor: a change of any entry that the wave can depend on is
+// refused, with its name and both values; no other entry matters. The lists here are the promise to
+// the user, not taken from the program.
 
 #include "output/scratch.h"
 #include "parameters/sample.h"
@@ -25,7 +25,7 @@ using ringmotor::sample::with;
 
 namespace
 {
-  /** All of these sections but the names below, and single entries of others. */
+  /** All entries of these sections except those below, and single entries of others. */
   bool is_of_the_wave(const std::string &entry)
   {
     static const std::set<std::string> excepted{"Motor/Name",
@@ -45,7 +45,7 @@ namespace
             excepted.count(entry) == 0);
   }
 
-  /** Takes part where the plates do only. */
+  /** Matters only if the plates are included. */
   bool is_of_the_plates(const std::string &entry)
   {
     return entry == "Stator/Target plate cross-section" ||

@@ -2,7 +2,7 @@
 //
 // The quantities of an operating point in torque_speed.csv, contact.h5 and summary.json, and those
 // of its losses in losses.csv, efficiency.csv and summary.json, read back and compared with the
-// numbers that were put in; some with units that are converted by hand.
+// numbers written; some with units converted by hand.
 
 #include "parameters/sample.h"
 #include "scratch.h"
@@ -27,7 +27,7 @@ using ringmotor::sample::with;
 
 namespace
 {
-  /** A point whose numbers all differ. */
+  /** An operating point whose numbers all differ. */
   CurvePoint some_point()
   {
     CurvePoint point;
@@ -46,7 +46,7 @@ namespace
     return point;
   }
 
-  /** The only row of a table by the names of its columns. */
+  /** The only row of a table, by column name. */
   std::map<std::string, std::string> row_of(const std::string &csv)
   {
     std::istringstream lines(csv);
@@ -60,7 +60,7 @@ namespace
     return entries;
   }
 
-  /** The outputs of a point. */
+  /** The outputs of an operating point. */
   class Outputs
   {
   public:
@@ -173,7 +173,7 @@ TEST(PointQuantities, ComeBackFromTheFile)
 
 TEST(PointQuantities, KnowEveryNumberOfAnOperatingPoint)
 {
-  // A number that is missing in the list would be neither averaged nor kept.
+  // A number missing from the list would be neither averaged nor saved.
   EXPECT_EQ(OperatingPoint::members().size() * sizeof(double), sizeof(OperatingPoint));
   EXPECT_EQ(PointError::members.size() * sizeof(double), sizeof(PointError));
   const OperatingPoint point = some_point().result;

@@ -10,7 +10,7 @@
 
 namespace ringmotor::tests
 {
-  /** A new empty folder that goes away with its owner. */
+  /** A new empty folder, removed by the destructor. */
   class Scratch
   {
   public:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// summary.json: read back with the JSON library and compared with what was put in.
+// summary.json: read back with the JSON library and compared with what was written.
 
 #include "scratch.h"
 
@@ -69,7 +69,7 @@ TEST(Summary, HoldsEverythingUnderItsName)
                                {"name": "residual", "value": 1e-12, "limit": 1e-9, "holds": true}]}
   })");
   EXPECT_EQ(nlohmann::json::parse(text), expected) << text;
-  // people read the phases in the order of the run
+  // phases are listed in the order of the run
   EXPECT_LT(text.find("factorise"), text.find("assemble"));
 }
 

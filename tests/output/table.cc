@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Tables as CSV: the quoting rules are those of RFC 4180, the numbers must read back (strtod) to
-// the same double.
+// Tables as CSV: the quoting rules are those of RFC 4180, numbers must be read back (strtod) as the
+// same double.
 
 #include "scratch.h"
 

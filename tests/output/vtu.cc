@@ -2,8 +2,8 @@
 //
 // VTU files against the known wave of wave_field.h, evaluated at the positions found in the file.
 // The order of the nodes in a Lagrange hexahedron is VTK's: corners, edges, faces, inside; the last
-// two edges are 2-6, 3-7 in files of version 2.2 and the other way round before (release notes of
-// VTK 9.1, "node numbering for VTK_LAGRANGE_HEXAHEDRON").
+// two edges are 2-6, 3-7 in files of version 2.2 and vice versa before (release notes of VTK 9.1,
+// "node numbering for VTK_LAGRANGE_HEXAHEDRON").
 
 #include "scratch.h"
 #include "vtu_file.h"
@@ -30,7 +30,7 @@ using namespace ringmotor::tests;
 
 namespace
 {
-  // Files hold floats, so positions are good to 2e-9 m and the wave to 1e-6 of its amplitude.
+  // Files hold floats, so positions are accurate to 2e-9 m and the wave to 1e-6 of its amplitude.
   constexpr double tolerance = 5e-12;
 
   void expect_motion(const VtuFile &file, const std::string &name, const WaveRing &ring,
@@ -143,7 +143,7 @@ TEST(Vtu, CellsAreLagrangeHexahedraInTheOrderOfVtk)
   for (unsigned int cell = 0; cell < 8; ++cell)
     EXPECT_EQ(offsets.at(cell), 27 * (static_cast<int>(cell) + 1));
 
-  // Cells are boxes in (r, theta, z): a node between others is their mean there.
+  // Cells are boxes in (r, theta, z): a node between others lies at their mean there.
   const auto places                              = file.vectors("");
   const auto nodes                               = file.array<std::int32_t>("connectivity");
   std::vector<std::vector<unsigned int>> between = {{0, 1},
@@ -248,8 +248,8 @@ TEST(Vtu, NoRecordOfFramesThatWereNotWritten)
 
 namespace
 {
-  /** A closed ring of hexahedra: each face belongs to two cells or, on the skin, to one, and there
-   * are as many edges of the skin's faces as a torus wants (Euler: points - edges + faces = 0). */
+  /** A closed ring of hexahedra: each face belongs to two cells or, on the skin, to one, and the
+   * number of edges of the skin's faces is that of a torus (Euler: points - edges + faces = 0). */
   void expect_closed_ring(const VtuFile &file)
   {
     const auto nodes                   = file.array<std::int32_t>("connectivity");

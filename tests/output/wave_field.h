@@ -42,10 +42,10 @@ namespace ringmotor::tests
                amplitude * radius / outer_radius}};
     }
 
-    /** What stands for the strain energy per volume, J/m^3. */
+    /** Substitute for the strain energy density, J/m^3. */
     double energy(const double radius, const double z) const { return 1e3 * radius + 5e4 * z * z; }
 
-    /** Displacement at a place of the ring at the time angle omega t, Cartesian. */
+    /** Cartesian displacement at a point of the ring at the phase omega t. */
     std::array<double, 3> motion(const std::array<double, 3> &place, const double time_angle) const
     {
       const double theta = std::atan2(place[1], place[0]);

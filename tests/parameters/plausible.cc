@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Numbers that no motor has, which are those of motors in other units.
+// Implausible numbers that would be plausible in other units.
 
 #include "sample.h"
 

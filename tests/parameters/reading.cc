@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// What a valid parameter file means. The expected numbers are the reference motor's data sheet (the
-// paper's values where it states them, see prm/canon_ring.prm), written out once more here; texts
-// written by the test itself; and, for round trips, the value that went in.
+// The interpretation of valid parameter files. The expected numbers are the reference motor's data
+// sheet (the paper's values where it states them, see prm/canon_ring.prm), written out once more
+// here; texts written by the test itself; and, for round trips, the value that went in.
 
 #include "sample.h"
 
@@ -100,7 +100,7 @@ TEST(Reading, CanonRingFileIsTheReferenceMotor)
 
 TEST(Reading, CanonRingFileAgreesWithTheDefaults)
 {
-  // But for the effects, which that file leaves to the programs, and for what that costs.
+  // Except for the effects, which that file leaves to the programs, and the contact target.
   const Parameters defaults;
   Parameters parameters              = read_parameters(source_folder + "/prm/canon_ring.prm");
   parameters.motor.name              = defaults.motor.name;

@@ -31,7 +31,7 @@ namespace ringmotor::sample
     return read_parameters_from_text(complete_text(), "complete.prm", overrides);
   }
 
-  /** `Section/Entry = value` with another value than that of the reference motor. */
+  /** `Section/Entry = value` with a value other than the reference motor's. */
   inline std::string changed(const std::string &entry)
   {
     const std::string reference = text_of(with({}));
@@ -53,7 +53,7 @@ namespace ringmotor::sample
     return "";
   }
 
-  /** The message of the UserError that @p action throws; a failure of the test without one. */
+  /** The message of the UserError that @p action throws; the test fails if it throws none. */
   template <typename Action>
   std::string message_of(const Action &action)
   {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// What a user is told about a mistake: the place, the entry, what was found and what is allowed, in
+// What is reported about a mistake: the place, the entry, what was found and what is allowed, in
 // one line. Each test writes the mistake and checks for the words that identify it.
 
 #include "sample.h"
@@ -107,7 +107,7 @@ TEST(WrongInput, MissingEntries)
 
 TEST(WrongInput, RotorsThatAreMissing)
 {
-  // The stator alone needs none of them, and does not tell of another motor's.
+  // The stator alone needs none of them, and does not report another motor's.
   for (const auto &[section, entry] :
        std::vector<std::pair<std::string, std::string>>{{"Rotor", "Lip inner radius"},
                                                         {"Rotor", "Radial bar stiffness"},
@@ -291,7 +291,7 @@ TEST(WrongInput, CrossSectionsThatCross)
   expect_clash({"Stator/Tip inner radius = 0.035"},
                {"Stator/Tip inner radius = 0.035 m", "Stator/Tip outer radius = 0.0342 m"});
   expect_clash({"Stator/Tip inner radius = 0.0341999"}, {"Stator/Tip inner radius", "do not meet"});
-  // A tooth that is wider at its tip is a motor like any other.
+  // A tooth that is wider at its tip is allowed.
   EXPECT_NO_THROW(check_for_stator(with({"Stator/Tip outer radius = 0.040"})));
 }
 

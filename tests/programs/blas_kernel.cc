@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Which kernel of OpenBLAS is to be used instead of which. Rates and restarts: blas_kernel.py.
+// Which OpenBLAS kernel must replace which. Rates and restarts: blas_kernel.py.
 
 #include <ringmotor/programs/blas_kernel.h>
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
 // Prints the kernel of OpenBLAS and its rates, in GFlop/s, for products of matrices with 500 and
-// 900 rows. Each is the best of a few repetitions, by processor time: others may use the machine,
-// too.
+// 900 rows. Each is the best of a few repetitions, by processor time, as the machine may be shared.
 
 #include <ringmotor/programs/blas_kernel.h>
 

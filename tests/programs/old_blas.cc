@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
 // To be loaded before a program (LD_PRELOAD): makes an OpenBLAS that knows the processor behave as
-// one that does not, and takes the kernel OLD_BLAS_KERNEL where nobody chooses. Without a variable
-// OPENBLAS_CORETYPE, what the library itself calls at its start is called again with one.
+// one that does not, and uses the kernel OLD_BLAS_KERNEL unless one is chosen. If OPENBLAS_CORETYPE
+// is not set, the library's initialisation functions are called again with it set.
 
 #include <dlfcn.h>
 
@@ -10,7 +10,7 @@
 
 namespace
 {
-  // The library is linked with a BLAS, so that this comes after the start of OpenBLAS.
+  // The library is linked with a BLAS, so this runs after the initialisation of OpenBLAS.
   __attribute__((constructor)) void take_old_kernel()
   {
     const char *variable = "OPENBLAS_CORETYPE", *kernel = std::getenv("OLD_BLAS_KERNEL");

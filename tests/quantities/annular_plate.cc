@@ -5,10 +5,10 @@
 // 4 x 4 determinant of Bessel functions; Leissa, Vibration of Plates (1969), has the lower ones.
 //
 // A solid of finite thickness is softer than Kirchhoff's plate: the free edges twist in a layer of
-// width h (an effect of first order in h), shear and rotary inertia follow in second order. So the
-// values of three thicknesses are extrapolated to h = 0 with a linear and a quadratic term, what is
-// left is of third order: (n h/a)^3 of the middle thickness, below 1e-4 up to n = 5, 8e-4 at n = 9,
-// times a small factor. How far below the thin plate a real one lies is known in one case:
+// width h (an effect of first order in h), shear and rotary inertia are of second order. So the
+// values of three thicknesses are extrapolated to h = 0 with a linear and a quadratic term; the
+// remainder is of third order: (n h/a)^3 of the middle thickness, below 1e-4 up to n = 5, 8e-4 at
+// n = 9, times a small factor. The difference between a real and a thin plate is known in one case:
 // -0.065 % for b/a = 0.8, h/a = 0.004, n = 7.
 
 #include "support/materials.h"
@@ -31,7 +31,7 @@ namespace
 
   struct PlateMode
   {
-    double inner_radius; ///< over the outer one
+    double inner_radius; ///< relative to the outer one
     unsigned int n_waves;
     double lambda_squared;
     unsigned int n_circles;
@@ -41,7 +41,7 @@ namespace
     return out << "b/a = " << mode.inner_radius << ", n = " << mode.n_waves;
   }
 
-  /** The lowest elastic mode over Kirchhoff's frequency; what it looks like. */
+  /** The lowest elastic frequency over Kirchhoff's, and the mode's shape. */
   struct Found
   {
     double ratio;
@@ -90,8 +90,8 @@ TEST_P(AnnularPlate, TendsToKirchhoffsPlate)
   EXPECT_EQ(thin.content.nodal_circles, plate.n_circles);
 }
 
-// Without waves the plate moves up inside and down outside: its centre of mass stays, so the axial
-// motion has a nodal circle.
+// Without waves the plate moves up inside and down outside: its centre of mass does not move, so
+// the axial motion has a nodal circle.
 INSTANTIATE_TEST_SUITE_P(
     Wide, AnnularPlate,
     testing::Values(PlateMode{0.5, 0, 9.313481, 1}, PlateMode{0.5, 2, 4.271114, 0},

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A motor that is a brush model: rigid bodies, a lining as the only spring, which gives way along
-// the normal only, and a wave without radial motion. Expected: closed form of a rigid sine on a
-// Winkler foundation with Coulomb friction and no tangential compliance (n 7, R 35.25 mm, A 2 um,
-// A_t 1.44 um, 30 kHz, 14 N, mu 0.40, 5.5e8 N/m per metre of circumference).
+// A motor reduced to a brush model: rigid bodies, a lining with normal compliance only, and a wave
+// without radial motion. Expected: closed form of a rigid sine on a Winkler foundation with Coulomb
+// friction and no tangential compliance (n 7, R 35.25 mm, A 2 um, A_t 1.44 um, 30 kHz, 14 N, mu
+// 0.40, 5.5e8 N/m per metre of circumference).
 
 #include "support/motor_model.h"
 #include "support/record.h"
@@ -30,9 +30,11 @@ namespace
     return parameters;
   }
 
-  /** The wave of the brush model at the contact points, all of which lie at its radius, and its
-   * foundation as the lining; tangentially hardly anything gives way: what does is taken back at
-   * each change of direction, 1 % of the friction loss with this stiffness. */
+  /**
+   * The wave of the brush model at the contact nodes, all of which lie at its radius, and its
+   * foundation as the lining; the small tangential compliance is reversed at each change of
+   * direction, 1 % of the friction loss with this stiffness.
+   */
   CondensedMotor brush_model(Parameters &parameters)
   {
     StatorWave wave;

@@ -4,12 +4,12 @@
 // Problems in Engineering), with I/A = d^2/16:
 //   in-plane      omega^2 = E I / (rho A R^4) n^2 (n^2 - 1)^2 / (n^2 + 1)
 //   out-of-plane  omega^2 = E I / (rho A R^4) n^2 (n^2 - 1)^2 / (n^2 + 1 + nu)
-// (d = 0.1 m: 53.38, 151.0, 289.5 Hz and 51.85, 148.8, 287.0 Hz for n = 2, 3, 4). The theory leaves
-// out shear, rotary inertia and extension, all of them of second order in d and lowering the
-// frequency. For a straight beam of the wave length 2 pi R / n they take off
+// (d = 0.1 m: 53.38, 151.0, 289.5 Hz and 51.85, 148.8, 287.0 Hz for n = 2, 3, 4). The theory
+// neglects shear, rotary inertia and extension, all of second order in d and lowering the
+// frequency. For a straight beam of the wavelength 2 pi R / n they lower it by
 // (1 + E / (G k)) / 2 (n d / 4 R)^2 = 2 (n d / 4 R)^2, with k = 0.886: 0.5, 1.1, 2.0 % here. So the
 // solid ring must lie below the formula by no more than 1.5 times that, and two diameters
-// extrapolated to d = 0 must meet it.
+// extrapolated to d = 0 must agree with it.
 //
 // Modal mass by hand: without extension u_theta = u_r / n a quarter period apart, so the standing
 // mode with unit radial amplitude moves m/2 (1 + 1/n^2).

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Where the points of a torque-speed curve are computed, on curves that are polygons.
+// The choice of operating points on a torque-speed curve, for polygons.
 
 #include <ringmotor/quantities/curve_points.h>
 

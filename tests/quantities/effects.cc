@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The list of effects: what each needs, what it puts into the model, how `auto` chooses, and that
-// what is off costs nothing. The frequency of the wave with the rotor on it: its shift is that of
-// Rayleigh's quotient, work of the forces over four times the strain energy, both from the fields
-// alone; without inertia, speeds go with the frequency. Tests of single effects stand where their
-// physics is tested.
+// The list of effects: what each needs, what it adds to the model, how `auto` chooses, and that
+// disabled effects cost nothing. The frequency of the wave with the rotor on it: its shift is that
+// of Rayleigh's quotient, work of the forces over four times the strain energy, both from the
+// fields alone; without inertia, speeds are proportional to the frequency. Tests of single effects
+// are next to the tests of their physics.
 
 #include "support/motor_model.h"
 #include "support/record.h"
@@ -68,7 +68,7 @@ TEST(Effects, HaveEachAnEntryOfTheirOwn)
                 other->choice(reference_motor()) == EffectChoice::off || other == one)
           << one->name << " " << other->name;
   }
-  EXPECT_EQ(names.size(), sizeof(Effects) / sizeof(EffectChoice)); // none has been forgotten
+  EXPECT_EQ(names.size(), sizeof(Effects) / sizeof(EffectChoice)); // complete
 }
 
 TEST(Effects, SayWhatTheyNeed)
@@ -156,7 +156,7 @@ TEST(Effects, ThatAreLeftOutWidenTheErrorBars)
 {
   const LeftOut left_out({{"Tooth inertia", 0.02, "off", true},
                           {"Rotor inertia", 0.03, "off", true},
-                          {"Stator back-reaction", 0.5, "off", false}, // as the user wants it
+                          {"Stator back-reaction", 0.5, "off", false}, // as set by the user
                           {"Static friction excess", 0.2, "on", true}},
                          {{"Rotor inertia", {{0.25, 0.004, 0.03, 2.}, 0.03}}});
   CurvePoint point;
@@ -220,7 +220,7 @@ TEST(StatorBackReaction, TunesTheWaveAsRayleighSays)
     Parameters following                   = parameters;
     following.effects.stator_back_reaction = EffectChoice::on;
     const CurvePoint own = OperatingPointFinder(following, motor).find({Control::torque, torque});
-    // The work of the forces on the rotor in the motion of the stator's wave, at one sample.
+    // The work of the forces on the rotor in the motion of the stator's wave, at one time sample.
     double work                = 0.;
     const unsigned int n_nodes = motor.nodes.size();
     for (unsigned int i = 0; i < given.fields.force.size(); ++i)
@@ -238,7 +238,7 @@ TEST(StatorBackReaction, TunesTheWaveAsRayleighSays)
     EXPECT_LT(30e3 * shift, 150.);
     EXPECT_NEAR(*effect("Stator back-reaction").indicator({parameters, &wave, {}}), shift,
                 0.1 * shift);
-    // Static compliance and friction know no time: all goes faster by as much.
+    // Static compliance and friction are rate-independent: all speeds increase in proportion.
     EXPECT_NEAR(own.result.speed / given.result.speed, 1. + shift, 1e-6);
     EXPECT_NEAR(own.result.friction_loss() / given.result.friction_loss(), 1. + shift, 1e-5);
   }

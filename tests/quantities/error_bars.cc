@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Error bars against true errors, where these are known: the reference stator's working mode
-// (30004 +- 3 Hz, from an independent program, see reference_stator.cc) on many meshes, stators of
-// other shapes against meshes a hundred times better, and a case with an exact solution: a hollow
-// cylinder of length L twists without waves as u_theta = r cos(j pi z / L) at j c / (2 L), c the
-// speed of shear waves, whatever its radii.
+// Error bars against known true errors: the reference stator's working mode (30004 +- 3 Hz, from an
+// independent program, see reference_stator.cc) on many meshes, stators of other shapes against
+// meshes a hundred times better, and a case with an exact solution: the torsion of a hollow
+// cylinder of length L without waves, u_theta = r cos(j pi z / L) at j c / (2 L), c the speed of
+// shear waves, whatever its radii.
 
 #include "support/materials.h"
 #include "support/ring_sector.h"
@@ -52,7 +52,7 @@ TEST(ErrorBarsLong, HoldTheTrueFrequencyOfTheStator)
       const Estimate estimate = mode->frequency;
       EXPECT_NEAR(estimate.value, exact, estimate.error + uncertainty)
           << "degree " << degree << ", level " << level;
-      // not by being too long: the true excess of the computed frequency is a fair part of the bar
+      // the bar is not too long: the true excess of the computed frequency is a fair part of it
       const double excess = mode->mode.frequency() - exact;
       if (excess > 10. * uncertainty)
       {
@@ -77,13 +77,13 @@ TEST(ErrorBars, HoldTheExactFrequencyOfATwistedCylinder)
       search.compute(mesh, degree);
       for (unsigned int j = 1; j < 3; ++j)
       {
-        // More half waves in a cell than this are not resolved. Degree 2 does not even see one: it
-        // is odd in the cell, its quadratic part vanishes (a limit that frequency_estimate()
-        // states).
+        // More half waves in a cell than this are not resolved. Degree 2 does not even detect one:
+        // it is odd in the cell, its quadratic part vanishes (a limit that frequency_estimate()
+        // documents).
         if (j + 3 > n_axial + degree)
           continue;
         const double exact = j * wave_speed / (2. * length);
-        // A twist is the part that is odd about the mirror plane: imaginary.
+        // Torsion is odd about the mirror plane, hence imaginary.
         const auto twist =
             std::find_if(search.modes().begin(), search.modes().end(),
                          [&](const FoundMode &found)
@@ -182,25 +182,25 @@ TEST(ErrorBars, OfHopelessMeshesDoNotReachBelowZero)
 
 TEST(ErrorBars, OfShapesFollowTheLastChange)
 {
-  // The indicator fell to a quarter, the shape's error (its square root) to a half: what is left
-  // is as large as the last change, and twice that is the bar.
+  // The indicator fell to a quarter, the shape's error (its square root) to a half: the remaining
+  // error equals the last change, and the bar is twice that.
   const FrequencySample coarse{3, 30000., 4e-4}, fine{3, 30000., 1e-4};
   const Estimate estimate = shape_estimate(0.84, 0.83, fine, coarse, 1e-4);
   EXPECT_DOUBLE_EQ(estimate.value, 0.84);
   EXPECT_NEAR(estimate.error, 0.02, 1e-12);
-  // A change that happens to be small is not believed: twice the frequency's relative error.
+  // A change that happens to be small is not trusted: twice the frequency's relative error.
   EXPECT_NEAR(shape_estimate(0.84, 0.84, fine, coarse, 1e-4).error, 2e-4 * 0.84, 1e-12);
-  // No progress, no trust
+  // Without progress the bar is longer
   EXPECT_GT(shape_estimate(0.84, 0.83, coarse, coarse, 1e-4).error, 0.02);
 }
 
 namespace
 {
-  constexpr double window_error = 0.01; // rad/s, of made-up points that tell it
-  constexpr double period       = 1e-5 * dealii::numbers::PI; // s, of the made-up wave
+  constexpr double window_error = 0.01; // rad/s, of synthetic points that report it
+  constexpr double period       = 1e-5 * dealii::numbers::PI; // s, of the synthetic wave
 
-  /** Made-up sources of points: speeds w0 - T with an error a ratio^level by the mesh, b/n by the
-   * step of n parts, and in proportion to the wave; powers balance with four parts. */
+  /** Synthetic sources of points: speeds w0 - T with a mesh error a ratio^level, a time step error
+   * b/n for n parts, and an error in proportion to the wave; powers balance with four parts. */
   CurveSearch::Sources made_up_sources(const double a, const double b, const double ratio = 0.25)
   {
     CurveSearch::Sources sources;
@@ -316,7 +316,7 @@ TEST(ErrorBars, HaveTheAveragingWindowOfTheMeshThatIsShown)
   parameters.time.average_to_step   = 15;
   parameters.accuracy.mode          = AccuracyMode::fixed;
   CurveSearch::Sources sources      = made_up_sources(0.2, 0.1);
-  std::multiset<unsigned int> levels; // of points that had to tell it
+  std::multiset<unsigned int> levels; // of points that had to report it
   sources.points = [&levels, points = sources.points](
                        const Parameters &all, const CondensedMotor &motor,
                        const CurveSetting &setting, const std::vector<PointRequest> &requests,
@@ -335,9 +335,9 @@ TEST(ErrorBars, HaveTheAveragingWindowOfTheMeshThatIsShown)
       EXPECT_EQ(point.errors.window.speed, window_error);
   };
   every_bar_has_it();
-  EXPECT_EQ(levels.count(0), 3u); // with the one at stall, by which the curve is judged
+  EXPECT_EQ(levels.count(0), 3u); // including stall, by which the curve is judged
   EXPECT_EQ(levels.count(1), 0u);
-  // A mesh that others were compared with before
+  // A mesh previously used for comparison only
   search.climb([&](const CurveSearch::Rung &) { every_bar_has_it(); });
   EXPECT_EQ(levels.count(1), 2u);
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// What is handed on of a mode: the sampled sector and the traces on its surfaces. The wave's own
-// rules are the reference: the sector turned by alpha continues it with the phase exp(-i n alpha),
-// and half sector (completed by its mirror image) and whole sector show the same wave.
+// The output of a mode: the sampled sector and the traces on its surfaces. The wave's symmetry is
+// the reference: the sector turned by alpha continues it with the phase exp(-i n alpha), and half
+// sector (completed by its mirror image) and whole sector show the same wave.
 
 #include "support/materials.h"
 
@@ -84,7 +84,7 @@ namespace
   /** The integral of the strain energy over the cells, from the corners of the lattice's boxes. */
   std::map<dealii::types::material_id, double> stored(const SectorField &field)
   {
-    const unsigned int n = field.order + 1; // points of the lattice in a direction
+    const unsigned int n = field.order + 1; // points of the lattice per direction
     std::map<dealii::types::material_id, double> energy;
     for (const SectorField::Cell &cell : field.cells)
       for (unsigned int box = 0; box < n * n * n; ++box)
@@ -106,7 +106,7 @@ namespace
     return energy;
   }
 
-  /** Compares them with those of the matrices, by material. */
+  /** Compares strain energies with those of the matrices, by material. */
   void expect_energy(const CyclicSector &sector, const Mode &mode, const double tolerance)
   {
     const auto found          = stored(sample_sector(sector, mode, 16));

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// What both drivers make of a friction law, on a ring without a wave: twenty teeth, each pressed
-// with N = 5 N, on springs of c = 1e-7 m/N along the ring; mu_s = 0.5, mu_d = 0.3. The rotor is
-// turned by given distances. A tooth that sticks takes d/c more of friction for each distance d;
-// one that slips by s takes mu N = F + (d - s)/c, a linear equation where mu falls linearly with s.
-// In the steady state all teeth slip all along.
+// Friction laws in both drivers, on a ring without a wave: twenty teeth, each pressed with N = 5 N,
+// on springs of c = 1e-7 m/N along the ring; mu_s = 0.5, mu_d = 0.3. The rotor is turned by given
+// distances. For each distance d, friction on a sticking tooth increases by d/c; on one that slips
+// by s it is mu N = F + (d - s)/c, a linear equation where mu falls linearly with s. In the steady
+// state all teeth slip continuously.
 
 #include <ringmotor/motor/marching.h>
 
@@ -68,7 +68,7 @@ namespace
 
   void expect_forces(const FrictionLaw law, const std::vector<double> &expected)
   {
-    // At rest; 2 N are between both limits; 4 N above; on, twice; back by 0.5 N; 1.2 N on.
+    // At rest; 2 N, between both limits; 4 N, above; on, twice; back by 0.5 N; on by 1.2 N.
     const std::vector<double> found =
         marched(law, {0., 0.2e-6, 0.2e-6, 0.01e-6, 0.01e-6, -0.05e-6, 0.12e-6});
     for (unsigned int step = 0; step < expected.size(); ++step)
@@ -79,9 +79,9 @@ namespace
 TEST(MarchedFriction, FollowsItsLawFromStepToStep)
 {
   expect_forces(FrictionLaw::coulomb, {0., 1.5, 1.5, 1.5, 1.5, 1., 1.5});
-  // Beyond 2.5 N it falls to 1.5 N within the step, and has the static limit once it stuck again.
+  // Beyond 2.5 N it falls to 1.5 N within the step, and has the static limit after sticking again.
   expect_forces(FrictionLaw::static_dynamic, {0., 2., 1.5, 1.5, 1.5, 1., 2.2});
-  // 2.5 N - 1e6 N/m times the distance slipped, of all steps since it stuck last.
+  // 2.5 N - 1e6 N/m times the distance slipped, over all steps since it last stuck.
   const double third = 2.5 - 1.5 / 9., on = 0.1 / 9., back = third - 2. * on - 0.5;
   expect_forces(FrictionLaw::slip_weakening,
                 {0., 2., third, third - on, third - 2. * on, back, 2.5 - (back + 1.2 - 2.5) / 9.});

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Speeds, friction losses and teeth in contact with the inertia of teeth and rotor, of the
-// reference motor and of one whose spring is as stiff as Maeno et al. (1992) say theirs was,
-// against an independent model (solids of 27 nodes throughout, two mesh levels, its own contact,
-// Newmark's method with gamma = 0.6, steps of T/90, loss factor 0.01; numbers below).
+// reference motor and of one with the spring stiffness reported by Maeno et al. (1992), against an
+// independent model (solids of 27 nodes throughout, two mesh levels, its own contact, Newmark's
+// method with gamma = 0.6, steps of T/90, loss factor 0.01; numbers below).
 
 #include "support/motor_model.h"
 #include "support/record.h"
@@ -33,9 +33,11 @@ namespace
     double lip_inner_radius = 33.2e-3; ///< m, of the reference motor
   };
 
-  /** The independent model has the flange mode of the reference motor with seven waves at 48.9 kHz,
-   * as CalculiX does on meshes as coarse (see reference_rotor.cc), not at 46.5 kHz. A lip that is
-   * so much narrower moves the mode there. */
+  /**
+   * The independent model has the flange mode of the reference motor with seven waves at 48.9 kHz,
+   * as CalculiX does on equally coarse meshes (see reference_rotor.cc), not at 46.5 kHz. This
+   * narrower lip moves the mode there.
+   */
   constexpr double lip_for_its_flange_mode = 33.325e-3;
 
   class IndependentModel : public testing::TestWithParam<Row>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Inertia of the rotor. What is known: a mode under a harmonic force has the amplitude and phase
-// 1 / (omega^2 - Omega^2 + i eta omega Omega), through its resonance, up to the square of the step;
-// masses on springs that a travelling wave lifts without friction press with (k - m Omega^2) A; a
-// steady state is where marching with the same scheme stays; what goes in comes out.
+// Inertia of the rotor. Known: a mode under a harmonic force has the amplitude and phase
+// 1 / (omega^2 - Omega^2 + i eta omega Omega), through its resonance, up to second order in the
+// step; masses on springs lifted by a travelling wave without friction press with (k - m Omega^2)
+// A; marching with the same scheme stays in a steady state; powers balance.
 
 #include "support/motor_model.h"
 #include "support/record.h"
@@ -24,7 +24,7 @@ namespace
 {
   constexpr double rpm = M_PI / 30.;
 
-  /** Displacement by force of an oscillator under a harmonic force. */
+  /** Displacement over force of an oscillator under a harmonic force. */
   Complex exact_response(const double omega, const double loss_factor, const double of_force)
   {
     return 1. / Complex(omega * omega - of_force * of_force, loss_factor * omega * of_force);
@@ -83,8 +83,7 @@ TEST(InertiaScheme, StepsSettleAtTheResponse)
 
 namespace
 {
-  /** A rotor of masses on springs, one for each tooth, which a wave of the normal amplitude lifts.
-   */
+  /** A rotor of masses on springs, one per tooth, lifted by a wave of normal amplitude. */
   CondensedMotor masses_on_springs(const double mass, const double frequency,
                                    const double loss_factor)
   {
@@ -123,7 +122,7 @@ TEST(MassesOnSprings, PressAsTheyAreAccelerated)
     const CondensedMotor motor = masses_on_springs(mass, wave_frequency / ratio, loss_factor);
     SteadyDriver driver(motor, none, {12, 1});
     const OperatingState state = driver.at({4000., {}, 1.});
-    // With the phase of tooth 0 at the first sample, where the wave has its crest.
+    // With the phase of tooth 0 at the first time sample, where the wave has its crest.
     const Complex force =
         1e-6 * mass / exact_response(wave_frequency / ratio, loss_factor, wave_frequency);
     const double largest = 1e-6 * mass * std::pow(wave_frequency / std::min(ratio, 1.), 2);
@@ -134,7 +133,7 @@ TEST(MassesOnSprings, PressAsTheyAreAccelerated)
       sum += 0.1 * (state.solution.state.force[tooth][0] - 200.) *
              std::sin(-2. * M_PI * 3. * tooth / 20.);
     EXPECT_NEAR(sum, -force.imag(), 2e-3 * largest) << ratio;
-    // Only damping takes power: its force times the velocity of all masses, on average.
+    // Only damping dissipates power: the mean of its force times velocity, summed over all masses.
     const double power = 20. * 0.5 * loss_factor * mass * wave_frequency / ratio *
                          std::pow(1e-6 * wave_frequency, 2);
     EXPECT_NEAR(state.modal_power.damped_by_factor * loss_factor, power, 3e-3 * power) << ratio;
@@ -162,7 +161,7 @@ TEST(MassesOnSprings, LagByTheirLossFactorWithoutInertia)
       sum += 0.1 * (state.solution.state.force[tooth][0] - 2000.) *
              std::sin(-2. * M_PI * 3. * tooth / 20.);
     EXPECT_NEAR(sum, -loss_factor * force, 1e-3 * loss_factor * force) << ratio;
-    // Half of k eta A^2 in each mass and radian.
+    // Half of k eta A^2 per mass and radian.
     const double power = 20. * 0.5 * loss_factor * 1e-6 * force * wave_frequency;
     EXPECT_NEAR(state.modal_power.taken, power, 1e-3 * power) << ratio;
     EXPECT_NEAR(state.modal_power.damped_by_factor * loss_factor, power, 1e-3 * power) << ratio;
@@ -191,8 +190,8 @@ namespace
   {
   };
 
-  /** Marches from the steady state, with 90 steps in a period: how far torque, speed and loss are
-   * from it after some periods. */
+  /** Marches from the steady state, with 90 steps per period, and checks that torque, speed and
+   * loss are unchanged after some periods. */
   void expect_stays(const Parameters &parameters, const CondensedMotor &motor,
                     const RotorLoad &load, const unsigned int n_periods)
   {
@@ -233,7 +232,8 @@ TEST(SecondMotorLong, MarchingStaysInTheSteadyState)
   const CondensedMotor ring60 =
       condense_motor(second, stator_wave(second), ContactDiscretisation::level(0));
   ASSERT_EQ(ring60.n_repeats(), 9u);
-  // At a given speed: that of ten teeth under a torque is not even, which the steady state assumes.
+  // At a given speed: under a torque the speed of ten teeth is not constant, but the steady state
+  // assumes so.
   expect_stays(second, ring60, {second.loading.preload, {}, 115. * rpm}, 10);
 }
 
@@ -250,13 +250,13 @@ TEST_F(VibratingMotor, PowerGoesToLoadFrictionAndDamping)
   EXPECT_LT(point.result.power_imbalance(), 1e-3);
   const double damping = parameters.materials.rotor_metal.loss_factor * point.result.modal_damping;
   EXPECT_GT(damping, 0.01);
-  // The scheme takes hardly anything.
+  // The scheme's own dissipation is small.
   EXPECT_NEAR(point.result.modal_power, damping, 0.02 * damping);
 }
 
 TEST_F(VibratingMotor, PowerBalancesWhileItSettles)
 {
-  // From rest, when modes take up energy.
+  // From rest, while modes absorb energy.
   MarchingDriver marching(motor, motor_model(parameters).friction, Warp(), 14.);
   const RotorLoad load{14., {}, 70. * rpm};
   const double step   = motor.period() / 360.;
@@ -276,8 +276,7 @@ TEST_F(VibratingMotor, PowerBalancesWhileItSettles)
 
 TEST_F(VibratingMotor, IsFoundWhereNewtonsMethodFails)
 {
-  // From no load to stall at once. By what the state is found must not matter: it is that from
-  // rest.
+  // From no load to stall in one step. The path must not matter: the state is that found from rest.
   const PointRequest no_load{Control::torque, 0.}, stall{Control::speed, 0.};
   OperatingPointFinder finder(parameters, motor);
   finder.find(no_load);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Where the energy goes. Expected: closed forms of travelling waves; the work of a hysteretic body
-// by summing force times displacement over a period; a period of one tooth instead of a sample of
-// all.
+// by summing force times displacement over a period; one tooth over a period instead of all teeth
+// at one time sample.
 
 #include "../support/motor_model.h"
 
@@ -19,8 +19,8 @@ namespace
 {
   constexpr double omega = 2. * M_PI * 30e3;
 
-  /** One node on each of 90 teeth, pressed by a wave of 14 around the ring. The rotor moves in
-   * proportion, @p lag behind. */
+  /** One node on each of 90 teeth, pressed by a wave with 14 periods around the ring. The rotor
+   * moves in proportion, with a phase lag @p lag. */
   ContactFields wave_of_14(const unsigned int n_samples, const double force, const double motion,
                            const double lag)
   {
@@ -34,7 +34,7 @@ namespace
       {
         const double phase = 2. * omega * fields.times.back() - 14. * 2. * M_PI * tooth / n_teeth;
         PointVector f, u;
-        f[0] = 3. + force * std::cos(phase); // the mean is none of the wave's
+        f[0] = 3. + force * std::cos(phase); // the mean is not part of the wave
         u[0] = motion * std::cos(phase - lag);
         fields.force.push_back(f);
         fields.rotor.push_back(u);
@@ -54,7 +54,7 @@ TEST(RotorEnergy, PartsAroundTheRingTurnWithTheWave)
   EXPECT_EQ(time_harmonic(even, 5), 25u); // 7 * 25 = 175 = -5 (mod 90)
   EXPECT_EQ(time_harmonic(warped, 7), 1u);
   EXPECT_EQ(time_harmonic(warped, 5), 1u);
-  EXPECT_EQ(time_harmonic(warped, 2), 0u); // stands still with the warp
+  EXPECT_EQ(time_harmonic(warped, 2), 0u); // stationary, like the warp
   EXPECT_EQ(time_harmonic(common, 9), 1u);
   EXPECT_EQ(time_harmonic(common, 45), 5u);
 }
@@ -165,7 +165,7 @@ TEST(LossBudget, AddsUpWithItsErrors)
   EXPECT_NEAR(budget.total().value, 0.1 + 0.2 + 0.08 + 0.01 + 0.06, 1e-14);
   EXPECT_NEAR(budget.total().error, 0.02 + 2e-4 + 1e-3, 1e-14);
   EXPECT_NEAR(budget.efficiency().value, 0.4 / 0.85, 1e-14);
-  // The error of a quotient, by changing both parts as far as they may be off.
+  // The error of a quotient, by changing both parts by their errors.
   const double output = 0.4 - 0.008, loss = 0.45 + 0.0212;
   EXPECT_NEAR(budget.efficiency().error, 0.4 / 0.85 - output / (output + loss), 1e-3);
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Marched operating points. The period of the solution against all turns of the ring tried one by
-// one; the estimate of what a sequence of means still changes against geometric sequences, whose
-// limits are known; the reference motor with a warp of 4 um at 78 rpm against an independent model
-// (its own meshes, its own contact; one coefficient 0.40), which found 56 mN m as the mean over
-// whole periods, 26 with a step from tooth to tooth instead of a slope, and 117 without a warp; its
-// error bars against the same motor marched three times as long.
+// Marched operating points. The period of the solution against a search over all rotations of the
+// ring; the estimated remaining change of a sequence of means against geometric sequences with
+// known limits; the reference motor with a warp of 4 um at 78 rpm against an independent model (its
+// own meshes, its own contact; one coefficient 0.40), which gave 56 mN m as the mean over whole
+// periods, 26 with a step from tooth to tooth instead of a slope, and 117 without a warp; error
+// bars against the same motor marched three times as long.
 
 #include "support/motor_model.h"
 #include "support/record.h"
@@ -26,8 +26,8 @@ namespace
 {
   constexpr double rpm = M_PI / 30.;
 
-  /** Tries all turns that map the warp onto itself: the smallest lag of the wave, in N-th parts of
-   * a period. */
+  /** Tries all rotations that map the warp onto itself and returns the smallest lag of the wave, in
+   * N-th parts of a period. */
   unsigned int parts_by_trial(const RingPattern &pattern)
   {
     unsigned int smallest = pattern.n_teeth;
@@ -53,7 +53,7 @@ TEST(MarchedPeriod, IsTheShortestThatATurnMakes)
   EXPECT_EQ(repetition_of({7, 90, 0}).n_parts, 90u); // by hand: an even ring, n and N coprime
   EXPECT_EQ(repetition_of({9, 90, 0}).n_parts, 10u);
   EXPECT_EQ(repetition_of({7, 90, 2}).n_parts, 2u); // the warp is the same after half a turn
-  EXPECT_EQ(repetition_of({7, 45, 2}).n_parts, 1u); // half a turn is no whole number of teeth
+  EXPECT_EQ(repetition_of({7, 45, 2}).n_parts, 1u); // half a turn is not a whole number of teeth
   for (unsigned int n_teeth = 3; n_teeth <= 48; ++n_teeth)
     for (unsigned int n_waves = 1; 2 * n_waves < n_teeth; ++n_waves)
       for (unsigned int warp_waves = 0; warp_waves <= 9; ++warp_waves)
@@ -62,7 +62,7 @@ TEST(MarchedPeriod, IsTheShortestThatATurnMakes)
         const auto [n_parts, turn] = repetition_of(pattern);
         EXPECT_EQ(n_parts, parts_by_trial(pattern))
             << n_waves << " " << n_teeth << " " << warp_waves;
-        // The turn leaves the warp as it is, and the wave is there one part later.
+        // The rotation leaves the warp unchanged, and the wave arrives one part later.
         EXPECT_EQ(turn * warp_waves % n_teeth, 0u);
         EXPECT_EQ(n_parts * (turn * n_waves % n_teeth) % n_teeth, 0u);
         EXPECT_EQ(turn * n_waves % n_teeth, n_teeth / n_parts % n_teeth);
@@ -84,10 +84,10 @@ TEST(MarchedPeriod, HoldsTheLimitOfAGeometricSequence)
       }
       const double error = std::abs(means.back() - 5.), estimate = remaining_change(means);
       EXPECT_GE(estimate, error * (1. - 1e-6)) << ratio;
-      EXPECT_LE(estimate, 20. * std::abs(std::pow(ratio, k - 2))) << ratio; // not by being too long
+      EXPECT_LE(estimate, 20. * std::abs(std::pow(ratio, k - 2))) << ratio; // not too long
     }
   }
-  // What does not shrink does not settle, however small the last change.
+  // A sequence whose changes do not decrease does not settle, however small the last change.
   EXPECT_GE(remaining_change({4., 6., 4., 6.}), 2.);
   EXPECT_GE(remaining_change({1., 2., 3., 4.}), 5.);
   EXPECT_GE(remaining_change({1., 3., 3.}), 2.);
@@ -127,7 +127,7 @@ TEST_F(WarpedMotor, StandsUpByAFieldOfHeights)
     EXPECT_EQ(rise[1], 0.);
     EXPECT_EQ(rise[2], 0.);
   }
-  // The same height everywhere is no warp.
+  // A uniform height is no warp.
   Parameters raised                  = parameters;
   raised.initial_deformation.n_waves = 0;
   EXPECT_EQ(repetition_of({7, 90, 0}).n_parts,
@@ -167,7 +167,8 @@ TEST_F(WarpedMotor, MovesTurnedAsTurnedForcesMoveIt)
 
 TEST_F(WarpedMotor, IsForeseenOnceItHasSettled)
 {
-  // On an even ring all is the same after T/90, on a warped one after T/2, whatever came before.
+  // On an even ring the state repeats after T/90, on a warped one after T/2, whatever the previous
+  // steps.
   for (const Warp &warp : {Warp(), Warp{4e-6, 2}})
     for (const double steps : {90., 40., 33.})
     {
@@ -187,9 +188,9 @@ TEST_F(WarpedMotor, IsForeseenOnceItHasSettled)
 
 TEST_F(WarpedMotor, HasTheTorqueOfAnIndependentModel)
 {
-  // The model's numbers are of a mesh on which its speeds without a warp are those of interface
-  // mesh 0. Finer meshes, ours and the model's, take some mN m from both torques at this speed,
-  // where the curve is flat, and little from what the warp takes.
+  // The model's numbers are from a mesh on which its speeds without a warp are those of interface
+  // mesh 0. Finer meshes, ours and the model's, lower both torques by some mN m at this speed,
+  // where the curve is flat, and barely change the effect of the warp.
   Parameters even                    = parameters;
   even.initial_deformation.amplitude = 0.;
   const PointRequest request{Control::speed, 78. * rpm};
@@ -347,6 +348,6 @@ TEST_F(WarpedMotorLong, TurnsAsFastAsItsTorqueAsks)
   const CurvePoint driven = find_marched(parameters, coarse, {Control::speed, point.result.speed});
   record("speed_rpm", point.result.speed / rpm);
   record("torque_mNm", 1e3 * driven.result.torque);
-  // Not the same scene: there the speed varies within a period, here the torque does.
+  // A different case: there the speed varies within a period, here the torque does.
   EXPECT_NEAR(driven.result.torque, 0.05, 0.15 * 0.05);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// States carried from one interface mesh to another: no force may be lost, and points behind the
-// edge that touches stay open.
+// States carried from one interface mesh to another: no force may be lost, and contact nodes behind
+// the touching edge stay open.
 
 #include <ringmotor/quantities/mesh_transfer.h>
 
@@ -13,7 +13,7 @@ using namespace ringmotor;
 
 namespace
 {
-  /** A tooth's points in rows of equal radius. */
+  /** A tooth's contact nodes in rows of equal radius. */
   CondensedMotor grid(const std::vector<double> &radii, const std::vector<double> &angles)
   {
     CondensedMotor motor;
@@ -34,7 +34,7 @@ namespace
   const CondensedMotor coarse = grid({1., 2.}, {0., 0.1, 0.2}),
                        fine   = grid({1., 1.4, 2.}, {0., 0.05, 0.1, 0.15, 0.2});
 
-  /** Two teeth that touch on the inner row alone, with different forces. */
+  /** Two teeth that touch on the inner row only, with different forces. */
   ContactFields edge_contact()
   {
     ContactFields fields;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// What the reference motor does. Speeds under four loads: an independent model of the same motor
-// (its own meshes of solids throughout, its own contact) found 85.3, 82.7, 79.0 and 73.4 rpm
-// and friction losses of 41, 70, 137 and 252 mW with one coefficient of friction 0.40; stall is all
-// friction in one direction, mu F r. What Maeno et al. (1992) saw in theirs: crests touch along the
-// outer line with three to four teeth of a wave; forces are steady after the fifth step of 5e-7 s;
-// without load friction has both signs and cancels; a point slips backwards, sticks, slips
-// forwards; warp costs speed. And balances that hold exactly: what the teeth put in is what the
-// rotor gives out and friction takes.
+// The behaviour of the reference motor. Speeds under four loads: an independent model of the same
+// motor (its own solid meshes, its own contact) gave 85.3, 82.7, 79.0 and 73.4 rpm and friction
+// losses of 41, 70, 137 and 252 mW with one coefficient of friction 0.40; at stall all friction
+// acts in one direction, mu F r. Observations of Maeno et al. (1992): crests touch along the outer
+// line with three to four teeth per wave; forces are steady after the fifth step of 5e-7 s; without
+// load friction has both signs and cancels; a point slips backwards, sticks, slips forwards; warp
+// reduces the speed. And exact power balances: the input of the teeth equals the output of the
+// rotor plus the friction loss.
 
 #include "support/motor_model.h"
 #include "support/record.h"
@@ -69,7 +69,7 @@ TEST_F(ReferenceMotor, TurnsAsFastAsAnIndependentModel)
     record("speed_at_" + std::to_string(static_cast<int>(1e3 * torque)) + "_mNm",
            point.result.speed / rpm);
     EXPECT_NEAR(point.result.speed / rpm, speed, 0.01 * speed) << torque;
-    // The two finest meshes of that model differ by 3 mW without load, and by a tenth at most.
+    // The two finest meshes of that model differ by 3 mW without load, and by at most a tenth.
     record("loss_at_" + std::to_string(static_cast<int>(1e3 * torque)) + "_mNm",
            1e3 * point.result.friction_loss());
     EXPECT_NEAR(1e3 * point.result.friction_loss(), loss, 0.1 * loss + 3.) << torque;
@@ -82,7 +82,7 @@ TEST_F(ReferenceMotor, StallsWhereAllFrictionPointsOneWay)
 {
   const CurvePoint point = OperatingPointFinder(parameters, motor).find({Control::speed, 0.});
   record("stall_mNm", 1e3 * point.result.torque);
-  // The contact lies along the outer line; radial sliding takes a small share of the friction.
+  // The contact lies along the outer line; radial sliding causes a small share of the friction.
   EXPECT_NEAR(point.result.torque, 0.40 * 14. * 34.2e-3, 0.002 * 0.40 * 14. * 34.2e-3);
   EXPECT_LT(point.result.stick_fraction, 1e-6);
 }
@@ -159,7 +159,7 @@ TEST_F(ReferenceMotor, LetsAPointSlipBackwardsStickAndSlipForwards)
 
 namespace
 {
-  /** How far the powers, each from its own formula, are from the one balance that holds exactly. */
+  /** The defect of the powers, each from its own formula, in the one balance that holds exactly. */
   double defect_of(const OperatingPoint &point)
   {
     return std::abs(point.input_power - point.output_work - point.friction_loss() -
@@ -170,8 +170,8 @@ namespace
 
 TEST_F(ReferenceMotor, BalancesItsPower)
 {
-  // The wave's feet put in what the rotor gives out and friction takes, but for the work that gaps
-  // take as they close within a step: it falls with the step.
+  // The input at the teeth's feet equals the rotor's output plus the friction loss, except for the
+  // work of gaps that close within a step, which decreases with the step.
   for (const double torque : {0.05, 0.1, 0.15})
   {
     const OperatingPoint result = at_torque(torque).result;
@@ -203,7 +203,7 @@ TEST_F(ReferenceMotor, BalancesItsPower)
 TEST_F(ReferenceMotor, BalancesThePowerOfEachStepOnItsWay)
 {
   // From rest, over a warp that tilts the rotor: elastic energy, tilts and rise all change. With
-  // the stiffness of the rotor's tilts raised, what holds them stores as much as the rest.
+  // increased stiffness of the rotor's tilts, their springs store as much as the rest.
   CondensedMotor stiff = motor;
   for (CondensedMotor::NearRigidMode &loose : stiff.near_rigid_modes)
     loose.stiffness *= 1e3;
@@ -256,7 +256,7 @@ TEST_F(ReferenceMotor, IsSteadyAfterFiveOfThePapersSteps)
 
 TEST_F(ReferenceMotor, MarchesToItsSteadyState)
 {
-  // With the step of the steady scheme both see the same equations.
+  // With the step of the steady scheme both solve the same equations.
   MarchingDriver driver(motor, parameters.friction, Warp(), 14.);
   const RotorLoad load{14., 0.08};
   double speed = 0.;
@@ -272,8 +272,8 @@ TEST_F(ReferenceMotor, MarchesToItsSteadyState)
 
 TEST_F(ReferenceMotor, RemembersHowFarItsPointsHaveSlipped)
 {
-  // From a crest that touches to a ring pressed nearly flat: on each point the friction that the
-  // law allows for the distance that it has slipped since it stuck last or came into contact.
+  // From a crest that touches to a ring pressed nearly flat: at each contact node the friction that
+  // the law allows for the distance slipped since it last stuck or came into contact.
   Friction friction            = parameters.friction;
   friction.law                 = FrictionLaw::slip_weakening;
   friction.static_coefficient  = 0.48;
@@ -324,7 +324,7 @@ TEST_F(ReferenceMotor, IsSlowerWhenWarped)
 
 TEST_F(ReferenceMotor, FeelsItsFrictionAndItsStiffness)
 {
-  // A test that could not fail would hold for another motor too.
+  // Another motor gives other results, so the tests above can fail.
   Parameters smoother                   = parameters;
   smoother.friction.dynamic_coefficient = 0.30;
   EXPECT_LT(OperatingPointFinder(smoother, motor).find({Control::torque, 0.1}).result.speed,

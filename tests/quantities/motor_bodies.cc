@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Whole rotor and teeth from what happens at the contact points: where bodies touch they move as
-// the operating point says, which knows nothing of their inside: teeth at their nodes, the rotor in
-// the weighted mean of the mortar method. (That the inside belongs to its surface, see
+// Recovery of the whole rotor and teeth from the contact nodes: where bodies touch they move as in
+// the operating point, which does not involve their interior: teeth at their nodes, the rotor in
+// the weighted mean of the mortar method. (For the interior recovery itself see
 // tests/structure/condensation.cc.)
 
 #include "support/motor_model.h"

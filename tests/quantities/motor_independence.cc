@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// What must not matter to a motor: the constants of the method, the units, which tooth is called
-// the first, how the lip's mesh lies over the teeth, how many ranks compute. And a motor whose
-// numbers of waves and teeth have a common factor, solved by the part of it that repeats itself and
-// in full.
+// Results must not depend on the constants of the method, the units, the choice of the first tooth,
+// the position of the lip's mesh relative to the teeth, or the number of ranks. And a motor whose
+// numbers of waves and teeth have a common factor, solved on its repeating part and in full.
 
 #include "support/motor_model.h"
 
@@ -54,7 +53,7 @@ TEST(MotorIndependence, OfTheMethodsConstants)
       }
       catch (const ComputationError &)
       {
-        // A refusal is an answer; a wrong speed would not be.
+        // A refusal is acceptable, a wrong speed is not.
       }
     }
   EXPECT_GE(n_solved, 7u);
@@ -64,7 +63,7 @@ TEST(MotorIndependence, OfUnits)
 {
   const Parameters metres = reference_motor();
   const StatorWave wave   = stator_wave(metres);
-  // Millimetre, newton, megapascal: the same motor in other numbers.
+  // Millimetre, newton, megapascal: the same motor in other units.
   constexpr double length = 1e3;
   Parameters millimetres  = metres;
   for (double StatorGeometry::*size :
@@ -132,7 +131,7 @@ TEST(MotorIndependence, OfHowTheMeshesLie)
 
 TEST(MotorIndependence, OfHowACommonFactorIsUsed)
 {
-  // 9 waves, 90 teeth: after ten teeth all repeats itself. Marching knows nothing of that.
+  // 9 waves, 90 teeth: the solution repeats after ten teeth. Marching does not exploit that.
   Parameters parameters            = reference_motor();
   parameters.motor.n_waves         = 9;
   parameters.modes.nodal_diameters = {9};

@@ -67,7 +67,7 @@ namespace
       parameters.rotor.ring_upper_face   = 5.0e-3;
       parameters.rotor.flange_thickness  = 0.45e-3;
       parameters.rotor.lip_inner_radius  = 33.9e-3;
-      parameters.accuracy.target         = 2e-3; // to be quick
+      parameters.accuracy.target         = 2e-3; // to save time
     }
     return parameters;
   }
@@ -109,7 +109,7 @@ TEST_P(ReferenceRotor, HasTheFrequenciesOfTheOtherProgram)
         record("tolerance_" + of, tolerance / row.value);
         EXPECT_EQ(to_string(mode->content.family()), to_string(row.family)) << of;
         EXPECT_NEAR(ours.value, row.value, tolerance) << of;
-        EXPECT_LT(tolerance, 3e-3 * row.value) << of; // a metal 1 % stiffer makes 5e-3
+        EXPECT_LT(tolerance, 3e-3 * row.value) << of; // a 1 % stiffer metal changes it by 5e-3
         ++mode;
       }
     EXPECT_EQ(mode, found.end());

@@ -95,7 +95,7 @@ namespace
 
 TEST(ReferenceStatorLong, HasTheFrequenciesOfTheOtherProgram)
 {
-  // Two searches, as only n = 7 needs the third mode.
+  // Two searches, because only n = 7 needs the third mode.
   for (const auto &[nodal_diameters, n_modes] :
        {std::pair(std::vector<unsigned int>{0, 2, 3, 4, 6, 8, 10}, 2u),
         std::pair(std::vector<unsigned int>{7}, 3u)})
@@ -115,7 +115,7 @@ TEST(ReferenceStatorLong, HasTheFrequenciesOfTheOtherProgram)
         record("difference_" + of, found / converged - 1.);
         record("error_bar_" + of, mode.frequency.error / found);
         EXPECT_NEAR(found / converged, 1., 5e-4) << row.n_waves << " " << to_string(row.family);
-        // inside the error bar, but for the uncertainty of the excess
+        // inside the error bar, up to the uncertainty of the excess
         EXPECT_NEAR(found, converged, mode.frequency.error + 0.7 * row.excess * converged)
             << row.n_waves << " " << to_string(row.family);
       }
@@ -203,7 +203,8 @@ TEST(ReferenceStatorWave, HasTheEllipsesOfTheOtherProgram)
 
 TEST(ReferenceStatorForms, HalfAndWholeSectorMoveAlike)
 {
-  // Coarsely: two ways to the same wave. Points on the half that is not meshed are mirror images.
+  // On a coarse mesh: two ways to the same wave. Points on the half that is not meshed are mirror
+  // images.
   const SectorGrading grading = SectorGrading::level(1);
   std::array<std::vector<EllipticMotion>, 2> motions;
   std::array<double, 2> masses;

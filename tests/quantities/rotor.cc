@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Modes of the rotor: rigid motions of a rotor without bars are recognised, half and whole sector
-// agree, error bars hold what a far better mesh finds. With its flange as a shell it has the
-// frequencies and the compliance of the lip that it has with solid cells throughout, the better the
-// thinner the flange. A stiff rotor on soft bars is a rigid body on springs: pi R k against shifts,
-// R the radius where the bars hold it and k their stiffness per length, and pi R k h^2/12 against
-// tilts about their middle, h their height. And a rotor that is hardly more than its ring bends in
-// its plane as thin-ring theory says, f = n (n^2 - 1) / sqrt(n^2 + 1) * sqrt(E I / (rho A R^4)) /
-// (2 pi), which shear and rotary inertia lower by about (h/R)^2 for n = 2.
+// agree, error bars contain the results of a much finer mesh. With a shell flange the frequencies
+// and the lip compliance approach those with solid cells throughout as the flange gets thinner. A
+// stiff rotor on soft bars is a rigid body on springs: pi R k against shifts, R the radius at which
+// the bars support it and k their stiffness per length, and pi R k h^2/12 against tilts about their
+// middle, h their height. And a rotor that is little more than its ring bends in its plane as in
+// thin-ring theory, f = n (n^2 - 1) / sqrt(n^2 + 1) * sqrt(E I / (rho A R^4)) / (2 pi), which shear
+// and rotary inertia lower by about (h/R)^2 for n = 2.
 
 #include "support/materials.h"
 #include "support/same_modes.h"
@@ -96,7 +96,7 @@ TEST(RotorLong, HasErrorBarsThatHoldWhatAFarBetterMeshFinds)
 
 namespace
 {
-  /** What is compared between a shell's and a solid flange. */
+  /** Quantities compared between a shell and a solid flange. */
   struct Findings
   {
     std::map<std::pair<unsigned int, Family>, double> frequency;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Inertia of the rotor as a whole, which marching has: closed forms of a mass on a spring and of a
-// damped one; mass and tilting inertia of two annuli; power that is put in comes out in each step.
-// Hysteresis of a rotor without inertia: what is lost is eta times the elastic energy that goes
-// round, and a resting force lags by eta.
+// Inertia of the rotor as a whole, as included in marching: closed forms of a mass on a spring and
+// of a damped mass; mass and tilting inertia of two annuli; the power balance of each step.
+// Hysteresis of a rotor without inertia: the loss is eta times the circulating elastic energy, and
+// a resting force lags by eta.
 
 #include "support/motor_model.h"
 #include "support/record.h"
@@ -28,7 +28,7 @@ namespace
     return motor;
   }
 
-  /** A mass that a constant force moves against a spring from rest. */
+  /** A mass moved by a constant force against a spring from rest. */
   struct Swing
   {
     double displacement = 0., work_into_inertia = 0.;
@@ -56,7 +56,7 @@ TEST(RigidInertia, SwingsOnASpring)
                time = 2. / omega, exact = force / spring * (1. - std::cos(2.));
   const Swing coarse(mass, spring, force, time, 200), fine(mass, spring, force, time, 400);
   EXPECT_NEAR(fine.displacement, exact, 1e-2 * exact);
-  // The jump of the force at the start leaves first order.
+  // The jump of the force at the start reduces the order to one.
   EXPECT_NEAR(
       std::log2(std::abs(coarse.displacement - exact) / std::abs(fine.displacement - exact)), 1.,
       0.3);
@@ -66,7 +66,7 @@ TEST(RigidInertia, SwingsOnASpring)
 
 TEST(RigidInertia, DampedMassGoesOnEvenly)
 {
-  // F = M d v in the end: in two more times 1/d, 2 F / (M d^2).
+  // Finally F = M d v: during another 2/d the distance is 2 F / (M d^2).
   const double mass = 0.02, damping = 1e4, force = 14.,
                way = Swing(mass, 0., force, 22. / damping, 2200, damping).displacement -
                      Swing(mass, 0., force, 20. / damping, 2000, damping).displacement;
@@ -115,7 +115,7 @@ TEST_F(RotorAsAWhole, HasTheInertiaOfTwoAnnuli)
   add_annulus(rotor.lip_inner_radius, inner, rotor.flange_lower_face,
               rotor.flange_lower_face + rotor.flange_thickness);
   EXPECT_NEAR(motor.rotor_mass, mass, 1e-5 * mass);
-  // By the mean rise of the ring's top: its radius is that of the centre of its area.
+  // From the mean rise of the ring's top: its radius is that of the centroid of its area.
   const double radius =
       2. / 3. * (std::pow(outer, 3) - std::pow(inner, 3)) / (outer * outer - inner * inner);
   ASSERT_EQ(motor.near_rigid_modes.size(), 1u);
@@ -126,7 +126,7 @@ TEST_F(RotorAsAWhole, HasTheInertiaOfTwoAnnuli)
 TEST_F(RotorAsAWhole, VibratesInAllNodalDiametersFromTwoOn)
 {
   EXPECT_TRUE(motor.modes[0].empty() && motor.modes[1].empty());
-  for (unsigned int k = 2; k <= 40; ++k) // the slowest with more are beyond those that are wanted
+  for (unsigned int k = 2; k <= 40; ++k) // with more waves all modes lie above the requested range
     EXPECT_FALSE(motor.modes[k].empty()) << k;
 }
 
@@ -157,7 +157,7 @@ TEST_F(RotorAsAWhole, TakesThePowerThatItsMotionNeeds)
 
 TEST_F(RotorAsAWhole, RisesAndTiltsAsForcesAccelerateIt)
 {
-  // Of the rise: M z'' is what contact forces exceed the preload by, in differences of second order
+  // Rise: M z'' is the excess of the contact forces over the preload, with second-order differences
   // of a smooth motion.
   MarchingDriver marching(motor, motor_model(parameters).friction, Warp(), 14.);
   const double step = motor.period() / 360.;
@@ -170,7 +170,7 @@ TEST_F(RotorAsAWhole, RisesAndTiltsAsForcesAccelerateIt)
     for (const PointVector &of_node : state.solution.state.force)
       force.back() += of_node[0];
   }
-  // Momentum: from one mean speed to a later one by the impulse between.
+  // Momentum: the change of mean speed follows from the impulse in between.
   double impulse = 0.;
   for (unsigned int i = 20; i < 180; ++i)
     impulse += force[i] * step;
@@ -204,14 +204,14 @@ TEST(Hysteresis, LosesItsShareOfTheElasticEnergy)
                    damped   = at_fifty(EffectChoice::on, loss_factor);
   const OperatingPoint &now = damped.result;
   EXPECT_LT(now.power_imbalance(), 1e-3);
-  // What the motor puts into the rotor is what its factor says, ...
+  // The power put into the rotor is that given by its loss factor, ...
   EXPECT_GT(now.modal_power, 1e-3);
   EXPECT_NEAR(now.modal_power, loss_factor * now.modal_damping, 1e-6 * now.modal_power);
-  // ... which is known from the elastic energy without it, of all harmonics.
+  // ... which is known from the elastic energy of all harmonics without damping.
   record("loss", damped.rotor_power / elastic.rotor_power);
   EXPECT_NEAR(damped.rotor_power, elastic.rotor_power, 0.05 * elastic.rotor_power);
   EXPECT_GT(now.modal_damping, 0.5 * damped.rotor_power);
-  // Such a delay changes speeds little.
+  // Such a phase lag changes speeds only slightly.
   EXPECT_NE(now.speed, elastic.result.speed);
   EXPECT_NEAR(now.speed, elastic.result.speed, loss_factor * elastic.result.speed);
 }

@@ -3,8 +3,8 @@
 // The tooth alone, the ceramic ring as a shell, the target plates. A long slender tooth is a
 // cantilever: f = 1.8751^2 / (2 pi L^2) sqrt(E I / (rho A)), which shear and rotary inertia lower
 // by about (1 + E/(kG)) / 2 times (1.8751 r / L)^2 ..., r the radius of gyration. The shell of
-// ceramic against solid cells. Plates shift the frequency as Rayleigh's quotient says for the mode
-// without them: d(omega^2) = (K - omega^2 M) of the plates by M of the stator.
+// ceramic against solid cells. Plates shift the frequency as Rayleigh's quotient predicts with the
+// mode without them: d(omega^2) = (K - omega^2 M) of the plates over M of the stator.
 
 #include "support/materials.h"
 
@@ -57,7 +57,8 @@ TEST(Tooth, IsACantilever)
     return std::pow(1.8751, 2) / (2. * M_PI * length * length) * gyration *
            std::sqrt(metal.young_modulus / metal.density);
   };
-  // Radially it is 0.5 mm thick; around the ring as wide as the pitch less the slot, in the middle.
+  // Radially it is 0.5 mm thick; around the ring as wide as the pitch minus the slot, in the
+  // middle.
   EXPECT_NEAR(frequencies[0] / beam(0.5e-3), 1., 0.005);
   const double width = 2. * 30.25e-3 * M_PI / n_teeth - stator.slot_width;
   EXPECT_NEAR(frequencies[1] / beam(width), 1., 0.02);
@@ -144,7 +145,8 @@ TEST(TargetPlates, ShiftTheFrequencyAsRayleighSays)
   const CyclicSector without(mesh, stator_materials(), 3);
   const Mode mode = working_mode(without);
 
-  // Their energies in the mode without them, by quadrature along the outer edges of the tooth tops.
+  // The plates' energies in the mode without them, by quadrature along the outer edges of the tooth
+  // tops.
   double stiffness = 0., mass = 0.;
   const unsigned int degree = without.dofs().get_fe().degree;
   const dealii::QGauss<1> points(degree + 1);
@@ -214,7 +216,7 @@ TEST(TargetPlates, TakePartWhereTheyAreCalledFor)
 TEST(Felt, ShiftsTheFrequencyAsRayleighSays)
 {
   // A felt that follows the lower side stores half of its stiffness times the square of the normal
-  // motion; the mode moves the mass of its sector by one.
+  // motion; the mode has unit mass in its sector.
   MotorModel model;
   model.felt_stiffness = 5e8; // N/m^3
   for (const ElementKind ceramic : {ElementKind::solid, ElementKind::shell})

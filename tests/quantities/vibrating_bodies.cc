@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Modes of rotor and teeth. Static compliance and modes make up what the shifted stiffness
-// K - Omega^2 M gives without modes: between any nodes of the lip, between those of a tooth, and
-// for pressure that travels around the lip.
+// Modes of rotor and teeth. Static compliance and modes together reproduce the response of the
+// shifted stiffness K - Omega^2 M: between any nodes of the lip, between those of a tooth, and for
+// pressure that travels around the lip.
 
 #include "support/motor_model.h"
 
@@ -33,7 +33,8 @@ namespace
       for (unsigned int j = 0; j < n; ++j)
         forces[j * width + component] = std::cos(2. * M_PI * k * j / n - part * M_PI / 2.);
       ring.add_motions(forces.data(), motions.data());
-      // Those of sector 0 by cos and sin, the real parts of exp(-i k j alpha) and i times that.
+      // Motions of sector 0 due to cos and sin, the real parts of exp(-i k j alpha) and i times
+      // that.
       for (unsigned int i = 0; i < width; ++i)
         result[i] += part == 0 ? Complex(motions[i]) : Complex(0., -motions[i]);
     }

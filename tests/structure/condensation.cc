@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Condensation against solutions with all unknowns: the compliance of a rotor's lip against
-// CyclicFactors and, where rigid motions are held, against one sparse factorisation of the
-// stiffness bordered by the loads that hold. What is known by thought: a held free body follows its
+// CyclicFactors and, where rigid motions are constrained, against one sparse factorisation of the
+// stiffness bordered by the constraining loads. Known exactly: a constrained free body follows its
 // support as a rigid body and takes no load; a stiff rotor on soft bars tilts against pi R k h^2/12
 // (see tests/quantities/rotor.cc); a tooth whose foot moves as a rigid body moves as a rigid body.
 
@@ -39,7 +39,7 @@ namespace
     return rotor;
   }
 
-  /** The rotor with a lip that is condensed, loaded on the ring's top and around its bore. */
+  /** The rotor with a condensed lip, loaded on the ring's top and around its bore. */
   struct Rotor
   {
     RotorGeometry geometry;
@@ -79,7 +79,7 @@ namespace
       }
     }
 
-    /** What nothing but the supports holds. */
+    /** The rigid motions constrained by the supports only. */
     std::vector<unsigned int> held(const unsigned int k) const
     {
       if (k > 1)
@@ -158,7 +158,7 @@ TEST_P(Condensed, EqualsTheSolutionWithAllUnknowns)
         EXPECT_NEAR(motion.interface[i],
                     std::inner_product(loads[i].begin(), loads[i].end(), solution.begin(), 0.),
                     1e-9);
-      // Against the stiffness of the lip: that of a rigid motion is nothing but rounding.
+      // Relative to the stiffness of the lip: that of a rigid motion is pure roundoff.
       EXPECT_NEAR(motion.stiffness, -solution[rotor.sector.n_unknowns() + support],
                   1e-9 / compliance(0, 0));
     }
@@ -174,7 +174,8 @@ TEST_P(Condensed, EqualsTheSolutionWithAllUnknownsWhenItVibrates)
   {
     SCOPED_TRACE(k);
     std::vector<Mode> modes = nearest_elastic(solver.lowest(k, 3), 3, 0.);
-    // A tilt on bars is so soft that near its frequency the rounding of the ring's stiffness shows.
+    // A tilt on bars is so soft that near its frequency the roundoff of the ring's stiffness is
+    // noticeable.
     if (k == 1 && GetParam().bar_stiffness > 0.)
       modes.erase(modes.begin());
     // Below all elastic modes, and between two of them
@@ -252,7 +253,7 @@ TEST(Condensation, FollowsItsSupportsAsARigidBody)
       EXPECT_NEAR(up.stiffness / stiff, 0., 1e-9);
       EXPECT_NEAR(turn.stiffness / stiff, 0., 1e-9);
       const unsigned int n = rotor.forms.size();
-      // The load is not quite normalised: each of its two components in the plane counts.
+      // The load is not quite normalised: its two in-plane components count separately.
       const double angle = -turn.interface[n + 1] / rotor.lip.nodes[0].place[0];
       EXPECT_NEAR(angle * rotor.geometry.ring_inner_radius, 1., M_PI / n_teeth);
       for (unsigned int i = 0; i < n; ++i)

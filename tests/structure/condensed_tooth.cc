@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// A tooth alone that is driven at its foot. One whose foot moves as a rigid body moves as a rigid
-// body; where the foot moves as a bending wave, or where forces act on the top, at rest and
-// vibrating, one sparse factorisation of all unknowns, bordered by the conditions on the foot,
-// tells what the top does.
+// A single tooth with prescribed motion of its foot. If the foot moves as a rigid body, so does the
+// tooth; if it moves as a bending wave, or if forces act on the top, statically and vibrating, the
+// motion of the top is compared with one sparse factorisation of all unknowns, bordered by the
+// conditions on the foot.
 
 #include "support/direct_sector.h"
 
@@ -27,7 +27,7 @@ namespace
   constexpr unsigned int n_teeth = 90;
   const Material aluminium{68.9e9, 0.33, 2700., 0.};
 
-  /** Half of a tooth that moves at its foot. */
+  /** Half of a tooth with prescribed motion of its foot. */
   struct Tooth
   {
     SectorMesh mesh =
@@ -43,7 +43,7 @@ namespace
           driven.push_back(dof);
     }
 
-    /** Values of a Cartesian motion on the driven degrees of freedom, of the real field, then of
+    /** Values of a Cartesian motion at the driven degrees of freedom, of the real field, then of
      * the imaginary one. */
     template <typename Motion>
     std::vector<double> at_foot(const Motion &motion) const
@@ -63,7 +63,7 @@ namespace
 
   using RealAndImaginary = std::pair<dealii::Tensor<1, 3>, dealii::Tensor<1, 3>>;
 
-  /** A rigid motion that its mirror image at y = 0 equals but for the complex conjugate. */
+  /** A rigid motion that equals the complex conjugate of its mirror image at y = 0. */
   RealAndImaginary rigid_motion(const Point<3> &x)
   {
     return {dealii::Tensor<1, 3>({1. + 90. * x[2], 0., -2. - 90. * x[0]}),
@@ -122,7 +122,7 @@ TEST(CondensedTooth, CarriesAWaveFromFootToTopAsASolutionWithAllUnknownsDoes)
     const dealii::FullMatrix<double> compliance =
         InterfaceCompliance(condensation).compliance(0, {});
 
-    // Conditions u = given on each driven degree of freedom that is free to move
+    // Conditions u = given for each unconstrained driven degree of freedom
     std::vector<std::vector<double>> conditions;
     std::vector<double> load(tooth.sector.n_unknowns(), 0.);
     for (const unsigned int part : {0u, 1u})

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// A sector whose cuts do not do their duty is a user's mistake: one line that names the entry. The
-// number of unknowns of a good one is known from counting its nodes.
+// A sector with unusable cuts is a user's mistake: one line names the entry. The number of unknowns
+// of a valid one is known from counting its nodes.
 
 #include "support/materials.h"
 #include "support/ring_sector.h"
@@ -59,7 +59,7 @@ namespace
 TEST(Cuts, GiveTheRightNumberOfUnknowns)
 {
   // 5 x 5 x 3 nodes in (r, theta, z), 15 of them on each of two planes. Half sector: inside 3 + 3,
-  // on the mirror plane 1 + 2, on the cut 3. Whole sector: 3 + 3 but on the dependent cut.
+  // on the mirror plane 1 + 2, on the cut 3. Whole sector: 3 + 3 except on the dependent cut.
   const SectorMesh half = brick(SectorForm::half), whole = brick(SectorForm::whole);
   EXPECT_EQ(CyclicSector(half, all_of(steel), 2).n_unknowns(), 45u * 6 + 15u * 3 + 15u * 3);
   EXPECT_EQ(CyclicSector(whole, all_of(steel), 2).n_unknowns(), 60u * 6);

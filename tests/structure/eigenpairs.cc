@@ -29,9 +29,9 @@ namespace
     for (unsigned int i = 0; i < n_masses; ++i)
     {
       triplets.add(i, i, 2.);
-      triplets.add(i, i, -shift); // entries given twice are added
+      triplets.add(i, i, -shift); // duplicate entries are added
       if (i > 0)
-        triplets.add(i - 1, i, -1.); // either triangle is understood
+        triplets.add(i - 1, i, -1.); // either triangle is accepted
     }
     return triplets;
   }
@@ -96,7 +96,7 @@ TEST(SparseLDLT, SolvesAndCounts)
   factors.factorise(stiffness);
   EXPECT_EQ(factors.n_negative(), 0u);
 
-  // A force in the middle bends the chain to a triangle.
+  // A force in the middle deflects the chain into a triangle.
   std::vector<double> x(n_masses, 0.);
   x[20] = 1.;
   factors.solve(x);
@@ -115,9 +115,9 @@ TEST(SparseLDLT, SolvesAndCounts)
 
 TEST(SparseLDLT, LeavesTheSchurComplementOfKeptUnknowns)
 {
-  // What the whole matrix gives: the bent chain under two forces at once, and the inertia for a
-  // shift between two eigenvalues, which is that of the inner unknowns and that of the complement
-  // together.
+  // As with the whole matrix: the deflection for two load cases together, and the inertia for a
+  // shift between two eigenvalues, which is the sum of those of the inner unknowns and of the
+  // complement.
   const std::vector<unsigned int> kept{45, 10, 46};
   for (const unsigned int j : {0u, 1u, 17u, 59u})
   {
@@ -256,7 +256,7 @@ TEST(Eigenpairs, AreThoseOfAComplexChain)
   for (unsigned int j = 0; j < found.size(); ++j)
   {
     EXPECT_NEAR(found[j].value, exact[j], 1e-13);
-    // Every mass of a wave has the same amplitude.
+    // All masses of a wave have the same amplitude.
     for (unsigned int i = 0; i < n_masses; ++i)
       EXPECT_NEAR(std::hypot(found[j].vector[i], found[j].vector[n_masses + i]),
                   1. / std::sqrt(n_masses), 1e-10);

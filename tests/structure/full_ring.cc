@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The cyclic sector against the whole ring on the same mesh: N turned copies of the sector, merged
-// to one body without any symmetry, solved as an ordinary eigenproblem. Its spectrum is that of the
-// nodal diameters 0 .. N/2 together, those between 0 and N/2 twice (cosine and sine mode).
+// The cyclic sector against the whole ring on the same mesh: N rotated copies of the sector, merged
+// into one body without any symmetry, solved as an ordinary eigenproblem. Its spectrum is the union
+// of those of the nodal diameters 0 .. N/2, those between 0 and N/2 twice (cosine and sine mode).
 
 #include "support/materials.h"
 #include "support/plain_problem.h"
@@ -28,7 +28,7 @@ namespace
   constexpr unsigned int n_sectors = 6;
   constexpr double pitch           = 2. * dealii::numbers::PI / n_sectors;
 
-  /** Ceramic ring, metal ring and a tooth: one whole sector, turned by @p angle. */
+  /** Ceramic ring, metal ring and a tooth: one whole sector, rotated by @p angle. */
   void make_toothed_sector(Triangulation<3> &triangulation, const double angle)
   {
     const std::vector<double> radial{3e-3, 3e-3}, around{0.2 * pitch, 0.6 * pitch, 0.2 * pitch},

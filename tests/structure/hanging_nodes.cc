@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Locally refined sectors. On a mesh that is mirrored about theta = 0, half and whole sector remain
-// the same problem, hanging nodes on the cuts and the mirror plane included, and must agree up to
+// the same problem, including hanging nodes on the cuts and the mirror plane, and must agree up to
 // rounding. A finer mesh contains the coarser one's functions (same shape of the cells up to their
-// quadratic approximation), so eigenvalues go down.
+// quadratic approximation), so eigenvalues decrease.
 
 #include "support/materials.h"
 
@@ -35,7 +35,7 @@ namespace
     return mesh;
   }
 
-  /** The lowest elastic ones, all below the shift. */
+  /** The lowest elastic modes, all below the shift. */
   std::vector<double> frequencies(ModeSolver &solver, const unsigned int k, const double shift)
   {
     std::vector<double> found;

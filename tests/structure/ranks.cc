@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The same numbers on several ranks as on one: under mpirun each rank compares the mesh that all
-// ranks share with one of its own.
+// Results on several ranks equal those on one: under mpirun each rank compares the mesh shared by
+// all ranks with its own.
 
 #include "support/materials.h"
 
@@ -73,8 +73,8 @@ TEST_P(Ranks, GiveTheSameModes)
 
 TEST(InertiaRanks, CountsAsManyModesAsOneRank)
 {
-  // Large enough that MUMPS would share the last front among the ranks (ScaLAPACK) if it were let:
-  // it does not count the negative pivots there, and modes below the shift would go unnoticed.
+  // Large enough that MUMPS would share the last front among the ranks (ScaLAPACK) if allowed: it
+  // does not count the negative pivots there, and modes below the shift would go unnoticed.
   const auto mesh = [](MPI_Comm communicator) {
     return make_stator_sector(StatorGeometry(), 90, SectorForm::whole, {0, 2, 0.3}, communicator);
   };

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The two forms of the cyclic sector against each other and against what they are made for. The
-// half sector with its mirror plane and the whole sector with Bloch's condition are different
-// matrices for one and the same problem, so their eigenvalues agree up to rounding. k and N - k are
-// the same wave running the other way. The rigid motions of a free ring are known: axial shift and
-// spin in k = 0, in-plane shift and tilt in k = 1 (each a pair of standing motions), none beyond.
+// The two forms of the cyclic sector against each other and against their defining properties. The
+// half sector with its mirror plane and the whole sector with Bloch's condition have different
+// matrices for the same problem, so their eigenvalues agree up to rounding. k and N - k are the
+// same wave travelling in opposite directions. The rigid motions of a free ring are known: axial
+// shift and spin in k = 0, in-plane shift and tilt in k = 1 (each a pair of standing motions), none
+// beyond.
 
 #include "support/materials.h"
 #include "support/record.h"
@@ -23,7 +24,7 @@ using namespace ringmotor::tests;
 
 namespace
 {
-  /** The reference stator, coarsely: all statements here hold on any mesh. */
+  /** The reference stator on a coarse mesh: all statements here hold on any mesh. */
   struct CoarseStator
   {
     SectorMesh mesh;
@@ -108,7 +109,7 @@ TEST(Sector, KnowsRigidMotions)
 
 TEST(Sector, FindsAllModesBelowAShift)
 {
-  // lowest() takes another shift and asks ARPACK for the other end of the spectrum.
+  // lowest() uses another shift and requests the other end of the spectrum from ARPACK.
   for (const SectorForm form : {SectorForm::half, SectorForm::whole})
   {
     CoarseStator stator(form);
@@ -159,7 +160,7 @@ TEST(Sector, LeavesAGapAboveTheWantedModes)
 
 namespace
 {
-  /** That both fields of a mode together have mass 1 and Rayleigh's quotient. */
+  /** Checks that both fields of a mode together have mass 1 and Rayleigh's quotient. */
   void expect_normalised(CoarseStator &stator, const Mode &mode)
   {
     double mass_norm = 0., stiffness_norm = 0.;
@@ -183,8 +184,7 @@ namespace
     EXPECT_NEAR(stiffness_norm / mode.eigenvalue, 1., 1e-9);
   }
 
-  /** Displacements on the two cuts of a sector by their place (r, z), and the largest one of all.
-   */
+  /** Displacements on the two cuts of a sector by position (r, z), and the largest displacement. */
   struct OnCuts
   {
     std::map<std::pair<long, long>, std::array<std::complex<double>, 3>> low, high;
@@ -224,9 +224,9 @@ namespace
 
 TEST(Sector, ExpandsModesToFields)
 {
-  // What a mode must be, read off its Cartesian field: normalised mass, Rayleigh's quotient, and
+  // Properties of a mode, checked on its Cartesian field: normalised mass, Rayleigh's quotient, and
   // on the cuts U(high) = exp(-i k alpha) R(alpha) U(low) or, of a half sector, that it is its own
-  // mirror image turned by the wave: V = S conj(V) exp(-i k alpha) across the cut.
+  // mirror image up to the wave's phase: V = S conj(V) exp(-i k alpha) across the cut.
   const double alpha              = 2. * dealii::numbers::PI / 90;
   const std::complex<double> wave = std::polar(1., -7. * alpha);
   const double c = std::cos(alpha), s = std::sin(alpha);

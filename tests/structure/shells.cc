@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Rings that are shells. Free annular plates against Kirchhoff's theory (Bessel functions, lambda^2
-// = omega a^2 sqrt(rho h / D), a the outer radius, nu = 0.3), down to a thickness of 1e-4 of the
-// radius. Half and whole sector give the same modes of an eccentric shell, whose waves stretch and
-// bend at once; rigid motions are recognised.
+// Shell rings. Free annular plates against Kirchhoff's theory (Bessel functions,
+// lambda^2 = omega a^2 sqrt(rho h / D), a the outer radius, nu = 0.3), down to a thickness of 1e-4
+// of the radius. Half and whole sector give the same modes of an eccentric shell, whose waves
+// couple stretching and bending; rigid motions are recognised.
 
 #include "support/materials.h"
 #include "support/record.h"
@@ -22,7 +22,7 @@ using namespace ringmotor::tests;
 
 namespace
 {
-  /** lambda^2 of the slowest elastic mode of a free annular plate with outer radius 1 m. */
+  /** lambda^2 of the lowest elastic mode of a free annular plate with outer radius 1 m. */
   double frequency_parameter(const double inner_radius, const double thickness,
                              const unsigned int n, const unsigned int degree,
                              const unsigned int n_radial)
@@ -71,9 +71,9 @@ TEST(ShellRingsHard, ThinPlatesDoNotLock)
 
 TEST(ShellRingsHard, ThinnerPlatesAreNoHarder)
 {
-  // Against a far better mesh of the same plate. Layers as wide as the plate is thick, along its
-  // free edges, rule the errors down to 1e-2, so that their slopes depend on the thickness; a shell
-  // that locks would grow worse with every step.
+  // Against a much finer mesh of the same plate. Boundary layers along its free edges, as wide as
+  // the plate is thick, dominate the errors down to 1e-2, so their slopes depend on the thickness;
+  // a shell that locks would get worse with every step.
   for (const unsigned int degree : {3u, 4u})
     for (const unsigned int n_radial : {1u, 2u, 4u})
     {
@@ -103,7 +103,7 @@ TEST(ShellRings, HalfAndWholeSectorHaveTheSameModes)
 
 TEST(ShellRings, OffsetOnlyMovesTheReferenceSurface)
 {
-  // The same plate, described from its middle and from its lower face.
+  // The same plate, with its middle or its lower face as the reference surface.
   const SectorMesh middle = shell_ring(0.6, 1., {0.05, 0.}, 3, 11, SectorForm::half, 1),
                    lower  = shell_ring(0.6, 1., {0.05, 0.025}, 3, 11, SectorForm::half, 1);
   const CyclicSector middle_sector(middle, all_of(steel), 4), lower_sector(lower, all_of(steel), 4);

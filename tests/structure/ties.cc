@@ -3,7 +3,7 @@
 // Shells tied to solids. A straight strip whose first half is solid and whose second half is a
 // shell has the exact energies of uniform stretch and uniform bending (nu = 0, beam theory is
 // exact), as has a block with a skin, whether their meshes match or not; as a cantilever it bends
-// and stretches as beam theory says. A solid that is finer than the edge of the shell is refused.
+// and stretches as in beam theory. A solid that is finer than the edge of the shell is refused.
 
 #include <ringmotor/mesh/ids.h>
 #include <ringmotor/structure/cyclic_factors.h>
@@ -101,7 +101,7 @@ namespace
   const Motion bend = [](const Point<3> &x) {
     return NodeMotion{{{-x[0] * x[2], 0., 0.5 * x[0] * x[0]}}, {{0., -x[0], 0.}}};
   };
-  /** A rigid turn about an axis through the origin. */
+  /** A rigid rotation about an axis through the origin. */
   const Motion turn = [](const Point<3> &x)
   {
     const dealii::Tensor<1, 3> axis({0.3, -0.5, 0.7});
@@ -109,7 +109,7 @@ namespace
     return NodeMotion{{{u[0], u[1], u[2]}}, {{axis[0], axis[1], axis[2]}}};
   };
 
-  /** u.K u of the motion that takes these values at the nodes that are free to. */
+  /** u.K u of the motion that takes these values at the unconstrained nodes. */
   double energy_product(const SectorMesh &mesh, const Motion &motion, const unsigned int degree)
   {
     const SectorElements elements(mesh, materials, degree);
@@ -122,7 +122,7 @@ namespace
 
   constexpr double inertia = width * thickness * thickness * thickness / 12.;
 
-  /** The displacement of the end x = 2 of the cantilever along a unit force there. */
+  /** The displacement of the cantilever's end x = 2 in the direction of a unit force there. */
   double compliance(const SectorMesh &mesh, const unsigned int direction)
   {
     const CyclicSector sector(mesh, materials, 3);
@@ -170,7 +170,7 @@ TEST(Ties, PassUniformStates)
 
 TEST(Ties, CarryACantilever)
 {
-  // Timoshenko's shear correction is a part of 6e-4 here.
+  // Timoshenko's shear correction is 6e-4 of the total here.
   const SectorMesh mesh = strip(2, 2);
   const double span = 2. * length, e = material.young_modulus, area = width * thickness;
   EXPECT_NEAR(compliance(mesh, 0) / (span / (e * area)), 1., 1e-9);

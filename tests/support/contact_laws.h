@@ -11,8 +11,8 @@
 namespace ringmotor::tests
 {
   /**
-   * How far a state is from Coulomb's law, contact and balance, as a part of the largest force,
-   * found in another way than the solver's certificate: p = max(0, p - c gap), and F_t is
+   * How far a state is from Coulomb's law, contact and balance, relative to the largest force,
+   * computed independently of the solver's certificate: p = max(0, p - c gap), and F_t is
    * F_t - c slip projected to the disc of radius mu p, for a stiffness @p c (N/m) of any size.
    */
   inline double violation(const ContactProblem &problem, const double mu, const ContactState &state,

@@ -15,7 +15,7 @@
 
 namespace ringmotor::tests
 {
-  /** The loads on the unknowns from forces (coefficients, N) on degrees of freedom of the real
+  /** The loads on the unknowns due to forces (coefficients, N) on degrees of freedom of the real
    * field (part 0) or the imaginary one (1). */
   inline std::vector<double> loads_of_form(const CyclicSector &sector, const unsigned int k,
                                            const unsigned int part, const LinearForm &form)
@@ -32,8 +32,8 @@ namespace ringmotor::tests
     return sector.loads_of(k, forces);
   }
 
-  /** (K - shift M) u + P lambda = f, P^T u = g of one nodal diameter, by one sparse factorisation
-   * of all unknowns. */
+  /** Solves (K - shift M) u + P lambda = f, P^T u = g for one nodal diameter by one sparse
+   * factorisation of all unknowns. */
   class DirectSector
   {
   public:
@@ -56,7 +56,7 @@ namespace ringmotor::tests
       factors.factorise(triplets);
     }
 
-    /** u, then lambda, from f, then g; without g it is zero. */
+    /** Returns (u, lambda) for the right-hand side (f, g); a missing g is zero. */
     std::vector<double> solve(std::vector<double> right_hand_side)
     {
       right_hand_side.resize(size, 0.);
@@ -78,7 +78,7 @@ namespace ringmotor::tests
       for (std::size_t e = 0; e < entries.values.size(); ++e)
       {
         const int row = entries.rows[e] - 1, column = entries.columns[e] - 1;
-        // An entry below the diagonal stands for the one above it as well.
+        // An entry below the diagonal also stands for the one above it.
         for (const auto &[a, factor_a] : terms[row])
           for (const auto &[b, factor_b] : terms[column])
             if (row != column || a >= b)
@@ -92,7 +92,7 @@ namespace ringmotor::tests
     SparseLDLT factors;
   };
 
-  /** Two motions of all nodes, relative to the largest displacement (and rotation). */
+  /** Compares two motions of all nodes, relative to the largest displacement (and rotation). */
   inline void expect_motion(const SectorMotion &motion, const SectorMotion &expected,
                             const double tolerance)
   {
@@ -112,8 +112,8 @@ namespace ringmotor::tests
 
   using Solver = std::function<std::vector<double>(const std::vector<double> &)>;
 
-  /** A compliance of these loads against their solutions, relative to its diagonal's entries; it is
-   * symmetric. */
+  /** Compares a compliance with the solutions for these loads, relative to its diagonal entries,
+   * and checks its symmetry. */
   inline void expect_solutions(const dealii::FullMatrix<double> &compliance,
                                const std::vector<std::vector<double>> &loads, const Solver &solve,
                                const double tolerance)
@@ -127,7 +127,7 @@ namespace ringmotor::tests
       scale.push_back(std::sqrt(std::abs(compliance(i, i))));
       largest = std::max(largest, scale.back());
     }
-    for (double &entry : scale) // forms that the symmetry holds have nothing but rounding
+    for (double &entry : scale) // forms that symmetry constrains are pure roundoff
       entry = entry < 1e-6 * largest ? largest : entry;
     for (unsigned int j = 0; j < loads.size(); ++j)
     {

@@ -12,8 +12,8 @@ namespace ringmotor::tests
   class ElasticContact : public DenseContact
   {
   public:
-    /** @p preload in N presses the upper body down, which then can rise; without it the motion
-     * without contact forces tells where the bodies are. */
+    /** @p preload in N presses the upper body down, which is then free to rise; without it the
+     * motion without contact forces determines the positions of the bodies. */
     ElasticContact(const CondensedBlock &lower, const CondensedBlock &upper,
                    const std::optional<double> &preload = {})
         : ElasticContact(lower, upper, preload,
@@ -25,7 +25,7 @@ namespace ringmotor::tests
     {
       const ComplementarityConstants constants{1. / compliance(0, 0), 1. / compliance(1, 1)};
       ContactState start = nothing();
-      // An upper body that floats starts so low that all points touch.
+      // A free upper body starts so low that all contact nodes touch.
       for (unsigned int i = 0; n_rigid() > 0 && i < n_points(); ++i)
         start.rigid[0] = std::min(start.rigid[0], -2. * free_motion[i][0]);
       return solve_contact(*this, coulomb(friction_coefficient), constants, start);

@@ -62,7 +62,8 @@ namespace ringmotor::tests
     return sums;
   }
 
-  /** The worst ratio of smallest to largest Jacobian determinant in one cell, corners included. */
+  /** The smallest ratio of minimum to maximum Jacobian determinant within a cell, corners included.
+   */
   inline double smallest_jacobian_ratio(const dealii::Triangulation<3> &triangulation)
   {
     using namespace dealii;

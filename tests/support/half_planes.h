@@ -19,8 +19,8 @@ namespace ringmotor::tests
       return (1. - poisson_upper) / (2. * shear_modulus_upper) +
              (1. - poisson_lower) / (2. * shear_modulus_lower);
     }
-    /** How much more a pressure shortens the upper surface than the lower, per unit of pressure; it
-     * is 2 beta / E* with Dundurs' beta. */
+    /** Excess shortening of the upper surface over the lower one per unit of pressure; it is
+     * 2 beta / E* with Dundurs' beta. */
     double mismatch() const
     {
       return (1. - 2. * poisson_upper) / (2. * shear_modulus_upper) -
@@ -39,8 +39,8 @@ namespace ringmotor::tests
       return -2. / M_PI * compliance() * (integral(x + 0.5 * h) - integral(x - 0.5 * h)) / h;
     }
 
-    /** The same for the gap by a tangential force, and the negative of the tangential motion by a
-     * normal force. */
+    /** The same for the gap due to a tangential force, and the negative of the tangential motion
+     * due to a normal force. */
     double cross(const double x, const double h) const
     {
       return mismatch() * std::max(-0.5, std::min(0.5, x / h));
@@ -67,9 +67,9 @@ namespace ringmotor::tests
     }
 
     /**
-     * The bodies are pressed together by @p load (N), the first rigid motion is their approach. In
+     * The bodies are pressed together by @p load (N); the first rigid motion is their approach. In
      * a step the upper body shifts by the second rigid motion, under a tangential force
-     * @p tangential_load (N); the forces before are zero.
+     * @p tangential_load (N); the previous forces are zero.
      */
     DenseContact shift(const double load, const double tangential_load) const
     {
@@ -80,7 +80,7 @@ namespace ringmotor::tests
     }
 
     /**
-     * Steady rolling: material flows through the contact along t, one strip in a step. The second
+     * Steady rolling: material flows through the contact along t, one strip per step. The second
      * rigid motion is the creep, the rigid slip over the distance rolled; @p tangential_load (N)
      * acts on the upper body.
      */
@@ -136,7 +136,7 @@ namespace ringmotor::tests
         }
     }
 
-    /** Displacements less those of the strip upstream. */
+    /** Displacements minus those of the strip upstream. */
     void add_rolling_rows(DenseContact &problem) const
     {
       add_tangential_rows(problem, 0., 1.);

@@ -11,8 +11,8 @@ namespace ringmotor::tests
 {
   /**
    * A sphere of @p radius (m) pressed on a plane of the same material and shifted along t, as
-   * elastic half-spaces in squares of side @p width (m). A quarter is enough: pressure and friction
-   * along t are even across both axes, friction across t is odd.
+   * elastic half-spaces in squares of side @p width (m). A quarter suffices: pressure and friction
+   * along t are even about both axes, friction across t is odd.
    */
   struct SphereOnPlane
   {
@@ -35,7 +35,8 @@ namespace ringmotor::tests
     /**
      * Relative motions (normal, t, across; rows) at a distance (x, y) from a square that carries a
      * unit force uniformly (columns): Boussinesq's and Cerruti's point forces, integrated (Johnson
-     * 1985, eqs. 3.25 and 3.75-3.76). Two equal bodies: no coupling of normal and tangential.
+     * 1985, eqs. 3.25 and 3.75-3.76). For two equal bodies, normal and tangential motions are
+     * uncoupled.
      */
     std::array<std::array<double, 3>, 3> influence(const double x, const double y) const
     {

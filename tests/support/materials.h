@@ -6,7 +6,7 @@
 
 namespace ringmotor::tests
 {
-  /** The material of all benchmarks that name no other. */
+  /** The default material of the benchmarks. */
   constexpr Material steel{200.e9, 0.3, 8000., 0.};
 
   /** A body of one material throughout. */

@@ -22,7 +22,7 @@ namespace ringmotor::tests
     return parameters;
   }
 
-  /** Its wave, as the program stator hands it to the contact. */
+  /** Its wave, as the program stator passes it to the contact. */
   inline StatorWave stator_wave(const Parameters &parameters)
   {
     BodyModes body(parameters, MPI_COMM_SELF);

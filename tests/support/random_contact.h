@@ -15,8 +15,8 @@ namespace ringmotor::tests
   }
 
   /**
-   * Any positive definite compliance, any gaps and slips; normal and tangential motions are as
-   * strongly coupled as forces of one direction are. Its constants are about right.
+   * Random positive definite compliance, gaps and slips; normal and tangential motions are coupled
+   * as strongly as motions in one direction. The complementarity constants are of the right order.
    */
   inline DenseContact random_problem(const unsigned int n_points, const double coupling,
                                      const bool rigid_motions)

@@ -44,7 +44,7 @@ namespace ringmotor::tests
             face->set_boundary_id(ids::free);
         }
     }
-    // (r, z, -theta) is right-handed: the extruded coordinate runs against theta.
+    // (r, z, -theta) is right-handed: the extruded coordinate runs opposite to theta.
     GridTools::transform(
         [&](const Point<3> &x)
         {
@@ -75,7 +75,7 @@ namespace ringmotor::tests
     return sweep(section, n_sectors, form, n_around, communicator);
   }
 
-  /** A flat ring that is nothing but a shell, @p n_radial by @p n_around cells. */
+  /** A flat ring consisting of a shell only, @p n_radial by @p n_around cells. */
   inline SectorMesh shell_ring(const double inner_radius, const double outer_radius,
                                const ShellSection &section, const unsigned int n_radial,
                                const unsigned int n_sectors, const SectorForm form,
@@ -142,7 +142,7 @@ namespace ringmotor::tests
     }
 
   private:
-    /** Into [0, 2 pi), as the periodic chart wants it. */
+    /** Into [0, 2 pi), as the periodic chart requires. */
     static double turn(const double angle)
     {
       return angle < 0. ? angle + 2. * dealii::numbers::PI : angle;
@@ -157,7 +157,7 @@ namespace ringmotor::tests
                                const unsigned int n_around, MPI_Comm communicator = MPI_COMM_WORLD)
   {
     using namespace dealii;
-    // Arcs of 22.5 degrees: quadratic ones of 45 would take 8e-4 off the section's I/A.
+    // Arcs of 22.5 degrees: quadratic arcs of 45 degrees would reduce the section's I/A by 8e-4.
     Triangulation<2> disc, section;
     GridGenerator::hyper_ball_balanced(disc, Point<2>(centre_radius, 0.), 0.5 * diameter);
     disc.refine_global(1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-// Random linear systems of Newton's method whose solutions were chosen first.
+// Random linear systems of Newton's method with manufactured solutions.
 
 #include "support/dense_contact.h"
 
@@ -22,8 +22,8 @@ namespace ringmotor::tests
     return std::uniform_real_distribution<double>(-1., 1.)(random_numbers);
   }
 
-  /** A problem of random entries, whose points fall into parts of equal size in a ring. The last
-   * rigid motion belongs to none of several parts. */
+  /** A problem with random entries, whose contact nodes form a ring of parts of equal size. If
+   * there are several parts, the last rigid motion belongs to none of them. */
   class RandomProblem : public DenseContact
   {
   public:
@@ -86,7 +86,7 @@ namespace ringmotor::tests
       choose();
     }
 
-    /** Turns the rows of some nodes a little. */
+    /** Perturbs the rows of some nodes. */
     void change(const unsigned int n_nodes)
     {
       for (unsigned int a = 0; a < n_nodes; ++a)
@@ -94,8 +94,8 @@ namespace ringmotor::tests
       choose();
     }
 
-    /** Rows of slip along e as Newton's method has them: motion along e is in none of them, or in
-     * some of them a little. */
+    /** Rows of slip along e as in Newton's method: motion along e enters none of them, or some of
+     * them slightly. */
     void slip(const double little)
     {
       constexpr double mu = 0.4, ratio = 0.7;
@@ -132,7 +132,7 @@ namespace ringmotor::tests
       right_hand_side = left_hand_side(chosen);
     }
 
-    /** By the laws of the problem alone. */
+    /** Computed from the problem's definition only. */
     dealii::Vector<double> left_hand_side(const dealii::Vector<double> &solution) const
     {
       const unsigned int n = 3 * touching.size(), n_rigid = problem.n_rigid();
@@ -165,8 +165,8 @@ namespace ringmotor::tests
       EXPECT_LT(solution.linfty_norm(), tolerance);
     }
 
-    /** The same of its residual: what an iterative solver promises, whatever the condition of
-     * random numbers. */
+    /** The same for its residual, which an iterative solver controls whatever the condition number
+     * of the random system. */
     void expect_fulfilled_by(RowSolver &solver, const double tolerance) const
     {
       dealii::Vector<double> solution = right_hand_side;

@@ -64,7 +64,7 @@ namespace ringmotor::tests
     Point<2> low, high;
     std::array<unsigned int, 2> cells;
     double distortion =
-        0.; ///< inner vertices are moved, by different parts of the sides this large
+        0.; ///< inner vertices are moved by varying fractions of the sides, up to this
 
     Point<2> parameters(const Point<2> &unit) const
     {
@@ -78,7 +78,7 @@ namespace ringmotor::tests
     }
   };
 
-  /** A shell in one piece, with all that is needed to load and solve it. */
+  /** A shell in one piece, with everything needed to load and solve it. */
   class Shell
   {
   public:
@@ -136,7 +136,7 @@ namespace ringmotor::tests
       return sum;
     }
 
-    /** Forces and samples that keep the shell in this state. */
+    /** Forces and moments that keep the shell in this state. */
     dealii::Vector<double> forces(const dealii::Vector<double> &field) const
     {
       dealii::Vector<double> sum(n_dofs());
@@ -213,7 +213,7 @@ namespace ringmotor::tests
       throw std::runtime_error("no node there");
     }
 
-    /** The displacement under loads, where fixed(place)[component] tells what is held. */
+    /** The displacement under loads, where fixed(place)[component] shows what is constrained. */
     std::vector<double>
     solve(std::vector<double> loads,
           const std::function<std::array<bool, 6>(const Point<3> &)> &fixed) const
@@ -243,7 +243,7 @@ namespace ringmotor::tests
       return loads;
     }
 
-    /** Where a degree of freedom is, and which component. */
+    /** Position and component of a degree of freedom. */
     const Point<3> &position(const unsigned int dof) const { return positions[dof]; }
     unsigned int component(const unsigned int dof) const { return components[dof]; }
 

@@ -28,8 +28,8 @@ namespace ringmotor::tests
     std::vector<double> r, theta, z;
   };
 
-  /** A block that is clamped at its far end, condensed to the face that touches within some radii
-   * and, if there are side loads, to these. Half of it is meshed. */
+  /** A block clamped at its far end, condensed to the contact face within some radii and, if there
+   * are any, to side loads. Half of it is meshed. */
   class CondensedBlock
   {
   public:
@@ -62,7 +62,7 @@ namespace ringmotor::tests
     const ContactSurface &surface() const { return whole.surface; }
 
     SurfaceCompliance compliance;     ///< of the nodes of surface()
-    std::vector<double> by_side_load; ///< their motion by the side load (m)
+    std::vector<double> by_side_load; ///< their motion due to the side load (m)
 
   private:
     static SectorMesh make(const BlockLines &lines, const double from, const double to)
@@ -80,7 +80,7 @@ namespace ringmotor::tests
         for (unsigned int i = 1; i < line->size(); ++i)
           steps.back().push_back((*line)[i] - (*line)[i - 1]);
       }
-      // Nothing holds its angle: it has no cuts.
+      // Its angle is arbitrary: it has no cuts.
       SectorMesh mesh{empty_triangulation<3>(MPI_COMM_SELF), SectorForm::half, 1, false};
       GridGenerator::subdivided_hyper_rectangle(
           *mesh.triangulation, steps, Point<3>(lines.r.front(), lines.theta.front(), heights[0]),

@@ -9,39 +9,39 @@
 namespace ringmotor
 {
   /**
-   * How the contact points of a ring move under forces on them at one or several samples. Points
-   * come in blocks, a tooth at a sample each, numbered by sample and tooth.
+   * The compliance of the contact nodes of a ring at one or several time samples. Nodes are grouped
+   * in blocks, one for each tooth at each time sample, numbered by time sample and tooth.
    *
-   * What bodies do at once, forces of a sample move at that sample only. What modes with inertia
-   * add, forces move at all samples; all that counts is how long ago a tooth was where another one
-   * is: the blocks are the instants of one history, which form a ring of their own.
+   * The instantaneous response of the bodies couples nodes of the same time sample only. Modes with
+   * inertia couple all time samples; their response depends only on how long ago a tooth was where
+   * another one is: the blocks are the instants of one history, which form a ring themselves.
    */
   class BlockCompliance
   {
   public:
-    /** Of bodies without inertia. @p at_once must outlive this object. */
+    /** For bodies without inertia. @p at_once must outlive this object. */
     BlockCompliance(const RingCompliance &at_once, const unsigned int n_samples);
 
-    /** @param of_modes what modes add, by instants
-     * @param instant of each block, the same steps apart from tooth to tooth at all samples */
+    /** @param of_modes contribution of the modes, by instants
+     * @param instant of each block; the step from tooth to tooth is the same at all time samples */
     BlockCompliance(const RingCompliance &at_once, const unsigned int n_samples,
                     RingCompliance of_modes, std::vector<unsigned int> instant);
 
     unsigned int n_blocks() const { return n_samples * at_once.n_sectors(); }
-    /** Blocks move those of the same part only. */
+    /** A block moves only blocks of the same part. */
     unsigned int part_of(const unsigned int block) const
     {
       return instant.empty() ? sample(block) : 0;
     }
 
-    /** Adds the motions (m) of all points by forces (N). */
+    /** Adds the motions (m) of all nodes due to forces (N). */
     void add_motions(const std::vector<PointVector> &force, std::vector<PointVector> &motion) const;
-    /** The same without what modes add. */
+    /** The same without the contribution of the modes. */
     void add_motions_at_once(const std::vector<PointVector> &force,
                              std::vector<PointVector> &motion) const;
 
     /** Adds the motions of the nodes @p rows of block @p moved by forces on the nodes @p columns of
-     * block @p loaded to a matrix, see RingCompliance::add_entries(). */
+     * block @p loaded to @p matrix, see RingCompliance::add_entries(). */
     void add_entries(const unsigned int moved, const unsigned int loaded,
                      const std::vector<unsigned int> &rows,
                      const std::vector<unsigned int> &columns, const double factor,
@@ -53,7 +53,7 @@ namespace ringmotor
     const dealii::FullMatrix<double> *far_kernel(const unsigned int moved,
                                                  const unsigned int loaded) const;
 
-    /** Values by instant and node from values by point, and back. */
+    /** Values by instant and node from values by contact point, and back. */
     std::vector<PointVector> by_instant(const std::vector<PointVector> &of_points) const;
     std::vector<PointVector> by_point(const std::vector<PointVector> &of_instants) const;
 
@@ -79,7 +79,7 @@ namespace ringmotor
     RingCompliance of_modes;
     const std::vector<unsigned int> instant; ///< of each block; empty without modes
     RingCompliance::Far far_with_modes;
-    std::vector<dealii::FullMatrix<double>> all; ///< entries of both by instants, where both have
-                                                 ///< a table of them
+    std::vector<dealii::FullMatrix<double>> all; ///< entries of their sum by instants, if both
+                                                 ///< have a table
   };
 } // namespace ringmotor

@@ -8,20 +8,20 @@
 namespace ringmotor
 {
   /**
-   * A preconditioner: the inverse of contact rows in which blocks know of each other through their
-   * far shapes only (see ContactProblem). The slips of a block are measured from the motions of the
-   * block before, which its own forces cause above all; so blocks form chains. With a the far
-   * motions of the blocks, z what is handed on where a chain is cut, and q the rigid motions, the
-   * forces along a chain are
+   * A preconditioner: the inverse of contact rows in which blocks are coupled through their far
+   * shapes only (see ContactProblem). The slips of a block are measured from the motions of the
+   * previous block, which are mainly caused by the forces of that block; so blocks form chains.
+   * With a the far motions of the blocks, z the values handed on where a chain is cut, and q the
+   * rigid motions, the forces along a chain are
    *
    *   f_b = D_b^-1 (r_b + E_b f_before + S_b (a, z, q)),
    *
-   * a and z are linear functions of them, as are the balances: this closes a small dense system.
+   * a and z are linear functions of them, as are the balances, which yields a small dense system.
    */
   class ChainOfBlocks
   {
   public:
-    /** Makes all factors. @p rows must outlive this object. */
+    /** Computes all factors. @p rows must outlive this object. */
     explicit ChainOfBlocks(const ContactRows &rows);
 
     /** Whether no block and no small system is singular. */
@@ -32,7 +32,7 @@ namespace ringmotor
   private:
     static constexpr unsigned int none = ContactProblem::no_part;
 
-    /** Unknowns of the points of a block that touch. */
+    /** Unknowns of the touching nodes of a block. */
     struct Block
     {
       unsigned int number;       ///< in the problem
@@ -41,7 +41,7 @@ namespace ringmotor
       std::vector<unsigned int> unknowns;
       std::vector<unsigned int> slips;         ///< rows that depend on slips
       dealii::LAPACKFullMatrix<double> shapes; ///< far shapes, a row for each unknown
-      /** Rows by far motions; what slips have in that. */
+      /** Derivatives of the rows by far motions; the part of them due to slips. */
       dealii::LAPACKFullMatrix<double> by_motion, by_slip;
       dealii::LAPACKFullMatrix<double> own;       ///< factors of D_b
       dealii::LAPACKFullMatrix<double> by_before; ///< E_b, only the rows of slips
@@ -57,21 +57,22 @@ namespace ringmotor
     void choose_shapes();
     void make_kernel();
     void cut_chains();
-    /** The rows of a block by the forces of another, without what comes through far shapes. */
+    /** Derivatives of the rows of a block by the forces of another one, without the coupling
+     * through far shapes. */
     dealii::LAPACKFullMatrix<double> near_matrix(const Block &block, const Block &loaded) const;
     void share_columns(Block &block) const;
     void make_small_system();
-    /** f_b by columns of the small system, each at its place; those of the block before, which it
-     * hands on if the chain goes on, come first. */
+    /** f_b by columns of the small system, each at its place; those handed on from the previous
+     * block, if the chain continues, come first. */
     dealii::LAPACKFullMatrix<double>
     forces_by_shared(const Block &block, const dealii::LAPACKFullMatrix<double> &before,
                      const std::vector<unsigned int> &place_of, const unsigned int n_columns) const;
-    /** Subtracts what forces of a block, by columns, hand on where chains are cut, and adds what
-     * they do to balances. */
+    /** Subtracts what forces of a block, by columns, hand on where chains are cut, and adds their
+     * contribution to the balances. */
     void add_handed_on(const unsigned int place, const dealii::LAPACKFullMatrix<double> &forces,
                        const std::vector<unsigned int> &columns,
                        dealii::LAPACKFullMatrix<double> &matrix) const;
-    /** f_b of all blocks by right-hand sides and, if they are given, (a, z, q). */
+    /** f_b of all blocks from right-hand sides and, if given, (a, z, q). */
     std::vector<dealii::Vector<double>> forces(const dealii::Vector<double> &vector,
                                                const dealii::Vector<double> *shared) const;
     dealii::Vector<double> solve_small_system(const std::vector<dealii::Vector<double>> &forces,
@@ -81,8 +82,8 @@ namespace ringmotor
     const ContactProblem &problem;
     std::vector<Block> blocks;
     std::vector<unsigned int> order; ///< along the chains
-    std::vector<unsigned int> cuts;  ///< blocks with which they begin
-    std::vector<unsigned int> felt;  ///< blocks of the problem whose far motions count
+    std::vector<unsigned int> cuts;  ///< first blocks of the chains
+    std::vector<unsigned int> felt;  ///< blocks of the problem whose far motions matter
     unsigned int n_shapes = 0, n_far = 0, n_cuts = 0, n_small = 0;
     dealii::LAPACKFullMatrix<double> kernel; ///< far motions by far forces
     dealii::LAPACKFullMatrix<double> small;

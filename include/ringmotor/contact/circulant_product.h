@@ -11,7 +11,7 @@ namespace ringmotor
 {
   /** The blocks of a block-circulant matrix, transposed, by distance 0 .. n - 1, from those of its
    * waves exp(2 pi i m j / n), m = 0 .. n / 2, each @p width by @p width entries by rows. Imaginary
-   * parts that waves of real numbers cannot have are not looked at. */
+   * parts that waves of real numbers cannot have are ignored. */
   std::vector<dealii::FullMatrix<double>>
   transposed_sectors_of(const std::vector<std::vector<std::complex<double>>> &waves,
                         const unsigned int n_sectors, const unsigned int width);
@@ -25,15 +25,15 @@ namespace ringmotor
   class CirculantProduct
   {
   public:
-    /** No sectors: to be assigned to. */
+    /** Empty, to be assigned to. */
     CirculantProduct() = default;
 
-    /** @param kernel by distance 0 .. n - 1, transposed: entry (i, j) is the motion j by a force i
-     * so many sectors lower */
+    /** @param kernel by distance 0 .. n - 1, transposed: entry (i, j) is the motion j due to a
+     * force i that many sectors lower */
     explicit CirculantProduct(const std::vector<dealii::FullMatrix<double>> &kernel);
 
     /** Adds the product to @p motions. Forces and motions by ring, sector, component; several rings
-     * with the same matrix at once. */
+     * with the same matrix together. */
     void add(const double *forces, double *motions, const unsigned int n_rings) const;
 
   private:

@@ -8,7 +8,7 @@
 
 namespace ringmotor
 {
-  /** The largest friction force of a point and how it changes. */
+  /** The largest friction force of a contact node and its derivatives. */
   struct FrictionBound
   {
     double value       = 0.; ///< N
@@ -16,20 +16,20 @@ namespace ringmotor
     double by_slip     = 0.; ///< N/m, by the length of the slip
   };
 
-  /** The friction bound of a point under a pressure force (N) for a slip (m, not negative). */
+  /** The friction bound of a node under a pressure force (N) for a slip (m, not negative). */
   using FrictionBoundOf =
       std::function<FrictionBound(unsigned int point, double pressure_force, double slip)>;
 
   /**
-   * How far a state is from the laws of contact and friction, each a pure number that rounding
-   * alone should make different from zero.
+   * By how much a state violates the laws of contact and friction, as pure numbers that are zero
+   * but for rounding in a solution.
    *
-   * Pressure forces are compared with the largest, friction with the largest bound. Gaps and slips
-   * are compared with how much the forces change them at points that touch, slips also with the
-   * largest slip there; so that rounding does not count where little is left of these (rigid
-   * bodies, points that stick), not with less than 1e-8 of what there is without forces and rigid
-   * motions, slips not with less than 1e-5 of what gaps are compared with. Balances are compared
-   * with the sum of the pressure forces or with what is to be balanced.
+   * Pressure forces are scaled by the largest one, friction by the largest bound. Gaps and slips
+   * are scaled by the largest change of them by the forces at touching nodes, slips also by the
+   * largest slip there. To keep rounding from counting where these are tiny (rigid bodies, sticking
+   * nodes), the scales are at least 1e-8 of the gaps and slips without forces and rigid motions,
+   * and that of slips at least 1e-5 of that of gaps. Balances are scaled by the sum of the pressure
+   * forces or by the load to be balanced.
    */
   struct ContactCertificate
   {
@@ -46,8 +46,8 @@ namespace ringmotor
     bool holds() const { return worst() <= limit; }
   };
 
-  /** By how much (N) the friction in @p force misses tau = F_t - stiffness slip, shortened to
-   * @p bound (N): zero where the law of friction is fulfilled, whatever the stiffness (N/m). */
+  /** The distance (N) of the friction in @p force from tau = F_t - stiffness slip, shortened to
+   * @p bound (N): zero where the law of friction is fulfilled, for any stiffness (N/m). */
   double friction_defect(const PointVector &force, const PointVector &motion,
                          const double stiffness, const double bound);
 

@@ -27,7 +27,7 @@ namespace ringmotor
     std::vector<PointVector> force; ///< N, on the rotor, by contact point
     std::vector<double> rigid;      ///< rigid motions of the rotor that forces have to balance
 
-    /** Points that are pressed together. */
+    /** Number of points that are pressed together. */
     unsigned int n_pressed() const
     {
       return std::count_if(force.begin(), force.end(),
@@ -36,9 +36,9 @@ namespace ringmotor
   };
 
   /**
-   * A linear relation between the forces at contact points and how the bodies move there in a time
-   * step: what is left of elastic bodies when only their contact is looked at. Points touch where
-   * the gap closes; the motion of the rotor over the stator in the step is its slip.
+   * The linear relation between the forces at contact points and the motions of the bodies there in
+   * a time step: elastic bodies, condensed to their contact. Points touch where the gap closes; the
+   * slip is the motion of the rotor over the stator in the step.
    */
   class ContactProblem
   {
@@ -64,24 +64,25 @@ namespace ringmotor
                              const std::vector<unsigned int> &columns,
                              dealii::FullMatrix<double> &matrix) const = 0;
 
-    /** The problem may fall into parts (the time samples of a steady state) in a ring, each of
-     * which moves itself and the next one only. Rigid motions of all parts belong to none. */
+    /** The problem may consist of parts (the time samples of a steady state) in a ring, each of
+     * which moves only itself and the next one. Rigid motions common to all parts belong to
+     * no_part. */
     virtual unsigned int part_of_point(const unsigned int) const { return 0; }
     virtual unsigned int part_of_rigid(const unsigned int) const { return 0; }
     static constexpr unsigned int no_part = dealii::numbers::invalid_unsigned_int;
 
-    /** Points come in blocks (a tooth at a sample), one after the other. Within a block they move
-     * each other far more than others do. */
+    /** Points are grouped in consecutive blocks (a tooth at a time sample). The coupling within a
+     * block is far stronger than that between blocks. */
     virtual unsigned int n_blocks() const { return 1; }
     virtual unsigned int block_of_point(const unsigned int) const { return 0; }
     /** The block from whose motions the slips of a block are measured; no_part if they are measured
      * from given positions. */
     virtual unsigned int block_before(const unsigned int) const { return no_part; }
     /**
-     * What is left of the compliance between two blocks if little has to be known of it: far
-     * shapes, of which each is a number for each component of a point and the first tell most, and
-     * between them a small matrix, see far_kernel(). Entry (i, j) of that is the share of shape i
-     * in the motion of a block by a unit force of shape j on another block.
+     * A low-rank approximation of the compliance between two blocks: far shapes, the most
+     * significant first, each with a value for each component of a point, and a small matrix
+     * between them, see far_kernel(). Its entry (i, j) is the share of shape i in the motion of a
+     * block due to a unit force of shape j on another block.
      */
     virtual unsigned int n_far_shapes() const { return 0; }
     virtual double far_shape(const unsigned int /*point*/, const unsigned int /*component*/,

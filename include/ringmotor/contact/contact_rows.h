@@ -16,7 +16,7 @@ namespace ringmotor
   {
     dealii::Tensor<2, 3> by_motion, by_force; ///< N/m, and a pure number
     PointVector right_hand_side;              ///< N
-    bool has_friction = true;                 ///< otherwise it has none now and had none before
+    bool has_friction = true;                 ///< otherwise it is zero now and was zero before
   };
 
   /**
@@ -48,7 +48,7 @@ namespace ringmotor
 
     void vmult(dealii::Vector<double> &product, const dealii::Vector<double> &vector) const;
 
-    /** Those of rigid motions. */
+    /** The unknowns of the rigid motions. */
     std::vector<unsigned int> rigid_unknowns() const;
     const ContactProblem &contact_problem() const { return problem; }
     const std::vector<unsigned int> &touching_points() const { return touching; }
@@ -61,14 +61,14 @@ namespace ringmotor
       return rows[unknown / 3].by_motion[unknown % 3];
     }
 
-    /** What forces add to the balance of a rigid motion. */
+    /** The contribution of an unknown force to the balance of a rigid motion. */
     double balance_of(const unsigned int motion, const unsigned int unknown) const
     {
       return balance(motion, unknown);
     }
 
   private:
-    /** Adds the blocks of the forces themselves, which belong to single nodes. */
+    /** Adds the blocks ContactRow::by_force, each of which belongs to a single node. */
     void add_forces(const std::vector<unsigned int> &row_unknowns,
                     const std::vector<unsigned int> &column_unknowns,
                     dealii::LAPACKFullMatrix<double> &matrix) const;

@@ -20,7 +20,7 @@ namespace ringmotor
     std::string how;               ///< what was tried, in words, if Newton's method alone failed
   };
 
-  /** What follows where Newton's method fails. */
+  /** What to do where Newton's method fails. */
   enum class Fallback
   {
     proximal_points,
@@ -28,13 +28,13 @@ namespace ringmotor
   };
 
   /**
-   * Solves a contact problem with friction by the semi-smooth Newton method. Where its iterates do
-   * not settle, or @p start has no forces, the proximal point algorithm leads it to the solution.
+   * Solves a contact problem with friction by the semi-smooth Newton method. Where it does not
+   * converge, or @p start has no forces, the proximal point algorithm leads it to the solution.
    *
-   * @param seen gaps and slips of a like problem in the state @p start, where they are known: the
-   * first guess of what touches and what sticks
-   * @param solver keeps what it knows of the linear systems for problems that are alike
-   * @throws ComputationError if nothing converged to a state that certifies.
+   * @param seen gaps and slips of a similar problem in the state @p start, where they are known:
+   * the first guess of the touching and the sticking nodes
+   * @param solver keeps factors of the linear systems for similar problems
+   * @throws ComputationError if no method converged to a certified state.
    */
   ContactSolution solve_contact(const ContactProblem &problem, const PointFriction &friction,
                                 const ComplementarityConstants &constants,
@@ -45,7 +45,7 @@ namespace ringmotor
                                 const ComplementarityConstants &constants,
                                 const ContactState &start);
 
-  /** The same with surfaces that know no friction. */
+  /** The same without friction. */
   ContactSolution solve_without_friction(const ContactProblem &problem,
                                          const ComplementarityConstants &constants,
                                          const ContactState &start);

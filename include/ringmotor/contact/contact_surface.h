@@ -11,7 +11,7 @@
 
 namespace ringmotor
 {
-  /** A node of a surface that can touch. */
+  /** A node of a potential contact surface. */
   struct SurfaceNode
   {
     dealii::Point<2> place;                 ///< (r, theta) in m and rad
@@ -19,8 +19,8 @@ namespace ringmotor
   };
 
   /**
-   * A surface that can touch, one sector of it, as quadrilaterals in the plane (r, theta), over
-   * which displacements are polynomials of one degree in each direction.
+   * One sector of a potential contact surface, as quadrilaterals in the plane (r, theta), over
+   * which displacements are polynomials of the same degree in each direction.
    */
   struct ContactSurface
   {
@@ -35,7 +35,7 @@ namespace ringmotor
   dealii::Point<2> unit_point(const std::array<dealii::Point<2>, 4> &corner,
                               const dealii::Point<2> &x);
 
-  /** The faces of solids with this boundary id; of the meshed part of the sector.
+  /** The faces of solids with this boundary id, in the meshed part of the sector.
    * @throws UserError if a face is too far from a parallelogram in the plane (r, theta) */
   ContactSurface solid_surface(const SectorElements &sector,
                                const dealii::types::boundary_id faces);

@@ -7,7 +7,7 @@
 
 namespace ringmotor
 {
-  /** What a contact point does in a step. */
+  /** The status of a contact point in a step. */
   enum class PointStatus : unsigned char
   {
     open,
@@ -15,11 +15,11 @@ namespace ringmotor
     slip
   };
 
-  /** What a contact point remembers of the steps before; each law depends on a part of it. */
+  /** The memory that a contact point has of earlier steps; each law depends on a part of it. */
   struct FrictionMemory
   {
     bool stuck     = false; ///< it stuck at the end of the last step
-    double slipped = 0.;    ///< m, how far it has slipped since it stuck last or came into contact
+    double slipped = 0.;    ///< m, how far it has slipped since it last stuck or came into contact
   };
 
   /** A coefficient of friction and how it changes with the slip of the step. */
@@ -30,8 +30,8 @@ namespace ringmotor
   };
 
   /**
-   * The coefficient of friction of a point that slips by @p slip (m, not negative) in a step of
-   * @p time_step (s), by the chosen law; without slip it is the limit up to which the
+   * The coefficient of friction of a contact point that slips by @p slip (m, not negative) in a
+   * step of @p time_step (s), by the chosen law; for zero slip it is the limit up to which the
    * point sticks. See FrictionLawBase::coefficient().
    */
   FrictionCoefficient friction_coefficient(const Friction &friction, const FrictionMemory &memory,

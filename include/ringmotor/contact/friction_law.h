@@ -11,7 +11,7 @@ namespace ringmotor
 {
   /**
    * A law of friction: the entries that it needs, its coefficient, and how marching and the search
-   * for a steady state treat what its points remember. One class for each word of Friction/Law, in
+   * for a steady state treat the memory of its points. One class for each word of Friction/Law, in
    * contact/laws; all_friction_laws() is the list. Laws have no state of their own.
    */
   class FrictionLawBase
@@ -24,21 +24,21 @@ namespace ringmotor
     /** Checks the entries that this law needs besides the coefficients. @throws UserError */
     virtual void check(const Friction &) const {}
 
-    /** Whether the static coefficient counts; without it a law has only the dynamic one. */
+    /** Whether the static coefficient is used; without it a law has only the dynamic one. */
     virtual bool has_static_coefficient() const { return true; }
 
     /**
      * The coefficient of a point that slips by @p slip (m, not negative) in a step of @p time_step
-     * (s), and its derivative by the slip; without slip it is the limit up to which the point
+     * (s), and its derivative by the slip; for zero slip it is the limit up to which the point
      * sticks. A jump within a step has no derivative: see lose_static_limit().
      */
     virtual FrictionCoefficient coefficient(const Friction &friction, const FrictionMemory &memory,
                                             const double slip, const double time_step) const = 0;
 
     /**
-     * Marching: lets a point fall to the dynamic coefficient if it has exceeded its static limit
-     * within the step, which is then solved again. Limits are lost and not gained, so that this
-     * ends.
+     * Marching: lets a point drop to the dynamic coefficient if it has exceeded its static limit
+     * within the step, which is then solved again. Limits are only lost, never gained, so this
+     * terminates.
      * @param status of the point in the solution with @p memory
      * @return whether @p memory has changed
      */
@@ -48,9 +48,9 @@ namespace ringmotor
     }
 
     /**
-     * The steady state, which is solved again until what its points are assumed to remember is
+     * The steady state, which is solved again until the assumed memory of its points agrees with
      * what happened: changes @p memory, assumed in this solution, to that for the next one.
-     * @param found what happened one step earlier, to the point that stands for this one then
+     * @param found the memory one step earlier, of the point that represents this one at that time
      * @param status of the point in this solution
      * @param had_stuck whether the point was assumed to have stuck, in this solution or before
      * @return whether @p memory agreed with @p found as far as this law depends on it
@@ -63,7 +63,7 @@ namespace ringmotor
     }
 
     /** Whether the search for a steady state starts with a chain of states with given coefficients,
-     * those of the slip and memory of the state before; see GivenCoefficients. */
+     * which follow from the slip and memory of the previous state; see GivenCoefficients. */
     virtual bool starts_from_given_coefficients() const { return false; }
 
     /** What a user can do where no steady state is found because of this law: the end of a
@@ -79,6 +79,6 @@ namespace ringmotor
   /** The class of the chosen law. */
   const FrictionLawBase &law_of(const Friction &friction);
 
-  /** Whether points that stick bear another load than points that slip. */
+  /** Whether the friction limit of sticking points differs from that of slipping points. */
   bool has_static_excess(const Friction &friction);
 } // namespace ringmotor

@@ -8,20 +8,20 @@
 
 namespace ringmotor
 {
-  /** Coefficients of friction by the slips of another state: of the last problem of a chain, in
-   * which each problem has those that belong to the one before. */
+  /** Coefficients of friction that follow from the slips of another state: in a chain of problems,
+   * each problem has those of the solution of the previous one. */
   class GivenCoefficients
   {
   public:
-    /** Of points that slip as in @p motion, or do not slip if that is empty. The law may change
-     * what it remembers of points. */
+    /** For points that slip as in @p motion, or do not slip if that is empty. The memory of the
+     * points, on which the law depends, may change later. */
     GivenCoefficients(const PointFriction &law, const unsigned int n_points,
                       const std::vector<PointVector> &motion = {});
 
     double operator[](const unsigned int point) const { return coefficients[point]; }
 
-    /** Takes those that belong to a state and its motion. @return how much they change at most, of
-     * points that are pressed, relative to the new ones */
+    /** Takes the coefficients of a state and its motion. @return their largest change at pressed
+     * points, relative to the new ones */
     double update(const ContactState &state, const std::vector<PointVector> &motion);
 
   private:

@@ -8,7 +8,7 @@
 
 namespace ringmotor
 {
-  /** Turn the complementarity conditions into equations; N/m. */
+  /** Constants that turn the complementarity conditions into equations; N/m. */
   struct ComplementarityConstants
   {
     double normal;     ///< about 1 / normal compliance of a contact node

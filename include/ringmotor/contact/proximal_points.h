@@ -6,9 +6,9 @@
 namespace ringmotor
 {
   /**
-   * The proximal point algorithm: a chain of problems with springs, each of which begins where
-   * the one before ended; where Newton's method fails the springs are made stronger, where it
-   * succeeds weaker. When the laws are nearly fulfilled, Newton's method finishes without them.
+   * The proximal point algorithm: a chain of problems with springs, each of which starts from the
+   * solution of the previous one; where Newton's method fails the springs are made stronger, where
+   * it succeeds weaker. When the laws are nearly fulfilled, Newton's method finishes without them.
    */
   ContactIterate proximal_points(const ContactProblem &problem, const FrictionBoundOf &bound_of,
                                  const ComplementarityConstants &constants,

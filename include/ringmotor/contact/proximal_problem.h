@@ -6,11 +6,12 @@
 namespace ringmotor
 {
   /**
-   * A contact problem with springs that draw its solution to a given state: at each contact node a
-   * compliance, through which only the change of the force from that state acts, and for each rigid
-   * motion a stiffness against its change. One step of the proximal point algorithm (Rockafellar
-   * 1976; in the rigid motions it is the proximal method of multipliers). With large springs the
-   * solution is near the given state and easy to find; with none it is that of the problem itself.
+   * A contact problem with springs that pull its solution towards a given state: at each contact
+   * node a compliance, on which only the change of the force from that state acts, and for each
+   * rigid motion a stiffness against its change. One step of the proximal point algorithm
+   * (Rockafellar 1976; in the rigid motions it is the proximal method of multipliers). With strong
+   * springs the solution is near the given state and easy to find; with none it is that of the
+   * problem itself.
    */
   class ProximalProblem : public ContactProblem
   {
@@ -19,7 +20,7 @@ namespace ringmotor
     struct Springs
     {
       double normal, tangential;           ///< m/N
-      std::vector<double> rigid_stiffness; ///< change of a balance by that of its rigid motion
+      std::vector<double> rigid_stiffness; ///< change of a balance per change of its rigid motion
     };
 
     /** All must outlive this object. */

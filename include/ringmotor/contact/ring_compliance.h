@@ -14,28 +14,28 @@
 namespace ringmotor
 {
   /**
-   * How all contact points of a ring of equal sectors move under forces on them: a matrix that only
-   * depends on the distance d of two sectors,
+   * The compliance of all contact nodes of a ring of equal sectors: a matrix that depends only on
+   * the distance d of two sectors,
    *
    *   near_d + basis K_d basis^T.
    *
-   * Only a sector itself and its neighbours know where on a sector a force acts; for all others its
-   * few far-reaching effects are enough. So this takes far less memory than a table of all entries,
-   * and far less work to apply: K by FFT over the sectors, near_d by matrix products. Single
-   * entries are faster found in such a table, where it is small, and where it is smaller than K it
+   * Where on a sector a force acts matters only to the sector itself and its neighbours; for all
+   * others a few far-reaching shapes suffice. So this takes far less memory than a table of all
+   * entries, and far less work to apply: K by FFT over the sectors, near_d by matrix products.
+   * Single entries are found faster in such a table, if it is small, and if it is smaller than K it
    * is applied as a whole by FFT.
    */
   class RingCompliance
   {
   public:
-    /** No sectors: to be assigned to. */
+    /** Empty, to be assigned to. */
     RingCompliance() = default;
 
     /**
      * @param body the surface of a rotor
      * @param coupling the contact points of a sector; the surface's nodes may be of its neighbours
-     * @param through_cut B_k for a nodal diameter 0 .. @p n_sectors / 2; not asked for if the body
-     * has no shapes
+     * @param through_cut B_k for a nodal diameter 0 .. @p n_sectors / 2; not called if the body has
+     * no shapes
      */
     RingCompliance(const unsigned int n_sectors, const SurfaceCompliance &body,
                    const MortarCoupling &coupling,
@@ -57,7 +57,7 @@ namespace ringmotor
     unsigned int n_sectors() const { return near.size(); }
     unsigned int n_nodes() const { return node_count; }
 
-    /** What sectors know of each other if little is enough. */
+    /** A low-rank approximation of the coupling between sectors. */
     struct Far
     {
       dealii::FullMatrix<double> shapes; ///< by node and component, orthonormal columns
@@ -66,11 +66,11 @@ namespace ringmotor
     const Far &far() const { return of_far; }
     /** The shapes of Far for the sum of some compliances of the same sectors. */
     static dealii::FullMatrix<double> far_shapes(const std::vector<const RingCompliance *> &rings);
-    /** Motions of given shapes by forces on them, by distance. */
+    /** Motions of given shapes due to forces on them, by distance. */
     std::vector<dealii::FullMatrix<double>> between(const dealii::FullMatrix<double> &shapes) const;
 
     /** Adds the motions (m) of all sectors under forces (N); both by ring, sector, node, component;
-     * several equal rings at once. */
+     * several equal rings together. */
     void add_motions(const double *forces, double *motions, const unsigned int n_rings = 1) const;
 
     /**
@@ -84,21 +84,21 @@ namespace ringmotor
                      const unsigned int first, dealii::FullMatrix<double> &matrix,
                      const unsigned int row, const unsigned int column) const;
 
-    /** The same ring seen as one of n_sectors / @p fold sectors, for forces and motions that repeat
-     * themselves. */
+    /** The same ring as one of n_sectors / @p fold sectors, for forces and motions that repeat with
+     * that period. */
     RingCompliance folded(const unsigned int fold) const;
 
     /** By distance, what add_entries() reads; empty without a table. */
     const std::vector<dealii::FullMatrix<double>> &all_entries() const { return table; }
     /** Makes a table of all entries, from which add_entries() reads them. */
     void tabulate();
-    /** The same where that is faster than its parts. */
+    /** The same if the table is small enough. */
     void tabulate_if_small();
 
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      bool has_table = !table.empty(); // which is made anew faster than it is read
+      bool has_table = !table.empty(); // which is faster to recompute than to read
       archive &node_count &near &basis &kernel &has_table;
       if (Archive::is_loading::value)
       {
@@ -109,14 +109,14 @@ namespace ringmotor
     }
 
   private:
-    /** Whether the table is applied as a whole: where a sector has no more unknowns than effects on
-     * others. */
+    /** Whether the table is applied as a whole: where a sector has no more unknowns than
+     * far-reaching shapes. */
     bool applies_table() const { return !table.empty() && 2 * node_count <= basis.n(); }
-    /** Makes what follows from the rest. */
+    /** Computes the members that follow from the others. */
     void prepare();
-    /** Makes what applies K, or the table, by FFT. */
+    /** Sets up the product with K, or with the table, by FFT. */
     void make_product();
-    /** The motions of a sector by forces on some others that are not near. */
+    /** The motions of a sector due to forces on some other sectors that are not near. */
     dealii::FullMatrix<double> seen_from_afar() const;
 
     unsigned int node_count = 0;

@@ -10,7 +10,7 @@ namespace ringmotor
 {
   /**
    * Solves one set of contact rows after the other for the changes of the forces and of the rigid
-   * motions, whichever way takes less time:
+   * motions, in the fastest of these ways:
    *
    * - a dense matrix by LAPACK, or one for each part of a problem of several parts;
    * - GMRES with the factors of an earlier set of rows as preconditioner. Near the solution
@@ -24,7 +24,7 @@ namespace ringmotor
     /**
      * @param solution the right-hand side, three entries for each touching node and one for each
      * balance; replaced by the solution
-     * @param reduction of the residual, with which GMRES ends
+     * @param reduction of the residual at which GMRES stops
      * @return false if a matrix is singular or GMRES does not converge
      */
     bool solve(const ContactProblem &problem, const std::vector<unsigned int> &touching,
@@ -33,7 +33,7 @@ namespace ringmotor
 
   private:
     /** With the factors of an earlier system or of this one.
-     * @return false if these factors are not good enough; then the solution is left as it was */
+     * @return false if these factors are not good enough; then the solution is left unchanged */
     bool solve_with_factors(const ContactRows &rows, const double reduction,
                             dealii::Vector<double> &solution);
 

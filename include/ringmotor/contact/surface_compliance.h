@@ -11,9 +11,9 @@
 namespace ringmotor
 {
   /**
-   * How the nodes of a surface over a whole sector move under forces on them (m/N, three
-   * cylindrical components for each node). For a wave with nodal diameter k, motions and forces of
-   * sector j are exp(-i k j alpha) times those of sector 0, and the compliance is
+   * The compliance of the nodes of a surface over a whole sector (m/N, three cylindrical components
+   * for each node). For a wave with nodal diameter k, motions and forces of sector j are exp(-i k j
+   * alpha) times those of sector 0, and the compliance is
    *
    *   at_rest + shapes D B_k D^H shapes^T
    *
@@ -22,13 +22,13 @@ namespace ringmotor
    */
   struct SurfaceCompliance
   {
-    dealii::FullMatrix<double> at_rest; ///< while the cuts rest
+    dealii::FullMatrix<double> at_rest; ///< with the cuts at rest
     dealii::FullMatrix<double> shapes;  ///< one column for each
     unsigned int n_real_shapes = 0;
   };
 
-  /** That of a surface whose nodes come from the meshed part of a sector; its displacements come
-   * first in the interface. */
+  /** The compliance of a surface whose nodes come from the meshed part of a sector; its
+   * displacements come first in the interface. */
   SurfaceCompliance sector_compliance(const InterfaceCompliance &meshed,
                                       const std::vector<MirroredNode> &origin);
 

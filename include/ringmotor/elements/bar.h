@@ -17,16 +17,17 @@
 namespace ringmotor
 {
   /**
-   * A bar along an edge of a solid cell in FESystem(FE_Q(p), 3): it moves as the edge does, stands
-   * against its stretch by the force E A (du/ds . t), t the tangent, and has mass; bending and
-   * torsion cost nothing. Integrated with p + 1 Gauss points on the edge as the mapping curves it.
+   * A bar along an edge of a solid cell in FESystem(FE_Q(p), 3): it moves with the edge, resists
+   * stretching with the force E A (du/ds . t), where t is the tangent, and has mass but no bending
+   * or torsional stiffness. Integrated with p + 1 Gauss points on the edge as curved by the
+   * mapping.
    */
   class BarElement
   {
   public:
     BarElement(const dealii::Mapping<3> &mapping, const dealii::FiniteElement<3> &fe);
 
-    /** Goes to the edge with the number @p line in its @p cell. */
+    /** Reinitialises for the edge with the number @p line in its @p cell. */
     void reinit(const dealii::Triangulation<3>::active_cell_iterator &cell, const unsigned int line,
                 const BarSection &section);
 
@@ -47,7 +48,7 @@ namespace ringmotor
     std::vector<double> mass_products(const std::vector<dealii::Vector<double>> &fields);
 
   private:
-    /** What does not depend on the cell, for each of its edges. */
+    /** Data that do not depend on the cell, for each of its edges. */
     struct Edge
     {
       Edge(const dealii::Mapping<3> &mapping, const dealii::FiniteElement<3> &fe,
@@ -55,7 +56,7 @@ namespace ringmotor
 
       dealii::Tensor<1, 3> direction; ///< in the reference cell
       std::vector<unsigned int> dofs, components;
-      std::vector<std::vector<double>> values, slopes; ///< by point and degree of freedom
+      std::vector<std::vector<double>> values, slopes; ///< by quadrature point and local dof
       std::unique_ptr<dealii::FEValues<3>> geometry;
     };
 
@@ -63,8 +64,8 @@ namespace ringmotor
 
     std::vector<Edge> edges;
     unsigned int line = 0;
-    SumOfSquares strains; ///< the stretch, at each point
-    SumOfSquares motions; ///< the components, at each point
+    SumOfSquares strains; ///< the stretch, at each quadrature point
+    SumOfSquares motions; ///< the components, at each quadrature point
     double edge_length = 0.;
   };
 } // namespace ringmotor

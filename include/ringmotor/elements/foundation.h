@@ -12,7 +12,7 @@
 namespace ringmotor
 {
   /**
-   * Springs that hold a face of a solid cell in FESystem(FE_Q(p), 3) against motion along its
+   * Springs that resist the motion of a face of a solid cell in FESystem(FE_Q(p), 3) along its
    * normal. Integration with (p + 1)^2 Gauss points.
    */
   class FoundationElement
@@ -20,7 +20,8 @@ namespace ringmotor
   public:
     FoundationElement(const dealii::Mapping<3> &mapping, const dealii::FiniteElement<3> &fe);
 
-    /** Goes to a @p face of a cell; @p stiffness is a force per area and displacement, N/m^3. */
+    /** Reinitialises for a @p face of a cell; @p stiffness is a force per area and displacement,
+     * N/m^3. */
     void reinit(const dealii::Triangulation<3>::active_cell_iterator &cell, const unsigned int face,
                 const double stiffness);
 
@@ -36,6 +37,6 @@ namespace ringmotor
   private:
     const dealii::FiniteElement<3> &fe;
     dealii::FEFaceValues<3> scalar_values;
-    SumOfSquares springs; ///< a row for each point of quadrature
+    SumOfSquares springs; ///< a row for each quadrature point
   };
 } // namespace ringmotor

@@ -14,14 +14,14 @@
 
 namespace ringmotor
 {
-  /** Strain energy per volume (J/m^3) of a linear elastic material where the displacement has this
-   * gradient: row c has the derivatives of component c. */
+  /** Strain energy per volume (J/m^3) of a linear elastic material for this displacement gradient:
+   * row c holds the derivatives of component c. */
   double strain_energy_density(const Material &material,
                                const dealii::Tensor<2, 3> &displacement_gradient);
 
   /**
    * An isotropic linear elastic solid in FESystem(FE_Q(p), 3), Cartesian displacement components in
-   * m: cell matrices, and energies of given motions, which cost much less. Integration with
+   * m: cell matrices, and energies of given motions, which are much cheaper. Integration with
    * (p + 1)^3 Gauss points. Local fields and matrices are in the order of the finite element's
    * degrees of freedom.
    */
@@ -30,7 +30,7 @@ namespace ringmotor
   public:
     SolidElement(const dealii::Mapping<3> &mapping, const dealii::FiniteElement<3> &fe);
 
-    /** Goes to a cell, which is made of @p material. */
+    /** Reinitialises for a cell made of @p material. */
     void reinit(const dealii::Triangulation<3>::active_cell_iterator &cell,
                 const Material &material);
 

@@ -9,9 +9,9 @@
 namespace ringmotor
 {
   /**
-   * An energy as quadrature gives it: sum over the rows of weight (row . u)^2, where a row is, for
-   * example, a strain at a point of quadrature. The squares keep the digits of states that hardly
-   * strain a body; the matrix loses them.
+   * An energy computed by quadrature: sum over the rows of weight (row . u)^2, where a row is, for
+   * example, a strain at a quadrature point. The squares keep the digits of nearly strain-free
+   * states; the matrix loses them.
    */
   struct SumOfSquares
   {

@@ -14,7 +14,7 @@ namespace ringmotor
 
   /**
    * Looks for mistakes in the shape of a sector that was read from @p file: lengths that are not in
-   * m, a body that touches the axis or is in pieces, cuts that do not match by a turn of
+   * m, a body that touches the axis or is in pieces, cuts that do not match under a rotation by
    * 2 pi/n_sectors or are not fully marked, cells beyond the cuts, and cells that are inverted.
    *
    * @throws UserError naming `Stator/Mesh file` and the place in the mesh.

@@ -6,8 +6,8 @@
 namespace ringmotor
 {
   /**
-   * Lines of a mesh at growing distances from a re-entrant edge, 0 and @p length included (m): the
-   * first cell is @p first wide, each further one about three times wider than the one before.
+   * Mesh lines at growing distances from a re-entrant edge, including 0 and @p length (m): the
+   * first cell has width @p first, each further one is about three times as wide as the one before.
    */
   std::vector<double> graded_lines(const double length, const double first);
 

@@ -28,14 +28,14 @@ namespace ringmotor
     constexpr dealii::types::boundary_id ring_top  = 17; ///< upper face of the rotor's ring
     constexpr dealii::types::boundary_id ring_bore = 18; ///< inner side of the rotor's ring
     constexpr dealii::types::boundary_id shell_root =
-        19; ///< faces of a solid that the edge of a shell follows, and that edge
+        19; ///< faces of a solid that the edge of a shell is tied to, and that edge
     constexpr dealii::types::boundary_id skin = 20; ///< face of a solid that a shell is bonded to
     constexpr dealii::types::boundary_id clamped = 21; ///< face that does not move
 
     constexpr dealii::types::boundary_id radial_bars =
         22; ///< band of the ring's inner side that the bars hold
     constexpr dealii::types::boundary_id tooth_foot =
-        23;                                           ///< where a tooth alone is cut off the base
+        23;                                           ///< where a single tooth is cut off the base
     constexpr dealii::types::boundary_id bottom = 24; ///< lower face of the stator
 
     // Edges

@@ -5,14 +5,14 @@
 
 namespace ringmotor
 {
-  /** How finely two bodies are divided where they touch. */
+  /** How finely two bodies are meshed where they touch. */
   struct InterfaceGrading
   {
     unsigned int n_across = 1; ///< cells across the lip
     unsigned int n_around = 1; ///< cells along the half tooth, or along the lip's half pitch
   };
 
-  /** Distances 0 to @p length (m) of @p n_cells cells that get wider away from a line where
-   * stresses are large, as the squares of whole numbers do. */
+  /** Lines of @p n_cells cells, at distances 0 to @p length (m) from a line where stresses are
+   * large; the distances grow as the squares of the integers. */
   std::vector<double> squared_lines(const double length, const unsigned int n_cells);
 } // namespace ringmotor

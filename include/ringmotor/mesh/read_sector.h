@@ -12,7 +12,8 @@ namespace ringmotor
    * physical ids of mesh/ids.h, see meshes/README.md. Faces 11 and 12 make it a half sector, 13 and
    * 14 a whole one. Cells are curved around the z axis: cylindrical coordinates are interpolated
    * linearly between the vertices of the file, also where the mesh is refined later. A plane that
-   * contains neither r nor z, as the wall of a slot, bends a little between these vertices.
+   * contains neither r nor z, such as the wall of a slot, becomes slightly curved between these
+   * vertices.
    *
    * @throws UserError naming `Stator/Mesh file` for a file that cannot be read, elements that are
    *         not hexahedra of first order, unknown ids and cuts that are missing, and for all that

@@ -8,12 +8,12 @@
 namespace ringmotor
 {
   /**
-   * Meshes the sector of the rotor that belongs to one tooth: ring, flange and lip in solid cells
-   * or, from half its thickness off the ring on, the flange with its lip as a shell; with the
-   * cylindrical coordinates as its shape. z is the height above the plane of the tooth tops. Cells
-   * shrink towards the two edges where the flange meets the ring, from level to level to 0.3 of
-   * their size. @p lip divides the lip, with cells that get smaller towards its outer line and its
-   * lower face. The geometry must have passed check_for_stator().
+   * Meshes the sector of the rotor that belongs to one tooth, with cells of exact cylindrical
+   * shape: ring, flange and lip as solids, or the flange with its lip as a shell that starts half
+   * its thickness away from the ring. z is the height above the plane of the tooth tops. Cells
+   * shrink towards the two edges where the flange meets the ring, by a factor of 0.3 from level to
+   * level. @p lip sets the division of the lip, with cells that shrink towards its outer edge and
+   * its lower face. The geometry must have passed check_for_stator().
    */
   SectorMesh make_rotor_sector(const RotorGeometry &rotor, const unsigned int n_teeth,
                                const SectorForm form, const unsigned int level,

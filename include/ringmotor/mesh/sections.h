@@ -3,7 +3,7 @@
 
 namespace ringmotor
 {
-  /** What a shell has across its reference surface, the one that is meshed. */
+  /** The section of a shell across its reference surface, the one that is meshed. */
   struct ShellSection
   {
     double thickness = 0.; ///< m

@@ -10,9 +10,9 @@ namespace ringmotor
   /**
    * The exact shape of the stator's sector as the image of a box. Chart coordinates (rho, s, z):
    * rho runs from 0 on the inner to 1 on the outer side (the cross-section tapers with z), s from 0
-   * at the tooth's centre over 1 at the slot wall to 2 at the cut theta = alpha/2 (negative for
+   * at the tooth's centre via 1 at the slot wall to 2 at the cut theta = alpha/2 (negative for
    * theta < 0), z is the height in m. Slot walls are parallel planes, so the angle of s = 1 depends
-   * on r; below the slots the same lines go on through the base. No cell may cross s = -1 or 1.
+   * on r; below the slots the same lines continue through the base. No cell may cross s = -1 or 1.
    * @p dim is that of the mesh: 3, or 2 for a shell on the stator's surface.
    */
   template <int dim>

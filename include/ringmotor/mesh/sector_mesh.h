@@ -14,14 +14,14 @@ namespace ringmotor
   enum class SectorForm
   {
     half, ///< theta in [0, alpha/2]; the plane theta = 0 is a mirror plane of the body
-    whole ///< a sector of angle alpha between two cuts that match by a turn of alpha
+    whole ///< a sector of angle alpha between two cuts that match under a rotation by alpha
   };
 
   /**
    * The mesh of one sector (or half of one) of a body with n_sectors-fold symmetry about the z
    * axis: solid cells, and where there are thin parts also the reference surface of a shell. Faces
    * (of a shell: edges) carry the boundary ids and cells the material ids of mesh/ids.h. Every rank
-   * knows all cells; METIS tells which of them it owns.
+   * stores all cells; METIS determines which of them it owns.
    */
   struct SectorMesh
   {
@@ -49,9 +49,9 @@ namespace ringmotor
   empty_triangulation(MPI_Comm communicator);
 
   /**
-   * Gives the sector a shell of quadrilaterals, described as for
-   * Triangulation::create_triangulation. They are turned so that all normals point up (towards +z).
-   * Edges on the planes of a sector that is symmetric about theta = 0 get their boundary ids.
+   * Adds a shell of quadrilaterals to the sector, described as for
+   * Triangulation::create_triangulation. They are oriented such that all normals point up (towards
+   * +z). Edges on the planes of a sector that is symmetric about theta = 0 get their boundary ids.
    */
   void add_shell(SectorMesh &mesh, const std::vector<dealii::Point<3>> &vertices,
                  std::vector<dealii::CellData<2>> cells);

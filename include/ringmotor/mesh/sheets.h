@@ -9,10 +9,10 @@ namespace ringmotor
 {
   /**
    * The sheets of a conforming hexahedral mesh. Opposite edges of a cell are parallel; the cells
-   * that are strung together by parallel edges form a sheet, and cutting a whole sheet through the
-   * middle of these edges leaves no hanging nodes. So each direction is refined where, and only
-   * where, it pays. On the cuts of a whole sector a sheet goes on on the other side, and where
-   * edges of a shell lie on edges of a solid, in the other one of these.
+   * that are connected by parallel edges form a sheet, and cutting a whole sheet through the middle
+   * of these edges leaves no hanging nodes. Each direction can thus be refined only where it pays.
+   * A sheet that reaches one cut of a whole sector continues at the other, and where edges of a
+   * shell lie on edges of a solid, it continues from one to the other.
    */
   class Sheets
   {
@@ -23,11 +23,11 @@ namespace ringmotor
 
     /** The sheet of the edges of @p cell along its reference direction @p direction (0, 1, 2). */
     unsigned int sheet(const dealii::CellAccessor<3> &cell, const unsigned int direction) const;
-    /** As well for a shell (0, 1). */
+    /** The same for shell cells (directions 0, 1). */
     unsigned int sheet(const dealii::CellAccessor<2, 3> &cell, const unsigned int direction) const;
 
-    /** Cuts all cells of the sheets that are true in @p chosen; these Sheets are void afterwards.
-     */
+    /** Cuts all cells of the sheets that are true in @p chosen; these Sheets are invalid
+     * afterwards. */
     void refine(SectorMesh &mesh, const std::vector<bool> &chosen) const;
 
   private:

@@ -8,14 +8,14 @@
 namespace ringmotor
 {
   /**
-   * How finely the stator's sector is divided. The slot root is a re-entrant edge: what rules the
-   * error there is not the number of cells but that they shrink geometrically towards it.
+   * How finely the stator's sector is meshed. The slot root is a re-entrant edge: the error there
+   * depends less on the number of cells than on their geometric grading towards it.
    */
   struct SectorGrading
   {
     unsigned int n_layers = 0; ///< layers of cells around the slot root, within half a slot's width
     unsigned int n_radial = 2; ///< cells from the inner to the outer side
-    double ratio = 0.2; ///< each layer ends this much nearer to the root than the one around it
+    double ratio          = 0.2; ///< inner over outer distance of each layer from the root
 
     /** The gradings 0, 1, 2, ... of a sequence in which the errors of all directions stay
      * balanced. */
@@ -36,15 +36,15 @@ namespace ringmotor
                                 const SectorForm form, const SectorGrading &grading,
                                 MPI_Comm communicator);
 
-  /** Meshes half of a tooth alone, clamped at its foot. */
+  /** Meshes half of a single tooth, clamped at its foot. */
   SectorMesh make_tooth(const StatorGeometry &stator, const unsigned int n_teeth,
                         const SectorGrading &grading, MPI_Comm communicator);
 
   /**
-   * Meshes half of a tooth alone for its contact with a lip that covers the radii @p lip_inner to
+   * Meshes half of a single tooth for its contact with a lip that covers the radii @p lip_inner to
    * @p lip_outer (m). The faces of the tooth's top below the lip carry ids::tooth_top, those of its
-   * foot ids::tooth_foot. Cells get smaller towards the outer one of the lines where lip and tooth
-   * end, and towards the sides and the top of the tooth.
+   * foot ids::tooth_foot. Cells shrink towards the outer edge of the strip where lip and tooth
+   * overlap, and towards the sides and the top of the tooth.
    * @throws UserError if the lip misses the tooth.
    */
   SectorMesh make_contact_tooth(const StatorGeometry &stator, const unsigned int n_teeth,

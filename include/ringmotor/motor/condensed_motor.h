@@ -17,19 +17,19 @@
 
 namespace ringmotor
 {
-  /** The travelling wave that drives the motor, as the stator's modes tell it. */
+  /** The travelling wave that drives the motor, from the modes of the stator. */
   struct StatorWave
   {
     unsigned int n_waves     = 0;
     double angular_frequency = 0.; ///< rad/s
-    double relative_error    = 0.; ///< of the speed of its surface
+    double relative_error    = 0.; ///< of its surface speed
     double strain_energy     = 0.; ///< J, of the whole ring; constant in time
-    WaveMotion foot;               ///< between base and tooth
+    WaveMotion foot;               ///< at the interface between base and tooth
     WaveMotion top;                ///< of the tooth's top
-    std::string fingerprint;       ///< of these motions: tells them from all others
+    std::string fingerprint;       ///< identifies these motions
   };
 
-  /** What the contact needs to know of a motor: everything elastic in one matrix. */
+  /** The data of a motor that contact needs: all elasticity condensed into one compliance. */
   struct CondensedMotor
   {
     /** A contact point of tooth 0. */
@@ -51,15 +51,15 @@ namespace ringmotor
     unsigned int n_teeth = 0, n_waves = 0;
     double angular_frequency = 0.; ///< rad/s
     double wave_energy       = 0.; ///< J, strain energy of the stator's wave in the whole ring
-    /** A motion of the rotor with one wave around the ring that hardly anything holds: a tilt or,
-     * without bars, a shift. */
+    /** A motion of the rotor with one wave around the ring that meets almost no stiffness: a tilt
+     * or, without bars, a shift. */
     struct NearRigidMode
     {
       std::vector<std::array<std::complex<double>, 3>> motion; ///< of the rotor at each node of
                                                                ///< tooth 0; times exp(-i theta_j)
                                                                ///< for tooth j
-      double stiffness;    ///< of the whole ring against the real or the imaginary part
-      double inertia = 0.; ///< likewise; 0: it follows its loads at once
+      double stiffness;    ///< of the whole ring, for the real or the imaginary part
+      double inertia = 0.; ///< likewise; 0: quasi-static
 
       template <class Archive>
       void serialize(Archive &archive, const unsigned int)
@@ -70,29 +70,29 @@ namespace ringmotor
 
     std::vector<Node> nodes;
     std::vector<NearRigidMode> near_rigid_modes;
-    double rotor_mass = 0.;       ///< kg, against its rise; 0: it follows its loads at once
-    RingModes modes;              ///< of rotor and teeth, as far as they have inertia or damping
-    RingModes coarse_modes;       ///< with those of the rotor of the level below: tell the error
+    double rotor_mass = 0.;       ///< kg, for its rise; 0: quasi-static
+    RingModes modes;              ///< of rotor and teeth if they have inertia or damping
+    RingModes coarse_modes;       ///< with the rotor's at the next coarser level: error estimate
     unsigned int modes_level = 0; ///< of the rotor, see RotorVibration
     RingDynamics dynamics;        ///< of these modes
     RingCompliance compliance;    ///< of rotor and teeth, relative motion of rotor against stator
-    RingCompliance folded; ///< the same of the part that repeats itself; empty if nothing does
+    RingCompliance folded;        ///< the same for the repeating part; empty if nothing repeats
     ComplementarityConstants constants{};
-    dealii::FullMatrix<double> tooth_compliance;  ///< of a tooth alone, m/N
+    dealii::FullMatrix<double> tooth_compliance;  ///< of a single tooth, m/N
     std::vector<std::vector<unsigned int>> faces; ///< nodes of each face, as ContactSurface::faces
-    unsigned int degree;                          ///< of displacements on a face
-    unsigned int n_dofs;                          ///< of both bodies
+    unsigned int degree; ///< polynomial degree of the displacements on a face
+    unsigned int n_dofs; ///< of both bodies together
 
-    /** How often the wave repeats itself around the ring on equal teeth: gcd(n, N). */
+    /** Number of repetitions of the wave and the teeth around the ring: gcd(n, N). */
     unsigned int n_repeats() const;
-    /** Whether modes of the rotor take part. */
+    /** Whether the model contains modes of the rotor. */
     bool has_rotor_modes() const;
-    /** The compliance of the part that repeats itself. */
+    /** The compliance of the repeating part. */
     const RingCompliance &repeating() const { return n_repeats() > 1 ? folded : compliance; }
 
     double period() const;
     double pitch() const;
-    /** Of a rotor that moves with the crests of the free wave where these are fastest, rad/s. */
+    /** Speed (rad/s) of a rotor that follows the crests of the free wave where they are fastest. */
     double crest_speed() const;
 
     template <class Archive>
@@ -105,18 +105,18 @@ namespace ringmotor
     }
   };
 
-  /** Relative change of the tangential motion of the tooth tops, the largest one, by the inertia of
+  /** The largest relative change of the tangential motion of the tooth tops due to the inertia of
    * the teeth. */
   double tooth_inertia_indicator(const Parameters &parameters, const StatorWave &wave);
 
   class RotorVibration;
 
   /**
-   * Condenses teeth and rotor of a motor to their contact points. Looks at
-   * relevant_for_condensation() of the parameters only.
+   * Condenses the teeth and the rotor of a motor to their contact points. Depends only on
+   * relevant_for_condensation() of the parameters.
    * @param modes_level of the rotor, from 1, see RotorVibration; none: the finest one
-   * @param vibration of the rotor, which is the same for all discretisations; without it, it is
-   * computed
+   * @param vibration of the rotor, which is the same for all discretisations; computed if not
+   * given
    * @throws UserError if the lip misses the teeth
    */
   CondensedMotor condense_motor(const Parameters &parameters, const StatorWave &wave,

@@ -17,7 +17,7 @@ namespace ringmotor
    * of a surface of tooth 0. */
   using WaveMotion = std::function<std::array<std::complex<double>, 3>(const dealii::Point<3> &)>;
 
-  /** How finely the bodies are divided for the contact. */
+  /** The meshes and the degree of the finite elements of the bodies in contact. */
   struct ContactDiscretisation
   {
     unsigned int degree = 2;
@@ -26,26 +26,26 @@ namespace ringmotor
     unsigned int rotor_level = 0;
     double lip_turn          = 0.; ///< rad, of the lip's mesh against that of the teeth
 
-    /** Discretisations 0, 1, 2, ... of a sequence in which all get finer. */
+    /** Discretisation 0, 1, 2, ... of a sequence of increasing refinement. */
     static ContactDiscretisation level(const unsigned int level);
   };
 
-  /** A tooth, cut off the base at its foot, in finite elements. */
+  /** The finite element model of a tooth, cut off the base at its foot. */
   struct ToothBody
   {
-    /** @param is_clamped whether its foot rests */
+    /** @param is_clamped whether its foot is clamped */
     ToothBody(const Parameters &parameters, const ContactDiscretisation &discretisation,
               const bool is_clamped = false);
 
-    /** Its top is the interface, its foot is driven. @param angular_frequency rad/s, of a tooth
-     * with inertia; @param with_interior see Condensation */
+    /** Its top is the interface, the motion of its foot is prescribed. @param angular_frequency
+     * rad/s, of a tooth with inertia; @param with_interior see Condensation */
     Condensation condensed(const double angular_frequency = 0.,
                            const bool with_interior       = false) const;
 
-    /** The real and the imaginary part of a wave at the foot, as Condensation wants them. */
+    /** The real and the imaginary part of a wave at the foot, as Condensation expects them. */
     std::vector<double> foot_motion(const WaveMotion &wave) const;
 
-    /** The motion of the top's nodes (m) where a wave moves the foot, without forces on the top. */
+    /** The motion of the top's nodes (m) if a wave moves the foot, without forces on the top. */
     std::vector<std::array<std::complex<double>, 3>>
     top_motion(const WaveMotion &wave, const Condensation &condensed) const;
 
@@ -56,22 +56,22 @@ namespace ringmotor
     const std::vector<SectorNodes::Dof> foot;
   };
 
-  /** One sector of the rotor in finite elements. */
+  /** The finite element model of one sector of the rotor. */
   struct RotorBody
   {
     RotorBody(const Parameters &parameters, const ContactDiscretisation &discretisation);
 
     /** Its lip is the interface; the preload on the ring's top and the torque on its inner side,
-     * which hardly anything else holds, are supports 0 and 1. */
+     * along which the rotor is almost free to move, are supports 0 and 1. */
     Condensation condensed(const bool with_interior = false) const;
 
-    /** The supports that have to hold: the rotor rises and turns freely, and tilts nearly so;
-     * without bars it also shifts. */
+    /** The supports that are needed for k waves: the rotor rises and turns freely, and tilts almost
+     * freely; without bars it also shifts. */
     std::vector<unsigned int> held(const unsigned int k) const;
 
-    /** The inertia of the meshed half sector against the motion of one of these supports: twice its
+    /** The inertia of the meshed half sector for the motion of one of these supports: twice its
      * kinetic energy (both fields) at a unit speed of the support.
-     * @param condensation with its inside */
+     * @param condensation with interior recovery */
     double inertia(const Condensation &condensation, const unsigned int k,
                    const unsigned int support) const;
 
@@ -82,7 +82,7 @@ namespace ringmotor
     const bool has_bars;
   };
 
-  /** The displacements of a mode on a surface, real field, then imaginary one.
+  /** The displacements of a mode on a surface, the real field, then the imaginary one.
    * @param displacements displacement_forms() of the surface */
   std::vector<double> on_surface(const CyclicSector &sector,
                                  const std::vector<LinearForm> &displacements, const Mode &mode);

@@ -17,30 +17,30 @@ namespace ringmotor
   struct CondensedMotor;
   struct StatorWave;
 
-  /** A motor before it is computed, of which effects say how much they matter. */
+  /** A motor before it is computed, for which effects estimate how much they matter. */
   struct Scene
   {
     const Parameters &parameters;
-    const StatorWave *wave = nullptr; ///< if it is known already
-    /** Computes the relative change of the results by an effect that cannot tell it beforehand;
-     * empty where that would cost more than the answer is worth. */
+    const StatorWave *wave = nullptr; ///< if it is already known
+    /** Computes the relative change of the results by an effect that cannot estimate it beforehand;
+     * empty where the computation would cost more than it is worth. */
     std::function<double(const Effect &)> measure;
-    /** The rotor's, which takes a second; empty as well. */
+    /** The rotor's, which takes a second to compute; may be empty, too. */
     std::function<const LipAmplification &()> lip = {};
-    double threshold = 0.; ///< relative change from which on `auto` takes effects in
+    double threshold = 0.; ///< relative change above which `auto` includes an effect
   };
 
-  /** The program that takes an effect in; later ones need what earlier ones have computed. */
+  /** The program that includes an effect; later programs need the results of earlier ones. */
   enum class EffectStage
   {
-    stator, ///< in the modes
+    stator, ///< in its modes
     contact
   };
 
   /**
-   * A physical effect: its entry in the section Effects, what it needs, what it puts into the model
-   * of a motor, and how much it matters. One class for each, in motor/effects; all_effects() is the
-   * list.
+   * A physical effect: its entry in the section Effects, what it needs, what it adds to the model
+   * of a motor, and how much it matters. There is one class for each in motor/effects;
+   * all_effects() is the list.
    */
   class Effect
   {
@@ -52,24 +52,24 @@ namespace ringmotor
     }
     virtual ~Effect() = default;
 
-    /** Looks at the entries that it needs; asked if it is not off. @throws UserError */
+    /** Checks the entries that it needs; called unless it is off. @throws UserError */
     virtual void check(const Parameters &) const {}
 
-    /** Puts it into the model. */
+    /** Adds it to the model. */
     virtual void enter(const Parameters &parameters, MotorModel &model) const = 0;
 
-    /** Sets the entries that only this effect looks at to their defaults. */
+    /** Sets the entries that only this effect reads to their defaults. */
     virtual void forget(Parameters &) const {}
 
-    /** By how much it changes speeds and torques, or frequencies, relatively; none if it is part of
-     * every contact and `auto` always means `on`. */
+    /** The relative change of speeds and torques, or of frequencies, due to it; none if it is part
+     * of every contact and `auto` always means `on`. */
     virtual std::optional<double> indicator(const Scene &) const { return {}; }
 
-    /** Whether it can be taken in. One that cannot is refused where it would be needed. */
+    /** Whether it is available. One that is not is refused where it would be needed. */
     virtual bool is_available(const Parameters &) const { return true; }
 
     EffectChoice choice(const Parameters &parameters) const { return parameters.effects.*entry; }
-    /** `Effects/Rotor inertia = auto`, with the choice that was given. */
+    /** `Effects/Rotor inertia = auto`, with the given choice. */
     std::string given(const Parameters &parameters) const;
 
     const std::string name;
@@ -77,7 +77,7 @@ namespace ringmotor
     const EffectStage stage;
 
   protected:
-    /** An indicator that only a computation tells. */
+    /** An indicator that only a computation can give. */
     std::optional<double> measured_in(const Scene &scene) const
     {
       return scene.measure ? std::optional<double>(scene.measure(*this)) : std::nullopt;
@@ -87,21 +87,21 @@ namespace ringmotor
   /** All of them, in the order of the entries. */
   const std::vector<std::unique_ptr<const Effect>> &all_effects();
 
-  /** Looks at all effects up to a stage that are not off. @throws UserError */
+  /** Checks all effects up to a stage that are not off. @throws UserError */
   void check_effects(const Parameters &parameters, const EffectStage last);
 
-  /** What became of an effect in a run, and what it cost. */
+  /** The decision on an effect in a run, and its cost. */
   struct EffectRow
   {
     std::string name;
     std::optional<double> indicator; ///< estimated relative change of the results
     std::string choice;              ///< "on" or "off"
     bool is_automatic   = false;     ///< chosen by the program
-    double seconds      = 0.;        ///< to find out and to take in
+    double seconds      = 0.;        ///< to estimate and to include it
     std::uint64_t dofs  = 0;         ///< that it added
     std::uint64_t bytes = 0;         ///< that it added
 
-    /** Whether the program has left it out, and knows what that changes. */
+    /** Whether the program has left it out, with a known indicator. */
     bool is_left_out() const { return is_automatic && choice == "off" && indicator; }
   };
 
@@ -109,11 +109,11 @@ namespace ringmotor
    * Switches effects of a stage that are `auto` on or off: on where the indicator exceeds a third
    * of @p target.
    * @return a row for each effect of the stage
-   * @throws ComputationError if one is needed that cannot be taken in
+   * @throws ComputationError if one is needed that is not available
    */
   std::vector<EffectRow> choose_effects(Parameters &parameters, const EffectStage stage,
                                         const Scene &scene, const double target);
 
-  /** Tells what the modes of a motor cost in the rows of the effects that they belong to. */
+  /** Adds the cost of the modes of a motor to the rows of the effects that they belong to. */
   void add_cost_of_modes(const CondensedMotor &motor, std::vector<EffectRow> &rows);
 } // namespace ringmotor

@@ -6,17 +6,17 @@
 namespace ringmotor
 {
   /**
-   * How the motion of a mode is stepped through time,
+   * The time integration of the motion of a mode,
    *
    *   (1 - alpha) a_1 + alpha a_0 + d v_1 + omega^2 q_1 = p_1,
    *   v_1 = v_0 + dt ((1 - gamma) a_0 + gamma a_1),
    *   q_1 = q_0 + dt v_0 + dt^2 ((1/2 - beta) a_0 + beta a_1),
    *
-   * from 0 to 1 for displacement q, velocity v, acceleration a, force p (by mass), frequency omega
-   * and damping d (1/s; a loss factor times omega). Newmark's method for alpha = 0; with alpha < 0
-   * the one of Wood, Bossak and Zienkiewicz (1981), of second order for gamma = 1/2 - alpha. The
-   * force at the end of a step moves the mode in that step, as contact wants it. Impacts need
-   * dissipation: without it, modes take up energy at each of them.
+   * from 0 to 1 for displacement q, velocity v, acceleration a, force p (per mass), frequency omega
+   * and damping d (1/s; a loss factor times omega). Newmark's method for alpha = 0; for alpha < 0
+   * the method of Wood, Bossak and Zienkiewicz (1981), of second order for gamma = 1/2 - alpha. The
+   * force at the end of a step moves the mode in that step, as contact requires. Impacts need
+   * dissipation: without it, modes gain energy at each of them.
    */
   struct InertiaScheme
   {
@@ -24,15 +24,15 @@ namespace ringmotor
 
     /** First order for @p gamma > 1/2, unconditionally stable. */
     static InertiaScheme newmark(const double gamma);
-    /** Of second order. Motions much faster than the step keep this share of their amplitude from
-     * one step to the next; 0 .. 1. */
+    /** Second order. Motions much faster than the step keep this share of their amplitude from one
+     * step to the next; 0 .. 1. */
     static InertiaScheme second_order(const double spectral_radius);
 
-    /** One of the same order that dissipates markedly more or less: what the difference changes
-     * tells how much dissipation matters. */
+    /** A scheme of the same order that dissipates markedly more or less: the difference of the
+     * results shows how much dissipation matters. */
     InertiaScheme dissipating_otherwise() const;
 
-    /** Displacement by force of the same mass, s^2, where each step multiplies both by @p z. */
+    /** Displacement by force per mass, s^2, where each step multiplies both by @p z. */
     std::complex<double> response(const std::complex<double> &z, const double dt,
                                   const double frequency, const double damping) const;
 
@@ -40,25 +40,25 @@ namespace ringmotor
     std::complex<double> velocity(const std::complex<double> &z, const double dt) const;
     std::complex<double> acceleration(const std::complex<double> &z, const double dt) const;
 
-    /** Displacement at the end of a step by the force there, s^2. */
+    /** Displacement at the end of a step by the force per mass there, s^2. */
     double response_in_step(const double dt, const double frequency, const double damping) const;
   };
 
-  /** The scheme with the mean of all constants, which dissipates more than the one and less than
-   * the other; unconditionally stable if both are. */
+  /** The scheme with the mean of all constants, whose dissipation lies between the two;
+   * unconditionally stable if both are. */
   InertiaScheme mean(const InertiaScheme &one, const InertiaScheme &other);
 
-  /** A mode in time. */
+  /** The state of a mode at one time. */
   struct ModalState
   {
     std::complex<double> displacement, velocity, acceleration;
   };
 
-  /** What a state becomes in a step @p dt (s) without a force at its end. */
+  /** The state after a step @p dt (s) without a force at its end. */
   ModalState without_force(const InertiaScheme &scheme, const ModalState &begin, const double dt,
                            const double frequency, const double damping);
 
-  /** Adds what a force (by mass) at the end of the step does. */
+  /** Adds the contribution of a force (per mass) at the end of the step. */
   void add_force(const InertiaScheme &scheme, const std::complex<double> &force, const double dt,
                  const double frequency, const double damping, ModalState &end);
 } // namespace ringmotor

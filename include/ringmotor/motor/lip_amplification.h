@@ -8,35 +8,35 @@
 namespace ringmotor
 {
   /**
-   * How much farther the lip of a rotor with inertia gives way to pressure that travels around its
-   * outer line than that of one without: what tells, before any contact is computed, whether a
-   * rotor may be taken as static. Harmonic m of a wave with n waves has n m waves around the ring
-   * and m times the frequency. Undamped: infinite at resonance, negative beyond.
+   * The dynamic amplification of the motion of the rotor's lip under pressure that travels around
+   * its outer line, relative to a rotor without inertia: shows, before any contact is computed,
+   * whether the rotor may be modelled as static. Harmonic m of a wave with n waves has n m waves
+   * around the ring and m times the frequency. Undamped: infinite at resonance, negative beyond.
    */
   class LipAmplification
   {
   public:
     /** @param modes of this rotor, on their mesh of @p level; @param n_harmonics of the wave that
-     * are looked at */
+     * are considered */
     LipAmplification(const Parameters &parameters, const LipModes &modes, const unsigned int level,
                      const unsigned int n_harmonics);
 
     unsigned int n_harmonics() const { return harmonics.size(); }
-    /** Waves around the ring of a harmonic (1, 2, ...), seen from tooth to tooth: 0 .. N / 2. */
+    /** Nodal diameter of a harmonic (1, 2, ...), as the teeth sample it: 0 .. N / 2. */
     unsigned int nodal_diameter(const unsigned int harmonic) const
     {
       return harmonics[harmonic - 1].nodal_diameter;
     }
 
-    /** Motion over that without inertia under pressure with the waves of a harmonic that pulses
-     * with an angular frequency (rad/s); 1 for the few waves that move the rotor as a whole, see
+    /** Ratio of the motions with and without inertia under pressure with the waves of a harmonic
+     * and an angular frequency (rad/s); 1 for nodal diameters that move the rotor as a whole, see
      * LipModes. */
     double at(const unsigned int harmonic, const double angular_frequency) const;
 
-    /** Roughly, by how much inertia changes speeds and torques, relatively: by the share of the
-     * lip's static motion under teeth that press on a quarter of each wave that it changes, each
-     * harmonic at most as a whole; of that a third, as found on motors with a soft and with a stiff
-     * rotor.
+    /** A rough estimate of the relative change of speeds and torques due to inertia: a third, as
+     * found on motors with a soft and with a stiff rotor, of the share by which inertia changes the
+     * lip's static motion under teeth that press on a quarter of each wave; the change of each
+     * harmonic is limited to its static motion.
      * @param angular_frequency rad/s, of the wave */
     double rough_effect(const double angular_frequency) const;
 
@@ -44,7 +44,7 @@ namespace ringmotor
     struct Harmonic
     {
       unsigned int nodal_diameter;
-      double static_motion = 0.;       ///< J, work of the pressure on its own static motion
+      double static_motion = 0.;       ///< J, work of the pressure on its static motion
       std::vector<double> frequencies; ///< rad/s, of the modes
       std::vector<double> work;        ///< of the pressure on them, squared
     };

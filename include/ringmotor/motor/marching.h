@@ -7,8 +7,8 @@
 namespace ringmotor
 {
   /**
-   * Marches a motor through time in implicit steps, from a rotor that lies without friction on the
-   * teeth as they stand at the time 0, or from a steady state. For rings that are not uniform, for
+   * Marches a motor through time in implicit steps, from a rotor that rests without friction on the
+   * teeth in their positions at time 0, or from a steady state. For rings that are not uniform, for
    * the start, and for steps of any length.
    */
   class MarchingDriver
@@ -18,27 +18,27 @@ namespace ringmotor
     MarchingDriver(const CondensedMotor &motor, const Friction &friction, const Warp &warp,
                    const double preload);
 
-    /** Goes on from the first sample of a steady state, with steps of its length. */
+    /** Continues from the first time sample of a steady state, with steps of its length. */
     MarchingDriver(const CondensedMotor &motor, const Friction &friction,
                    const OperatingState &steady);
 
-    /** Goes on by one step (s) under a load. @throws ComputationError */
+    /** Advances by one step (s) under a load. @throws ComputationError */
     OperatingState step(const RotorLoad &load, const double length);
 
-    /** Damps all motions that have inertia with a loss factor, but not less than the rotor itself
-     * does: transients of the start die out in fewer periods. The rotor as a whole, which has no
-     * frequency of its own, is damped as a mode with the wave's. */
+    /** Damps all motions that have inertia with a loss factor, at least that of the rotor itself:
+     * transients of the start decay in fewer periods. The motion of the rotor as a whole, which has
+     * no natural frequency, is damped like a mode with the frequency of the wave. */
     void damp(const double loss_factor);
 
     double time() const { return history.last().time; }
 
   private:
-    /** Lets points that exceed their static limit lose it, as the law says. Returns whether there
-     * is one. */
+    /** Removes the static limit of contact points that exceed it, according to the law. Returns
+     * whether there are any. */
     bool lose_static_limits(const ContactSolution &solution,
                             std::vector<FrictionMemory> &limits) const;
 
-    /** The step from here, so far as the rotor's inertia decides it. */
+    /** The data of the next step: positions at its begin and the response with inertia. */
     TimeStep next_step(const double length);
 
     const CondensedMotor &motor;
@@ -46,7 +46,7 @@ namespace ringmotor
     const Warp warp;
     std::optional<MarchedModes> modes;                 ///< of bodies with inertia
     std::optional<MarchedRigidMotions> rigid_motions;  ///< of a rotor that moves as a whole
-    std::shared_ptr<const BlockCompliance> compliance; ///< with them, in steps of #step_length
+    std::shared_ptr<const BlockCompliance> compliance; ///< with modes, in steps of #step_length
     double step_length = 0.;
     StepHistory history;
     std::vector<PointVector> positions; ///< at the end of the last step

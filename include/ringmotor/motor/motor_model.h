@@ -10,9 +10,10 @@
 namespace ringmotor
 {
   /**
-   * A motor as it is modelled: what its bodies do, what stands between them, and how they rub. By
-   * itself both bodies are stiff and without mass; effects that take part put in what they are
-   * about, see Effect. What computes, draws or keeps a motor reads this and no choice of effects.
+   * The physical model of a motor: its bodies, their interface and its friction. By default the
+   * teeth are rigid, the rotor has no tangential compliance, and both are massless; each effect
+   * that is not off adds its part, see Effect. All code that computes, draws or stores a motor
+   * reads this and not the choice of effects.
    */
   struct MotorModel
   {
@@ -26,18 +27,19 @@ namespace ringmotor
     bool teeth_vibrate         = false; ///< with inertia
     bool rotor_gives_way_along = false; ///< elastic rotor also under friction
     bool rotor_vibrates        = false; ///< with inertia
-    bool rotor_moves_as_whole  = false; ///< its mass and its tilting inertia matter, too
+    bool rotor_moves_as_whole  = false; ///< with its mass and its inertia against tilting
     double rotor_loss_factor   = 0.;    ///< of its internal damping, with inertia or without
 
-    // What stands between them
+    // The interface between them
     Warp warp;
     double lining_normal_compliance     = 0.; ///< m^3/N
     double lining_tangential_compliance = 0.; ///< m^3/N
     Friction friction;
 
-    /** Whether a body has inertia in the contact. */
+    /** Whether the teeth or the rotor have inertia. */
     bool has_inertia() const { return teeth_vibrate || rotor_vibrates; }
-    /** Whether motions of the rotor depend on how forces change in time, which its modes tell. */
+    /** Whether the response of the rotor depends on the history of forces, which requires its
+     * modes. */
     bool rotor_needs_modes() const { return rotor_vibrates || rotor_loss_factor > 0.; }
     bool needs_modes() const { return teeth_vibrate || rotor_needs_modes(); }
   };

@@ -7,19 +7,19 @@
 
 namespace ringmotor
 {
-  /** What inertia adds to the balance of a rigid or near-rigid motion q of the rotor at the end of
-   * a step: forces on it = stiffness q - load, beside what else holds it. */
+  /** The contribution of inertia to the balance of a rigid or near-rigid motion q of the rotor at
+   * the end of a step: forces on it = stiffness q - load, in addition to its static stiffness. */
   struct InertiaInStep
   {
     double stiffness =
-        0.;           ///< by q: N/m of the rise, the unit of NearRigidMode::stiffness of others
-    double load = 0.; ///< of the motion so far
+        0.;           ///< N/m for the rise, the unit of NearRigidMode::stiffness for the others
+    double load = 0.; ///< from the motion so far
   };
 
   /**
-   * The motions of a rotor as a whole, its rise and its near-rigid motions, marched through time
-   * with inertia: like a mode each, but for their displacement, which is one of the unknowns of
-   * contact. Motions are numbered as in RingContact.
+   * The motions of a rotor as a whole, its rise and its near-rigid modes, marched through time with
+   * inertia: each like a vibration mode, except that its displacement is an unknown of the contact
+   * problem. Motions are numbered as in RingContact.
    */
   class MarchedRigidMotions
   {
@@ -27,13 +27,13 @@ namespace ringmotor
     /** At rest at some displacements. */
     MarchedRigidMotions(const CondensedMotor &motor, const std::vector<double> &displacements);
 
-    /** For a step @p dt (s). */
+    /** The contributions in a step @p dt (s). */
     std::vector<InertiaInStep> in_step(const double dt) const;
-    /** Goes on by a step @p dt to some displacements. @return W, mean over the step of what goes
-     * into kinetic energy and is lost by the scheme */
+    /** Advances by a step @p dt to given displacements. @return W, mean over the step of the power
+     * that goes into kinetic energy and is dissipated by the scheme */
     double step(const std::vector<double> &displacements, const double dt);
 
-    /** 1/s, of all motions; none by itself. */
+    /** 1/s, of all motions; none by default. */
     double damping = 0.;
 
   private:

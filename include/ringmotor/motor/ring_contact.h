@@ -11,7 +11,7 @@
 
 namespace ringmotor
 {
-  /** What loads the rotor at an operating point. */
+  /** The load on the rotor at an operating point. */
   struct RotorLoad
   {
     double preload;               ///< N
@@ -25,29 +25,30 @@ namespace ringmotor
     double time;                      ///< s, at its end
     double length;                    ///< s
     std::vector<PointVector> earlier; ///< positions at its begin, see RingContact::positions()
-    /** Of a motor with inertia: how points move by forces within the step, and where the rotor is
-     * at its end (m) without forces there. */
+    /** For a motor with inertia: the compliance within the step, and the motion of the rotor at its
+     * end (m) without forces there. */
     std::shared_ptr<const BlockCompliance> compliance = nullptr;
     std::vector<PointVector> vibration                = {};
-    /** By rigid motion; empty if these follow their loads at once. */
+    /** By rigid motion; empty if these are quasi-static. */
     std::vector<InertiaInStep> rigid_inertia = {};
   };
 
   /**
-   * All teeth of a motor in contact with its rotor, at one or several samples.
+   * All teeth of a motor in contact with its rotor, at one or several time samples.
    *
    * *Steady state* of a uniform ring. n waves and N teeth repeat themselves after P = N / gcd(n, N)
-   * teeth, and T/P later each tooth is where its s-th neighbour was, n s = gcd(n, N) (mod N). One
-   * sample shows the whole period; S samples, T/(P S) apart, show it more finely. The slip of a
-   * point in a step is the difference of its positions at one sample and at the one before or, at
-   * the first sample, of its s-th neighbour at the last one. With one sample a step may be longer,
-   * too: J of them joined look back at the (J s)-th neighbour. The rotor turns at an even speed.
+   * teeth, and T/P ago each tooth was where its s-th neighbour is now, n s = gcd(n, N) (mod N). One
+   * time sample covers the whole period; S time samples, T/(P S) apart, resolve it more finely. The
+   * slip of a contact point in a step is the difference of its positions at a time sample and at
+   * the previous one or, at the first, of its s-th neighbour at the last one. With a single time
+   * sample, J steps may be joined to a longer one, which refers to the (J s)-th neighbour. The
+   * rotor turns at constant speed.
    *
    * *One step* from a known state, of a ring that need not be uniform.
    *
-   * Points are numbered by sample, tooth, node. Rigid motions are, for each sample, the rotor's
-   * rise (m) and the cosine and sine parts of its loose motions; at last, if the torque is given,
-   * its turn (rad) in a step.
+   * Contact points are numbered by time sample, tooth, node. Rigid motions are, for each time
+   * sample, the rotor's rise (m) and the cosine and sine parts of its near-rigid modes; and last,
+   * if the torque is given, its rotation (rad) in a step.
    */
   class RingContact : public ContactProblem
   {
@@ -77,7 +78,7 @@ namespace ringmotor
     }
     unsigned int part_of_rigid(const unsigned int motion) const override
     {
-      // The turn belongs to all samples.
+      // The rotation belongs to all time samples.
       return motion < n_samples * n_rigid_of_sample
                  ? compliance->part_of(motion / n_rigid_of_sample * n_sectors)
                  : no_part;
@@ -106,11 +107,11 @@ namespace ringmotor
     /** s, from one step to the next. */
     double time_step() const { return step; }
     const CondensedMotor &condensed_motor() const { return motor; }
-    /** Teeth after which all repeats itself, and how often it does around the ring. */
+    /** Number of teeth after which the motion repeats, and of repetitions around the ring. */
     unsigned int n_teeth() const { return n_sectors; }
     unsigned int n_repeats() const { return fold; }
     unsigned int n_times() const { return n_samples; }
-    /** Rigid motions of the rotor at one sample. */
+    /** Number of rigid motions of the rotor at one time sample. */
     unsigned int n_rigid_motions() const { return n_rigid_of_sample; }
 
     unsigned int sample(const unsigned int point) const { return point / (n_sectors * n_nodes); }
@@ -119,41 +120,41 @@ namespace ringmotor
     {
       return motor.nodes[point % n_nodes];
     }
-    /** In the steady state: the point that was one step earlier what this one is now. */
+    /** In the steady state: the contact point whose state is that of this one a step earlier. */
     unsigned int earlier(const unsigned int point) const;
-    /** Where the stator has a point (m, against a ring at rest without warp) without contact
-     * forces. */
+    /** Displacement of the stator at a contact point (m, relative to a ring at rest without warp)
+     * without contact forces. */
     const PointVector &free_motion(const unsigned int point) const { return stator[point]; }
 
-    /** Displacement of the teeth at each point (m), and that of the rotor but for its turn. */
+    /** Displacements of the teeth and of the rotor, without its rotation, at all points (m). */
     std::vector<PointVector> tooth_motion(const ContactState &state) const;
     std::vector<PointVector> rotor_motion(const ContactState &state) const;
-    /** Positions of rotor over stator (m), but for the turn of the rotor. */
+    /** Positions of the rotor relative to the stator (m), without the rotation of the rotor. */
     std::vector<PointVector> positions(const ContactState &state) const;
-    /** Torque (N m) of friction on the rotor, the mean over all samples. */
+    /** Torque (N m) of friction on the rotor, the mean over all time samples. */
     double torque(const ContactState &state) const;
     /** rad/s */
     double speed(const ContactState &state) const;
-    /** Energy (J) of the whole ring, the mean over all samples: elastic in all compliance at the
-     * contact points and in what holds the loose motions; potential, of the preload on the rotor's
-     * rise. */
+    /** Energy (J) of the whole ring, the mean over all time samples: elastic energy in all
+     * compliance at the contact points and in the stiffness of the near-rigid modes; potential
+     * energy of the preload by the rotor's rise. */
     double stored_energy(const ContactState &state) const;
 
-    /** What inertia and damping of the rotor take in the steady state, the motions of all points in
-     * its modes (m), and these modes at the first sample. Without inertia there is nothing. */
+    /** The power that the modes take in the steady state, the motions of all contact points in them
+     * (m), and the states of the modes at the first time sample. Empty without modes. */
     ModalPower modal_power(const ContactState &state) const;
     std::vector<PointVector> modal_motion(const ContactState &state) const;
     std::vector<std::vector<ModalState>> modal_states(const ContactState &state) const;
 
-    /** A state from which the solver can start: no forces, the rotor so low that a small share of
-     * the points would touch. */
+    /** An initial state for the solver: no forces, the rotor so low that a small share of the
+     * contact points would touch. */
     ContactState pressed_down() const;
 
   private:
     void place_stator(const double first_time, const Warp &warp);
     void tabulate_rigid_motions();
     double turn(const ContactState &state) const;
-    /** Positions by forces and rigid motions alone, and the change of positions in a step. */
+    /** Positions due to forces and rigid motions only, and the change of positions in a step. */
     std::vector<PointVector> positions_by(const ContactState &state) const;
     std::vector<PointVector> change_in_step(const std::vector<PointVector> &position,
                                             const std::vector<PointVector> *before,
@@ -162,7 +163,7 @@ namespace ringmotor
     {
       return rigid[point % (n_sectors * n_nodes) * n_rigid_of_sample + which];
     }
-    /** What holds a rigid motion of a sample; with what inertia adds in a step. */
+    /** The stiffness of a rigid motion at a time sample, without and with inertia in a step. */
     double static_stiffness(const unsigned int motion) const
     {
       return motion == 0 ? 0. : motor.near_rigid_modes[(motion - 1) / 2].stiffness;
@@ -172,24 +173,25 @@ namespace ringmotor
       return static_stiffness(motion) +
              (rigid_inertia.empty() ? 0. : rigid_inertia[motion].stiffness);
     }
-    /** Factor of a balance: forces that a motion with inertia resists with its huge stiffness in a
-     * short step become such as a contact point would resist it with. */
+    /** Scaling of a balance: reduces the huge inertial stiffness of a rigid motion in a short step
+     * to the order of the stiffness of a contact point. */
     double balance_factor(const unsigned int motion) const
     {
       return rigid_inertia.empty()
                  ? 1.
                  : 1. / (1. + rigid_inertia[motion].stiffness / motor.constants.normal);
     }
-    /** Points of one tooth at one sample that follow each other in a list. */
+    /** Consecutive points of a list that belong to one tooth at one time sample. */
     struct PointsOfTooth
     {
-      unsigned int first_point;        ///< of the tooth, tells tooth and sample
-      unsigned int first;              ///< place of the first one in the list
+      unsigned int first_point;        ///< of the tooth, identifies tooth and time sample
+      unsigned int first;              ///< position of the first one in the list
       std::vector<unsigned int> nodes; ///< of the tooth
     };
     std::vector<PointsOfTooth> by_tooth(const std::vector<unsigned int> &points) const;
-    /** Adds @p factor times the motions of the nodes of @p rows, on the tooth and at the sample of
-     * the point @p at, by forces on points @p columns; only components from @p first on. */
+    /** Adds @p factor times the motions of the nodes of @p rows, on the tooth and at the time
+     * sample of the point @p at, due to forces on the points @p columns; only components from
+     * @p first on. */
     void add_elastic_rows(const PointsOfTooth &rows, const unsigned int at,
                           const std::vector<PointsOfTooth> &columns, const double factor,
                           const unsigned int first, dealii::FullMatrix<double> &matrix) const;
@@ -200,12 +202,12 @@ namespace ringmotor
     const double step;
     const std::optional<std::vector<PointVector>> given; ///< positions at the step's begin
     unsigned int steady_neighbour;
-    unsigned int n_rigid_of_sample; ///< of the rotor at one sample
+    unsigned int n_rigid_of_sample; ///< of the rotor at one time sample
     const std::shared_ptr<const SteadyDynamics> dynamics;
     const std::shared_ptr<const BlockCompliance> compliance;
-    std::vector<PointVector> stator;          ///< motion of all points without contact forces
+    std::vector<PointVector> stator; ///< motion of all contact points without contact forces
     const std::vector<PointVector> vibration; ///< of the rotor without forces, if it has inertia
     const std::vector<InertiaInStep> rigid_inertia; ///< likewise; or empty
-    std::vector<PointVector> rigid; ///< motions of the points of a sample by unit rigid motions
+    std::vector<PointVector> rigid; ///< of the points of a time sample by unit rigid motions
   };
 } // namespace ringmotor

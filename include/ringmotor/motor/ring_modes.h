@@ -16,14 +16,14 @@
 
 namespace ringmotor
 {
-  /** A mode of a ring of equal sectors as its contact nodes see it. */
+  /** A mode of a ring of equal sectors at its contact nodes. */
   struct RingMode
   {
     double angular_frequency; ///< rad/s
     /** Of each node of sector 0, times exp(-i k j alpha) for sector j, 1/sqrt(kg): the static
-     * motions by forces of such waves are the sum of motion motion^H / omega^2 over all modes. */
+     * compliance for such waves of forces is the sum of motion motion^H / omega^2 of all modes. */
     std::vector<std::array<std::complex<double>, 3>> motion;
-    bool of_tooth = false; ///< of a tooth and not of the rotor; not damped
+    bool of_tooth = false; ///< of a tooth instead of the rotor; not damped
 
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
@@ -32,15 +32,15 @@ namespace ringmotor
     }
   };
 
-  /** Those with nodal diameter 0 .. N / 2. */
+  /** The modes by nodal diameter 0 .. N / 2. */
   using RingModes = std::vector<std::vector<RingMode>>;
 
-  /** How a vibrating ring is damped and stepped through time. */
+  /** Damping and time integration of a vibrating ring. */
   struct RingDynamics
   {
     /** eta of the rotor: a mode is damped by eta omega times its velocity. Without inertia damping
      * is hysteretic: the stiffness of a mode is (1 + i eta) omega^2 in all harmonics of a steady
-     * state. Single steps in time have no such law. */
+     * state. Single steps in time cannot represent this law. */
     double loss_factor = 0.;
     InertiaScheme scheme;
     bool is_hysteretic = false; ///< rotor without inertia
@@ -52,45 +52,45 @@ namespace ringmotor
     }
   };
 
-  /** What the modes of a ring take from the forces on it, W. */
+  /** The power that the modes of a ring take from the forces on it, W. */
   struct ModalPower
   {
-    double taken = 0.; ///< beyond what their static motions store: kinetic energy and losses
-    double damped_by_factor = 0.; ///< lost by damping, by the loss factor; the rest of what a
-                                  ///< steady state takes is lost by the scheme
+    double taken = 0.; ///< beyond that stored by their static motions: kinetic energy and losses
+    double damped_by_factor = 0.; ///< lost by damping, divided by the loss factor; in a steady
+                                  ///< state the rest of the power is lost by the scheme
   };
 
   class ModesByShapes;
 
-  /** A wave of a steady state's history around the ring. */
+  /** A wave around the ring in the history of a steady state. */
   struct HistoryWave
   {
     unsigned int k;         ///< nodal diameter
-    bool conjugate;         ///< travels the other way
-    std::complex<double> z; ///< of it, or of its conjugate, which the modes know, in a step
-    double direction;       ///< of z in time: 1, -1 or, of a wave without one, 0
+    bool conjugate;         ///< travels the other way: modes are those of its conjugate
+    std::complex<double> z; ///< factor in a step, of it or, if #conjugate, of its conjugate
+    double direction;       ///< of z in time: 1, -1, or 0 for a wave without direction
   };
 
   /**
-   * What inertia and damping of modes add to the static compliance of a ring that carries n waves,
-   * in a steady state: all sectors have the same history, one after the other, and wave m of the
-   * history has n m waves around the ring. The instants of the history, one step after the other,
-   * form a ring of their own, in which a force moves all later instants.
+   * The contribution of inertia and damping of modes to the static compliance of a ring that
+   * carries n waves, in a steady state: all sectors have the same history, one after the other, and
+   * wave m of the history has n m waves around the ring. The instants of the history, one step
+   * after the other, form a ring themselves, in which a force moves all later instants.
    */
   class SteadyInertia
   {
   public:
     /** @param period s, of the wave; @param n_instants of it; @param dt s, length of a step, one or
-     * several of the times between instants */
+     * several intervals between instants */
     SteadyInertia(const RingModes &modes, const unsigned int n_waves, const unsigned int n_sectors,
                   const double period, const unsigned int n_instants, const double dt,
                   const RingDynamics &dynamics);
 
-    /** Motions of the instants by forces at the instants. */
+    /** Motions at the instants due to forces at the instants. */
     RingCompliance compliance() const;
 
-    /** Motions in the rotor's modes, and what inertia adds to those of the teeth, by instant and
-     * node, under @p forces, likewise. */
+    /** Motions in the rotor's modes, and the contribution of inertia to those of the teeth, under
+     * @p forces, both by instant and node. */
     std::vector<PointVector> motion(const std::vector<PointVector> &forces) const;
 
     /** The modes at the first instant, by nodal diameter, under @p forces, by instant and node. */
@@ -121,18 +121,18 @@ namespace ringmotor
 
     /** At rest under @p forces, by sector and node. */
     void rest(const std::vector<PointVector> &forces);
-    /** In the midst of a motion. */
+    /** At given states of the modes in motion. */
     void set(std::vector<std::vector<ModalState>> states, const std::vector<PointVector> &forces);
 
-    /** What they add to the static compliance within a step @p dt (s). */
+    /** Their contribution to the static compliance within a step @p dt (s). */
     RingCompliance compliance(const double dt) const;
-    /** Motions of all nodes now, see SteadyInertia::motion(). */
+    /** Current motions of all nodes, see SteadyInertia::motion(). */
     std::vector<PointVector> motion() const;
     /** The same at the end of a step @p dt without forces there. */
     std::vector<PointVector> free_motion(const double dt) const;
-    /** From now on with this loss factor of the rotor. */
+    /** Sets the loss factor of the rotor for the following steps. */
     void damp(const double loss_factor) { dynamics.loss_factor = loss_factor; }
-    /** Goes on by a step @p dt, with @p forces at its end. @return the mean over the step */
+    /** Advances by a step @p dt, with @p forces at its end. @return the mean over the step */
     ModalPower step(const std::vector<PointVector> &forces, const double dt);
 
   private:

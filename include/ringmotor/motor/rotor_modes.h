@@ -8,23 +8,23 @@
 
 namespace ringmotor
 {
-  /** The nodal diameter, 0 .. N / 2, that a harmonic of the wave has as the teeth see it. */
+  /** The nodal diameter, 0 .. N / 2, of a harmonic of the wave as the teeth sample it. */
   unsigned int nodal_diameter_of_harmonic(const Motor &motor, const unsigned int harmonic);
 
-  /** How a wave on the surface of a half sector, real field, then imaginary one, moves the contact
-   * points, whose rotor nodes may be of neighbouring sectors. @param turn the wave's phase from one
-   * sector to the next (rad) */
+  /** The motion of the contact points by a wave on the surface of a half sector, real field, then
+   * imaginary one; their rotor nodes may belong to neighbouring sectors. @param turn the wave's
+   * phase from one sector to the next (rad) */
   std::vector<std::array<std::complex<double>, 3>>
   at_contact_points(const std::vector<double> &half, const std::vector<MirroredNode> &origin,
                     const MortarCoupling &mortar, const double turn);
 
   /**
-   * The modes of the rotor on a mesh of their own, with two nodal diameters and more. With fewer
-   * the rotor moves as a whole, too. In a uniform ring it follows its loads there at once, which
-   * change no faster than the modes that are left out, and only nodal diameters matter that low
-   * harmonics of the wave have. A rotor that moves as a whole, see MotorModel, has the modes of all
-   * nodal diameters from two on, and beside them inertia of its rise and its near-rigid motions,
-   * about which its elastic deformation with less than two nodal diameters is static.
+   * The modes of the rotor with two nodal diameters and more, on a separate mesh. With fewer nodal
+   * diameters the rotor also moves as a whole. In a uniform ring its response to these is static,
+   * as it is in the modes that are left out, and only the nodal diameters of low harmonics of the
+   * wave matter. A rotor that moves as a whole, see MotorModel, has the modes of all nodal
+   * diameters from two on, and in addition the inertia of its rise and its near-rigid modes; its
+   * elastic deformation with fewer than two nodal diameters remains static.
    */
   class LipModes
   {
@@ -34,10 +34,10 @@ namespace ringmotor
     LipModes(const Parameters &parameters, const unsigned int level, const double up_to,
              const unsigned int n_harmonics);
 
-    /** The rotor's mesh of a level for its modes. */
+    /** The rotor's discretisation for its modes at a level. */
     static ContactDiscretisation discretisation(const unsigned int level);
 
-    /** As the contact points on @p tooth_top see them. @param lip_turn see ContactDiscretisation */
+    /** At the contact points on @p tooth_top. @param lip_turn see ContactDiscretisation */
     RingModes at(const ContactSurface &tooth_top, const double lip_turn) const;
 
     struct LipMode
@@ -53,13 +53,13 @@ namespace ringmotor
     std::vector<std::vector<LipMode>> modes; ///< by nodal diameter
   };
 
-  /** The modes of a rotor at levels that get finer: in their mesh, in their highest frequency, in
-   * the harmonics of the wave whose nodal diameters they have. Computed when they are asked for. */
+  /** The modes of a rotor at levels of increasing accuracy: in their mesh, in their highest
+   * frequency, in the harmonics of the wave whose nodal diameters they have. Computed lazily. */
   class RotorVibration
   {
   public:
     static constexpr unsigned int finest_level = 2;
-    /** Modes of bodies up to so many times the wave's frequency take part at the finest level. */
+    /** The finest level includes modes of bodies up to this multiple of the wave's frequency. */
     static constexpr double highest_harmonic = 12.;
 
     /** @param frequency rad/s, of the wave */

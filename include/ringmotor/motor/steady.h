@@ -14,15 +14,15 @@ namespace ringmotor
   {
     std::shared_ptr<const RingContact> contact;
     ContactSolution solution;
-    std::vector<FrictionMemory> memory;      ///< of each point, at the begin of its step
-    ModalPower modal_power{};                ///< of a rotor with inertia
-    std::vector<PointVector> modal_motion{}; ///< m, of it at all points, in its modes
+    std::vector<FrictionMemory> memory;      ///< of each contact point, at the begin of its step
+    ModalPower modal_power{};                ///< of a motor with modes
+    std::vector<PointVector> modal_motion{}; ///< m, of all contact points in these modes
   };
 
   /**
-   * Finds steady states of a motor, one after the other: each starts from the one before. Sliding
-   * history travels with the wave: what a point remembers is what happened one step earlier at the
-   * point that stands for it then.
+   * Finds steady states of a motor, each starting from the previous one. The sliding history
+   * travels with the wave: the memory of a contact point is the state one step earlier, which is
+   * that of RingContact::earlier() now.
    */
   class SteadyDriver
   {
@@ -36,20 +36,20 @@ namespace ringmotor
      */
     OperatingState at(const RotorLoad &load);
 
-    /** Whether there is a state from which the next one is looked for. */
+    /** Whether there is a state from which the next search starts. */
     bool has_state() const { return next.has_value(); }
 
-    /** Takes a known state, in which the rotor turns with @p speed (rad/s), as that from which the
-     * next one is to be found. Where it has other samples, those between follow from them. Of
-     * @p solution the state, the motion and the status of all points are used. */
+    /** Sets a known state, in which the rotor turns with @p speed (rad/s), as the start of the next
+     * search. If it has other time samples, those in between are interpolated. Of @p solution, the
+     * state, the motion and the status of all contact points are used. */
     void go_on_from(const RotorLoad &load, const ContactSolution &solution, const double speed);
 
   private:
-    /** From where a state is looked for. */
+    /** The start of the search for a state. */
     struct Start
     {
       ContactState state;
-      std::vector<PointVector> motion; ///< gap and slip, if they are known
+      std::vector<PointVector> motion; ///< gap and slip, if known
       std::vector<FrictionMemory> memory;
       double speed; ///< rad/s
     };
@@ -57,21 +57,21 @@ namespace ringmotor
     OperatingState find(const RotorLoad &load, Start start,
                         std::shared_ptr<const SteadyDynamics> with_inertia,
                         const Fallback fallback = Fallback::proximal_points) const;
-    /** From a state nearby; with inertia, if Newton's method alone does not lead from it, from
-     * states with damping that falls: there the proximal point algorithm takes long, and may fail.
-     */
+    /** From a nearby state; with inertia, if Newton's method alone does not converge from it,
+     * through states with decreasing damping: there the proximal point algorithm takes long, and
+     * may fail. */
     OperatingState find_or_damp(const RotorLoad &load, const Start &start) const;
-    /** From another state, which may be one without inertia: by states with inertia and damping
-     * that falls. */
+    /** From another state, possibly without inertia, through states with inertia and decreasing
+     * damping. */
     Start by_damping(const RotorLoad &load, Start start) const;
-    /** A start that is near the state under a law that falls with the distance slipped: the last of
-     * a chain of states, in each of which points have the coefficients that belong to memory and
-     * slip in the one before. Adds the systems that are solved. */
+    /** A start near the state under a law that decreases with the distance slipped: the last of a
+     * sequence of states, in each of which the friction coefficients follow from memory and slip in
+     * the previous one. Adds the number of systems solved to @p n_iterations. */
     Start by_coefficients(const RingContact &contact, Start start, RowSolver &solver,
                           unsigned int &n_iterations) const;
     Start from_rest(const RotorLoad &load) const;
-    /** From a state at the samples of @p coarse, between which forces grow linearly, to those of
-     * @p fine. */
+    /** From a state at the time samples of @p coarse to those of @p fine, with forces interpolated
+     * linearly. */
     static Start at_other_samples(const RingContact &coarse, const ContactSolution &solution,
                                   const RingContact &fine, const double speed);
 
@@ -82,9 +82,8 @@ namespace ringmotor
     std::optional<Start> next;
   };
 
-  /** How far each point has slipped (m) since it stuck or came into contact, at the end of the
-   * step;
-   * @p earlier gives the same at its begin. */
+  /** The distance that each contact point has slipped (m) since it stuck or came into contact, at
+   * the end of the step; @p earlier gives the same at its begin. */
   std::vector<FrictionMemory> next_memory(const ContactSolution &solution,
                                           const std::vector<FrictionMemory> &earlier);
 } // namespace ringmotor

@@ -6,22 +6,22 @@
 
 namespace ringmotor
 {
-  /** The length of a step of the steady state: that from which on each tooth is where another one
-   * was, divided by the number of samples, or several of them joined. */
+  /** The length of a step of the steady state: the time after which each tooth is where another one
+   * was, divided by the number of time samples, or several of these steps joined. */
   struct SteadyStep
   {
     unsigned int n_samples = 1;
-    unsigned int n_joined  = 1; ///< with one sample only
+    unsigned int n_joined  = 1; ///< only with a single time sample
   };
 
-  /** The teeth s of the steady state, n s = gcd(n, N) (mod N): what a tooth was T/P ago, its s-th
-   * neighbour is now; see RingContact. */
+  /** The shift s of the steady state, n s = gcd(n, N) (mod N): the state of a tooth T/P ago is that
+   * of its s-th neighbour now; see RingContact. */
   unsigned int steady_neighbour(const CondensedMotor &motor);
 
-  /** s, from one sample to the next. */
+  /** s, from one time sample to the next. */
   double step_length(const CondensedMotor &motor, const SteadyStep &step);
 
-  /** A motor with inertia in its steady state. */
+  /** The dynamic compliance of a motor with inertia in its steady state. */
   struct SteadyDynamics
   {
     SteadyDynamics(const CondensedMotor &motor, const SteadyStep &step,

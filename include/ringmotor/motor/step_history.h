@@ -12,41 +12,42 @@
 
 namespace ringmotor
 {
-  /** What a step of a marched motor left. */
+  /** The state of a marched motor at the end of a step. */
   struct StepEnd
   {
     double time   = 0.;              ///< s
     double length = 0.;              ///< s, of the step
     double speed  = 0.;              ///< rad/s
-    ContactState state;              ///< without the turn
+    ContactState state;              ///< without the rotation
     std::vector<PointVector> motion; ///< gaps, and slips in the step; empty if there was none
   };
 
-  /** The same on a ring that is turned by some teeth: what was at tooth 0 is at tooth @p by. */
+  /** The same on a ring rotated by some teeth: what was at tooth 0 is at tooth @p by. */
   StepEnd turned(const StepEnd &end, const unsigned int by, const unsigned int n_teeth);
 
   /**
-   * What the last steps of a marched motor left, and what the next one is likely to leave. Once the
-   * motor has settled, it does what it did some parts of a period ago, a few teeth further on;
-   * until then, and in steps of which those parts are no whole multiple, it goes on as it did last.
+   * The states at the end of the last steps of a marched motor, and a prediction of the next one.
+   * Once the motor has settled, it repeats the motion of some parts of a period ago, a few teeth
+   * further on; until then, and if those parts are no whole multiple of the step, the last steps
+   * are extrapolated.
    */
   class StepHistory
   {
   public:
     StepHistory(const CondensedMotor &motor, const Warp &warp);
 
-    /** Takes in what the last step left, or a state at rest to start from. */
+    /** Adds the end of the last step, or a state at rest to start from. */
     void add(StepEnd end);
     const StepEnd &last() const { return ends.back(); }
 
-    /** What a step of some length (s) will leave: by repetition or by extrapolation, whichever was
-     * closer in the last step. */
+    /** Predicts the end of a step of some length (s): by repetition or by extrapolation, whichever
+     * was closer in the last step. */
     const StepEnd &predict(const double length);
 
   private:
-    /** Goes on as in the last two steps. */
+    /** Extrapolates from the last two steps. */
     StepEnd extrapolated(const double length) const;
-    /** A step nearly a whole number of parts of a period ago, turned; none if there is none. */
+    /** The end of a step close to a whole number of parts of a period ago, rotated; or none. */
     std::optional<StepEnd> repeated(const double length) const;
 
     const double period; ///< s, of the wave

@@ -9,9 +9,9 @@
 namespace ringmotor
 {
   /**
-   * The modes of a tooth that is clamped at its foot, as its contact points see them. What its foot
-   * does beside is in the motion of its top without contact forces.
-   * @param discretisation that of the contact; @param mortar its contact points
+   * The modes of a tooth that is clamped at its foot, at its contact points. The motion of the foot
+   * is included in the free motion of the top, without contact forces.
+   * @param discretisation of the contact; @param mortar its contact points
    * @param up_to rad/s, highest frequency
    */
   std::vector<RingMode> tooth_modes(const Parameters &parameters,

@@ -18,8 +18,8 @@ namespace ringmotor
 
   /**
    * Writes a body as a VTU file of hexahedra. Cells share their points, which takes an eighth of
-   * the room of deal.II's own writer; arrays are compressed.
-   * @throw UserError if the disk refuses
+   * the space that deal.II's own writer needs; arrays are compressed.
+   * @throw UserError if writing fails
    */
   void write_body(const std::string &path, const RingBody &body,
                   const std::vector<PointField> &fields);

@@ -14,13 +14,13 @@ namespace ringmotor
 
   /** `history.csv`: forces and displacements against time of the contact points nearest to these
    * places; without any, of the nodes of tooth 0 that lie on its outermost line. In the steady
-   * state teeth tell of times: one period in the order in which it happens to a tooth. */
+   * state teeth stand for times: one period in the order in which a tooth goes through it. */
   void write_history(const std::string &path, const CondensedMotor &motor,
                      const std::vector<CurvePoint> &points, const bool is_steady,
                      const std::vector<HistoryPoint> &places);
 
-  /** `lip.csv`: how much farther the lip gives way with inertia, against frequency, for the first
-   * harmonics of a wave of an angular frequency (rad/s). */
+  /** `lip.csv`: by how much inertia amplifies the lip's compliance, against frequency, for the
+   * first harmonics of a wave of an angular frequency (rad/s). */
   void write_lip(const std::string &path, const LipAmplification &lip,
                  const double angular_frequency);
 } // namespace ringmotor

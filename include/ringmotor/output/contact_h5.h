@@ -18,7 +18,7 @@ namespace ringmotor
 
   /**
    * Reads the operating points, without their fields, from a file `contact.h5` that the program
-   * `contact` has written with @p parameters on @p wave; loss factors and the felt may be others.
+   * `contact` has written with @p parameters on @p wave; loss factors and the felt may differ.
    * @throws UserError in one line if the file is missing, damaged, of another version or from other
    *         parameters, naming the first entry that differs, or another wave
    */

@@ -13,7 +13,7 @@ namespace ringmotor
   std::string condensation_key(const Parameters &parameters, const StatorWave &wave,
                                const unsigned int level);
 
-  /** All that operating points depend on beside the request. */
+  /** All that operating points depend on besides the request. */
   std::string points_key(const Parameters &parameters, const StatorWave &wave,
                          const unsigned int level);
 
@@ -21,17 +21,18 @@ namespace ringmotor
    * What a run of the program `contact` keeps in `kept/` below its folder for later runs: condensed
    * motors, which any run uses, and operating points, for a run that resumes. A file that is
    * damaged or belongs to other parameters, another wave or another build of the program is
-   * computed anew.
+   * computed again.
    *
-   * All members are called on all ranks of @p communicator together, unlike most of this room.
+   * All members are called on all ranks of @p communicator together, unlike most functions in this
+   * folder.
    */
   class ContactKeep
   {
   public:
     /**
-     * Removes the points of earlier runs unless this one @p resumes.
+     * Removes the points of earlier runs unless this run @p resumes.
      * @param folder of the results, which exists; ends in a slash
-     * @throws UserError if the disk refuses
+     * @throws UserError if the file system refuses
      */
     ContactKeep(const std::string &folder, const StatorWave &wave, const bool resumes, Log &log,
                 MPI_Comm communicator);
@@ -42,22 +43,22 @@ namespace ringmotor
                          const std::optional<unsigned int> &modes_level,
                          const std::function<CondensedMotor()> &condense);
 
-    /** find_points(): what is not there yet is computed and kept at once. */
+    /** find_points(): missing points are computed and kept immediately. */
     std::vector<CurvePoint> points(
         const Parameters &parameters, const CondensedMotor &motor, const CurveSetting &setting,
         const std::vector<PointRequest> &requests,
         const std::function<void(const CurvePoint &)> &after_point = [](const CurvePoint &) {},
         const std::vector<CurvePoint> &starts                      = {});
 
-    /** Removes what is kept in the folder of the results, and says how much that was.
-     * @throws UserError if the disk refuses */
+    /** Removes what is kept in the folder of the results, and reports how much that was.
+     * @throws UserError if the file system refuses */
     static void clear(const std::string &folder);
 
-    /** Says in the log how much of a run that resumed was there already, and how much is kept. */
+    /** Logs how many points of a resumed run were available, and how much is kept. */
     void report();
 
   private:
-    /** How many points a rank has looked for. */
+    /** Numbers of points that a rank has looked for. */
     struct Counts
     {
       unsigned int found = 0, recalled = 0, damaged = 0; // found: computed by this run

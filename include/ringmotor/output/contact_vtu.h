@@ -10,18 +10,18 @@ namespace ringmotor
 {
   /**
    * `contact_000.vtu`, ... and `contact.pvd`, whose time is the torque in mN m: surfaces of teeth
-   * and lip where they touch, for each operating point at its last sample, for ParaView. @p height
-   * (m) is that of the tooth tops. Fields pressure (Pa), friction (Pa), slip velocity (m/s), status
-   * (0 open, 1 stick, 2 slip), gap (m), displacement of tooth and of rotor (m).
+   * and lip where they touch, for each operating point at its last time sample, for ParaView.
+   * @p height (m) is that of the tooth tops. Fields pressure (Pa), friction (Pa), slip velocity
+   * (m/s), status (0 open, 1 stick, 2 slip), gap (m), displacement of tooth and of rotor (m).
    */
   void write_contact_surfaces(const std::string &folder, const CondensedMotor &motor,
                               const std::vector<CurvePoint> &points, const double height);
 
   /**
-   * `rotor_000.vtu`, `teeth_000.vtu`, ... and `motor.pvd`: the whole bodies at the same samples,
-   * with their displacement (m) and, on the teeth, the same fields. At points that are no contact
-   * points these are zero, and the gap is NaN, for which ParaView has a colour of its own. The
-   * rotor is left out where it has inertia: how it vibrates inside is not known from the forces.
+   * `rotor_000.vtu`, `teeth_000.vtu`, ... and `motor.pvd`: the whole bodies at the same time
+   * samples, with their displacement (m) and, on the teeth, the same fields. Away from contact
+   * points these are zero, and the gap is NaN, which ParaView shows in a separate colour. The rotor
+   * is left out if it has inertia: its interior motion does not follow from the forces alone.
    */
   void write_motor_bodies(const std::string &folder, const CondensedMotor &motor,
                           const MotorBodies &bodies, const std::vector<CurvePoint> &points,

@@ -6,13 +6,13 @@
 #include <string>
 #include <string_view>
 
-// Everything in this room touches files or the terminal: call it on MPI rank 0 only.
+// Everything in this folder accesses files or the terminal: call it on MPI rank 0 only.
 
 namespace ringmotor
 {
   /**
    * Makes sure that results can be written to a folder before anything is computed: creates it with
-   * its missing parents and writes a small file there on trial.
+   * its missing parents and writes a small test file there.
    *
    * @throw UserError (one line, entry `Output/Directory`) with the system's reason, e.g. the path
    * is a file, the file system is read-only or full.
@@ -24,10 +24,10 @@ namespace ringmotor
    * only when every byte has reached the disk. Replaces an older file of that name. Binary safe.
    *
    * A process that runs under a file size limit must ignore SIGXFSZ, else the system ends it before
-   * the failure can be told.
+   * the failure can be reported.
    *
    * @throw UserError (one line, entry `Output/Directory`) with the path, the system's reason and
-   * what to do; then neither the part nor a new file under the final name is left.
+   * what to do; then neither the part nor a new file under the final name remains.
    */
   void write_file(const std::string &path, std::string_view content);
 

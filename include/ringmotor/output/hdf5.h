@@ -37,7 +37,7 @@ namespace ringmotor
    * to the longest, h5py shows them as bytes). Names are paths such as `mode/frequency`; groups on
    * the way are created. Datasets carry checksums and are limited to 4 GB each.
    *
-   * All members throw ComputationError if HDF5 refuses, e.g. when memory runs out or a name is
+   * All members throw ComputationError if HDF5 fails, e.g. when memory runs out or a name is
    * used twice.
    */
   class Hdf5Writer
@@ -65,7 +65,7 @@ namespace ringmotor
     void set_attribute(const std::string &object, const std::string &name, const Number &value);
 
     /** Writes the file with write_file().
-     *  @throw UserError if the disk refuses */
+     *  @throw UserError if writing fails */
     void save(const std::string &path) const;
 
   private:

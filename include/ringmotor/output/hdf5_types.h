@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-// How the values of hdf5.h look in HDF5: shared by its writer and its reader, of no use elsewhere.
+// The HDF5 representation of the values of hdf5.h, for its writer and its reader only.
 
 namespace ringmotor
 {
@@ -112,7 +112,7 @@ namespace ringmotor
     }
 
   private:
-    /** At least 1, as HDF5 asks for. */
+    /** At least 1, as HDF5 requires. */
     static std::size_t length_of_longest(const std::vector<std::string> &values)
     {
       std::size_t length = 1;

@@ -12,7 +12,7 @@
 
 namespace ringmotor
 {
-  /** What a file of write_kept_file() gave. */
+  /** What was read from a file of write_kept_file(). */
   struct KeptContent
   {
     std::optional<std::string> bytes;
@@ -21,18 +21,18 @@ namespace ringmotor
 
   /**
    * Keeps the result of a computation for a later run, all or nothing. @p key is a text of all that
-   * the result depends on: whoever looks for it has to know the same one.
-   * @throws UserError if the disk refuses, see write_file()
+   * the result depends on; reading the file requires the same key.
+   * @throws UserError if writing fails, see write_file()
    */
   void write_kept_file(const std::string &path, const std::string &key, const std::string &bytes);
 
   /**
-   * Reads what write_kept_file() has kept under this path and this key. Neither a file that was
-   * damaged, were it in a single bit, nor one with another key gives anything.
+   * Reads what write_kept_file() has kept under this path and this key. A file that is damaged,
+   * even in a single bit, or has another key gives nothing.
    */
   KeptContent read_kept_file(const std::string &path, const std::string &key);
 
-  /** Any object that boost can serialize, to the last bit. */
+  /** Any object that boost can serialize, bit by bit. */
   template <typename T>
   std::string to_bytes(const T &object)
   {

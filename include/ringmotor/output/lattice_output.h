@@ -22,15 +22,15 @@ namespace ringmotor
     std::string unit;
   };
 
-  /** Hands patches, made elsewhere, to the VTU writer of deal.II, which makes Lagrange cells of
-   * them: hexahedra, or quadrilaterals in space. */
+  /** Hands patches, made elsewhere, to the VTU writer of deal.II, which turns them into Lagrange
+   * cells: hexahedra, or quadrilaterals in space. */
   template <int dim>
   class LatticeOutput : public dealii::DataOutInterface<dim, 3>
   {
   public:
     using Patch = dealii::DataOutBase::Patch<dim, 3>;
 
-    /** @param order points per direction of each patch less one */
+    /** @param order points per direction of each patch, minus one */
     LatticeOutput(const std::vector<FieldName> &fields, const unsigned int order)
         : n_points(dealii::Utilities::fixed_power<dim>(order + 1)), order(order)
     {

@@ -50,7 +50,7 @@ namespace ringmotor
   class Phases
   {
   public:
-    /** Adds the time of its own life to a phase. */
+    /** Adds the time of its lifetime to a phase. */
     class Scope
     {
     public:

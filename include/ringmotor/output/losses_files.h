@@ -23,10 +23,10 @@ namespace ringmotor
   /** `losses.csv`: the parts of the loss at each operating point, in mW. */
   void write_losses(const std::string &path, const std::vector<PointLosses> &points);
 
-  /** `efficiency.csv`: power that goes in and out at each operating point. */
+  /** `efficiency.csv`: input and output power at each operating point. */
   void write_efficiency(const std::string &path, const std::vector<PointLosses> &points);
 
   /** Adds the quantities of the points to a summary, and the certificates of their balance.
-   * @param seconds that finding the losses of a point took */
+   * @param seconds spent on the losses of a point */
   void add_losses(Summary &summary, const std::vector<PointLosses> &points, const double seconds);
 } // namespace ringmotor

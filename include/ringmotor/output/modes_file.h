@@ -16,11 +16,11 @@ namespace ringmotor
    */
   StatorWave read_stator_wave(const std::string &path, const Parameters &parameters);
 
-  /** Reads what the wave stores, from the same file and with the same errors; see felt_energy() for
-   * the felt. */
+  /** Reads the energies that the wave stores, from the same file and with the same errors; see
+   * felt_energy() for the felt. */
   WaveEnergies read_wave_energies(const std::string &path, const Parameters &parameters);
 
-  /** Reads the strain energy that the wave stores from place to place, from the same file and with
+  /** Reads the spatial distribution of the strain energy of the wave, from the same file and with
    * the same errors; displacements are left out. */
   SectorField read_wave_body(const std::string &path, const Parameters &parameters);
 } // namespace ringmotor

@@ -8,8 +8,8 @@
 
 namespace ringmotor
 {
-  /** The setting of a study (with members `seconds` and `largest_error`, relative) of least seconds
-   * whose error bars are all below @p tolerance; null if there is none. */
+  /** The setting of a study (with members `seconds` and `largest_error`, relative) with the least
+   * seconds among those whose error bars are all within @p tolerance; null if there is none. */
   template <class Row>
   const Row *cheapest(const std::vector<Row> &rows, const double tolerance)
   {
@@ -20,7 +20,8 @@ namespace ringmotor
     return found;
   }
 
-  /** `cheapest for 1.0e-03: degree 3, refinement 1, 0.52 s`. @p name tells the setting of a row. */
+  /** `cheapest for 1.0e-03: degree 3, refinement 1, 0.52 s`. @p name describes the setting of a
+   * row. */
   template <class Row, class Name>
   std::string describe_cheapest(const std::vector<Row> &rows, const double tolerance,
                                 const Name &name)

@@ -13,10 +13,10 @@
 
 namespace ringmotor
 {
-  /** What a run computed, how well, and what it cost: the content of `summary.json`. */
+  /** What a run computed, how accurately, and at what cost: the content of `summary.json`. */
   struct Summary
   {
-    /** What tells quantities of one name apart, e.g. n = 7, family = "axial". */
+    /** What distinguishes quantities of the same name, e.g. n = 7, family = "axial". */
     using Labels = std::map<std::string, std::variant<int, unsigned int, double, std::string>>;
 
     /** One result with its error bar. */
@@ -31,7 +31,7 @@ namespace ringmotor
       Labels labels;
     };
 
-    /** One proof that the results stand: it holds if the value does not exceed the limit. */
+    /** One check of the results: it holds if the value does not exceed the limit. */
     struct Check
     {
       std::string name;
@@ -39,7 +39,7 @@ namespace ringmotor
       double limit       = 0.;
       std::string remedy = {}; ///< what a user can do if it does not hold; not written
 
-      bool holds() const { return value <= limit; } ///< what is not a number does not
+      bool holds() const { return value <= limit; } ///< NaN does not
     };
 
     std::string program, version, git;
@@ -54,8 +54,8 @@ namespace ringmotor
     std::vector<Check> certificate;
   };
 
-  /** Adds results, those with an error bar and those without one each to their list.
-   * @param seconds that finding them took */
+  /** Adds results to the two lists of quantities, with and without error bars.
+   * @param seconds spent on finding them */
   void add_quantities(Summary &summary, const std::vector<Quantity> &quantities,
                       const double seconds, const Summary::Labels &labels = {});
 
@@ -72,7 +72,7 @@ namespace ringmotor
    * left out if it is empty.
    *
    * @throw ComputationError for a number that is not finite, naming it: no file is written
-   * @throw UserError if the disk refuses
+   * @throw UserError if writing fails
    */
   void write_summary(const std::string &path, const Summary &summary);
 } // namespace ringmotor

@@ -29,7 +29,7 @@ namespace ringmotor
     /** The whole table as CSV. */
     std::string to_csv() const;
 
-    /** Writes it with write_file(). @throw UserError if the disk refuses */
+    /** Writes it with write_file(). @throw UserError if writing fails */
     void write(const std::string &path) const;
 
   private:

@@ -8,7 +8,7 @@
 
 namespace ringmotor
 {
-  /** A number with so many digits after the point. */
+  /** A number with this many digits after the decimal point. */
   std::string text(const double value, const int digits);
 
   /** A number as people read it, with its unit: `82.45 rpm`. */

@@ -17,17 +17,17 @@ namespace ringmotor
    * three scalars, as the components of a vector would be called X, Y, Z on the screen),
    * `strain_energy` (per volume, J/m^3, the mean over a period), `material` (see mesh/ids.h).
    *
-   * @throw UserError if the disk refuses
+   * @throw UserError if writing fails
    */
   void write_sector(const std::string &path, const SectorField &field);
 
   /**
    * Writes the travelling wave on the whole ring over one period: @p n_frames files
-   * `<base_name>_00.vtu`, ... of Lagrange cells, frame k at the time k T / n_frames, and at last
+   * `<base_name>_00.vtu`, ... of Lagrange cells, frame k at the time k T / n_frames, and finally
    * `<base_name>.pvd` with the times in seconds. Point fields: `displacement` (Cartesian vector, m;
    * for "Warp By Vector") and `material`.
    *
-   * @throw UserError if the disk refuses; then there is no PVD file
+   * @throw UserError if writing fails; then there is no PVD file
    */
   void write_ring_animation(const std::string &folder, const std::string &base_name,
                             const SectorField &field, unsigned int n_frames);
@@ -37,13 +37,13 @@ namespace ringmotor
    * file of Lagrange cells.
    *
    * @param values by cell of the sector, then by point of the cell
-   * @throw UserError if the disk refuses
+   * @throw UserError if writing fails
    */
   void write_ring_scalar(const std::string &path, const SectorField &field, const FieldName &name,
                          const std::vector<std::vector<double>> &values);
 
-  /** Writes a list of VTU files, each with its time (or whatever ParaView's time shall stand for).
-   * Neighbours in the list with the same time are parts of one picture. */
+  /** Writes a list of VTU files, each with its time (or whatever ParaView's time stands for).
+   * Consecutive files with the same time are parts of one picture. */
   void write_pvd(const std::string &path,
                  const std::vector<std::pair<double, std::string>> &times_and_names);
 } // namespace ringmotor

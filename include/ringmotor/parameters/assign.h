@@ -15,17 +15,17 @@ namespace ringmotor
   class DeclaredEntries;
 
   /**
-   * Hands assignments of one origin (a file, or the command line) to @p prm, whose actions write to
-   * the variables that were declared.
+   * Passes assignments of one origin (a file, or the command line) to @p prm, whose actions write
+   * to the variables that were declared.
    *
-   * @throws UserError for an entry that is not @p declared or stands twice, and for a value that is
-   * not allowed.
+   * @throws UserError for an entry that is not @p declared or is given twice, and for a value that
+   * is not allowed.
    */
   void assign_all(const std::vector<PrmFile::Assignment> &assignments,
                   const DeclaredEntries &declared, dealii::ParameterHandler &prm);
 
   /**
-   * Looks for numbers that no motor has, which is what values in other units than SI look like.
+   * Looks for numbers implausible for any motor, which suggest units other than SI.
    * @throws UserError
    */
   void check_plausible(const std::vector<PrmFile::Assignment> &assignments,

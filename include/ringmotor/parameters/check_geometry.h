@@ -7,26 +7,26 @@
 
 namespace ringmotor
 {
-  // What dimensions have to do with each other. All these throw a UserError that names the entries
-  // which do not go together, and what is allowed.
+  // Checks of dimensions against each other. All of them throw a UserError that names the
+  // conflicting entries and what is allowed.
 
   /** A length as the user writes it, with its entry: `Stator/Slot width = 0.0006 m`. */
   std::string entry(const std::string &path, double metres);
-  /** The same of a number. */
+  /** The same for a number. */
   std::string entry(const std::string &path, unsigned int count);
 
-  /** The radii of the stator, and slots between which teeth are left. */
+  /** The radii of the stator, and slots narrow enough to leave teeth. */
   void check_cross_section(const StatorGeometry &stator, unsigned int n_teeth);
 
   /** Shells and target plates have to be thin. */
   void check_thin_parts(const StatorGeometry &stator);
 
-  /** Lip, flange and ring in their order. */
+  /** Lip, flange and ring must be in the right order. */
   void check_rotor(const RotorGeometry &rotor);
 
-  /** Lip and tooth tops have to share a strip that is more than a sliver. */
+  /** Lip and tooth tops must overlap by more than a sliver. */
   void check_overlap(const StatorGeometry &stator, const RotorGeometry &rotor);
 
-  /** Amplitudes in um are easily written as if the file took um. */
+  /** Amplitudes must be small; this finds those given in um instead of m. */
   void check_amplitude(const Wave &wave, const StatorGeometry &stator);
 } // namespace ringmotor

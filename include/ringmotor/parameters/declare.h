@@ -13,8 +13,8 @@ namespace ringmotor
 {
   /**
    * How a value of type T is written in a parameter file. `read(write(value))` is exactly `value`,
-   * which deal.II's own conversion (six digits) does not promise. `read` gives nothing for a text
-   * that is not allowed. `allowed` says in words what is; users see it in `--help` and in messages.
+   * which deal.II's own conversion (six digits) does not promise. `read` returns nothing for a text
+   * that is not allowed. `allowed` describes what is; users see it in `--help` and in messages.
    */
   template <typename T>
   struct Notation
@@ -22,12 +22,12 @@ namespace ringmotor
     std::function<std::string(const T &)> write;
     std::function<std::optional<T>(const std::string &)> read;
     std::string allowed;
-    /** In words, the numbers that motors have: `1e-05 to 0.05`; empty if any allowed one will do.
-     * Others are most likely written in other units, see check_plausible(). */
+    /** The range of plausible numbers in words: `1e-05 to 0.05`; empty if all allowed ones are.
+     * Others are most likely in other units, see check_plausible(). */
     std::string plausible = "";
   };
 
-  /** A deal.II pattern that asks a predicate and describes itself in words. */
+  /** A deal.II pattern given by a predicate and a description in words. */
   class WordedPattern : public dealii::Patterns::PatternBase
   {
   public:
@@ -42,7 +42,7 @@ namespace ringmotor
     std::string allowed;
   };
 
-  /** Whether a parameter file has to give an entry. */
+  /** Whether a parameter file must contain an entry. */
   enum class Presence
   {
     optional,
@@ -51,7 +51,7 @@ namespace ringmotor
 
   /**
    * Declares entry @p name in the current subsection with the present value of @p variable as
-   * default, and keeps writing to @p variable whatever the entry is set to. The @p sentence ends
+   * default, and writes every value that the entry is set to into @p variable. The @p sentence ends
    * with `Units: m.` where the entry has a dimension and with `Units: none.` where it is a plain
    * number.
    */
@@ -77,22 +77,22 @@ namespace ringmotor
   /** Finite numbers of any sign. */
   Notation<double> any_number();
 
-  /** Finite numbers above zero. */
+  /** Finite positive numbers. */
   Notation<double> positive_number();
 
-  /** Finite numbers from zero. */
+  /** Finite numbers that are not negative. */
   Notation<double> non_negative_number();
 
-  /** Numbers of which those with a magnitude from @p least to @p most are plausible, and zero. */
+  /** Numbers that are plausible if they are zero or of a magnitude from @p least to @p most. */
   Notation<double> plausible(const Notation<double> &number, double least, double most);
 
-  /** Lengths (m) as parts of motors have them: radii around the axis, thicknesses and widths, and
-   * heights of faces of any sign. */
+  /** Lengths (m) of motor parts: radii, thicknesses and widths, and heights of faces, which may
+   * have any sign. */
   Notation<double> radius();
   Notation<double> thickness();
   Notation<double> height();
 
-  /** Moduli of elasticity (Pa) of what motors are built of, felt excepted. */
+  /** Moduli of elasticity (Pa) of the materials of motors, except felt. */
   Notation<double> modulus();
 
   /** Numbers from @p lower to @p upper, both included, described by @p allowed. */
@@ -125,7 +125,7 @@ namespace ringmotor
   /** `true` or `false`. */
   Notation<bool> yes_or_no();
 
-  /** A text that fits on one line of a parameter file; not empty. */
+  /** A non-empty text that fits on one line of a parameter file. */
   Notation<std::string> any_text();
 
   /** The path of a file, or the word `none`, which stands for the empty string. */

@@ -18,8 +18,8 @@ namespace ringmotor
   public:
     struct Entry
     {
-      std::string allowed; ///< the allowed values in words
-      std::string units;   ///< `m`, `Pa`, ...; `none` for a plain number, empty if it is no number
+      std::string allowed;   ///< the allowed values in words
+      std::string units;     ///< `m`, `Pa`, ...; `none` for a plain number, empty if not a number
       std::string plausible; ///< see Notation#plausible
     };
 
@@ -32,10 +32,10 @@ namespace ringmotor
     /** Whether `Section/Sub` is declared. */
     bool has_section(const std::string &path) const;
 
-    /** What the user may have meant by the undeclared entry @p path, as a sentence's end. */
+    /** What the user may have meant by the undeclared entry @p path, as the end of a sentence. */
     std::string advice_for_entry(const std::string &path) const;
 
-    /** What the user may have meant by the undeclared section @p path, as a sentence's end. */
+    /** What the user may have meant by the undeclared section @p path, as the end of a sentence. */
     std::string advice_for_section(const std::string &path) const;
 
   private:

@@ -7,7 +7,7 @@
 namespace ringmotor
 {
   /**
-   * A mistake in what the user gave us: a parameter file, a mesh file, a folder, the command line.
+   * A mistake in the input of the user: a parameter file, a mesh file, a folder, the command line.
    * The message is one line that names the entry as `Section/Entry`, what was found, what is
    * allowed and what to do. Programs print it and end with exit status 1.
    */
@@ -18,7 +18,7 @@ namespace ringmotor
   };
 
   /**
-   * A computation that did not deliver what was asked for. The message says what was tried.
+   * A computation that did not deliver the requested result. The message says what was tried.
    * Programs print it and end with exit status 2.
    */
   class ComputationError : public std::runtime_error

@@ -6,9 +6,9 @@
 
 namespace ringmotor
 {
-  /** 36 characters that tell these bytes from all others (a name-based UUID: SHA-1, RFC 4122). */
+  /** 36 characters that identify these bytes (a name-based UUID: SHA-1, RFC 4122). */
   std::string fingerprint(const std::string_view bytes);
 
-  /** The fingerprint of a file's content; that of no bytes for a file that cannot be read. */
+  /** The fingerprint of a file's content; that of an empty file if it cannot be read. */
   std::string fingerprint_of_file(const std::string &path);
 } // namespace ringmotor

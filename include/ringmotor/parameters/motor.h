@@ -17,7 +17,7 @@ namespace ringmotor
     shell
   };
 
-  /** What makes the motor this motor: its name, its wave and its symmetry. */
+  /** What identifies the motor: its name, its wave and its symmetry. */
   struct Motor
   {
     std::string name            = "ring motor"; ///< used in titles only

@@ -11,7 +11,7 @@ namespace dealii
 
 namespace ringmotor
 {
-  /** The quantity that is prescribed at an operating point; the other one is the answer. */
+  /** The quantity that is prescribed at an operating point; the other one is computed. */
   enum class Control
   {
     torque,
@@ -109,16 +109,16 @@ namespace ringmotor
     TimeScheme scheme = TimeScheme::automatic;
     double time_step  = 5.e-7; ///< s, of the marching scheme, which may take shorter ones
 
-    /** A part of the marching scheme to average over: all three or, for whole periods of the
-     * solution once it has settled, none. */
+    /** The steps of the marching scheme to average over. Give all three, or none to average over
+     * whole periods of the settled solution. */
     std::optional<unsigned int> n_steps;
     std::optional<unsigned int> average_from_step; ///< first step of the averages, counted from 1
     std::optional<unsigned int> average_to_step;   ///< last step of the averages
 
-    /** Interleaved snapshots of the steady scheme, parts of each step of the marching scheme. */
+    /** Interleaved time samples (steady scheme), or substeps of each step (marching scheme). */
     unsigned int n_snapshots = 1;
 
-    /** Of a rotor with inertia, see InertiaScheme::second_order(). */
+    /** For a rotor with inertia, see InertiaScheme::second_order(). */
     double spectral_radius = 0.8;
 
     /** Declares the entries; reading them changes the members. */

@@ -14,8 +14,9 @@
 namespace ringmotor
 {
   /**
-   * Everything a parameter file can say, in SI. The values written in the class are the reference
-   * motor. Hand the sub-structs on as const references; no computing part needs all of it.
+   * All entries of a parameter file, in SI units. The default values are those of the reference
+   * motor. Pass the sub-structs on as const references; no part of the computation needs all of
+   * them.
    */
   struct Parameters
   {
@@ -35,8 +36,8 @@ namespace ringmotor
     Effects effects;
     Output output;
 
-    /** Required entries that the file does not give, but that only some programs need. The values
-     * above are then those of another motor. */
+    /** Required entries that are missing from the file but that only some programs need. Their
+     * values above are then the defaults, those of another motor. */
     std::vector<std::string> not_given;
 
     /** Declares the whole tree, one subsection for each member, in this order. */
@@ -44,13 +45,13 @@ namespace ringmotor
   };
 
   /**
-   * Reads a parameter file and then the @p overrides, each `Section/Sub/Entry = value`, which win
-   * over the file. A relative path of a mesh file is searched in the folder of the parameter file
-   * first, then in the current directory.
+   * Reads a parameter file and then the @p overrides, each `Section/Sub/Entry = value`, which take
+   * precedence over the file. A relative path of a mesh file is looked up in the folder of the
+   * parameter file first, then in the current directory.
    *
    * @throws UserError for a file that cannot be read, broken syntax, an unknown, duplicate or
    * missing entry, and a value outside the range of its entry; the message names file, line and
-   * entry. Clashes between entries are not looked for, see check_for_stator().
+   * entry. Conflicts between entries are not checked, see check_for_stator().
    */
   Parameters read_parameters(const std::string &file,
                              const std::vector<std::string> &overrides = {});
@@ -61,24 +62,23 @@ namespace ringmotor
 
   /**
    * Writes @p parameters as a commented parameter file that read_parameters() understands; every
-   * number is read back exactly as it is. `Parameters()` gives the reference motor.
+   * number is read back exactly. `Parameters()` gives the reference motor.
    */
   void print_parameters(std::ostream &out, const Parameters &parameters);
 
-  /** The nodal diameters for which modes are asked, in ascending order: as listed, that of the
-   * wave, or all from 0 to N/2. */
+  /** The nodal diameters for which modes are requested, in ascending order: those listed, that of
+   * the wave, or all from 0 to N/2. */
   std::vector<unsigned int> nodal_diameters_of(const Parameters &parameters);
 
-  /** Whether the ring is warped at rest, and the warp takes part. */
+  /** Whether the ring is warped at rest and the warp is taken into account. */
   bool is_warped(const Parameters &parameters);
 
-  /** Whether a motor has to be marched through time: it says so, or its ring is not uniform. */
+  /** Whether the marching scheme is used: it is selected, or the ring is not uniform. */
   bool is_marched(const Parameters &parameters);
 
   /**
-   * Looks for entries that contradict each other, and for choices the program `stator` does not
-   * offer, before any mesh is built. Ranges of single entries are the business of
-   * read_parameters().
+   * Looks for entries that contradict each other, and for choices that the program `stator` does
+   * not support, before any mesh is built. read_parameters() checks the ranges of single entries.
    *
    * @throws UserError naming the entries that clash and the way out.
    */

@@ -7,8 +7,8 @@
 namespace ringmotor
 {
   /**
-   * What stands in a parameter file, before its meaning is looked at. deal.II reads such files too,
-   * but it lets a duplicate entry win silently and its messages are not made for users.
+   * The content of a parameter file before it is interpreted. deal.II reads such files too, but it
+   * silently accepts duplicate entries, and its messages are not written for users.
    */
   struct PrmFile
   {
@@ -16,8 +16,8 @@ namespace ringmotor
     struct Assignment
     {
       std::string path;      ///< `Section/Sub/Entry`
-      std::string value;     ///< without surrounding blanks, may be empty
-      std::string place;     ///< where it stands, for messages
+      std::string value;     ///< without surrounding blanks; may be empty
+      std::string place;     ///< where it was found, for messages
       unsigned int line = 0; ///< from 1; 0 on the command line
     };
 
@@ -25,7 +25,7 @@ namespace ringmotor
     struct Section
     {
       std::string path;  ///< `Section/Sub`
-      std::string place; ///< where it stands, for messages
+      std::string place; ///< where it was found, for messages
     };
 
     std::vector<Section> sections;
@@ -42,13 +42,13 @@ namespace ringmotor
   PrmFile parse_prm(const std::string &text, const std::string &name);
 
   /**
-   * Takes `Section/Sub/Entry = value` apart.
+   * Splits `Section/Sub/Entry = value` into path and value.
    *
-   * @throws UserError without an equals sign or without an entry.
+   * @throws UserError if the equals sign or the entry is missing.
    */
   PrmFile::Assignment parse_override(const std::string &text);
 
-  /** @p text in quotes, fit for a message of one line: no control characters, not too long. */
+  /** @p text in quotes for a one-line message: without control characters, not too long. */
   std::string quoted(const std::string &text);
 
   /** The first few of @p names, separated by commas, and how many more there are. */

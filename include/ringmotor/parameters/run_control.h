@@ -18,12 +18,12 @@ namespace ringmotor
     fixed     ///< take degree and refinements as given
   };
 
-  /** How accurate the results have to be, or how they are to be computed. */
+  /** How accurate the results must be, or how they are computed. */
   struct Accuracy
   {
     double target         = 1.e-4;    ///< relative error of the results
     double contact_target = 0.03;     ///< relative error of speeds and torques
-    std::optional<double> time_limit; ///< s of a run of the program contact
+    std::optional<double> time_limit; ///< s, for a run of the program contact
     AccuracyMode mode                 = AccuracyMode::adaptive;
     unsigned int polynomial_degree    = 3; ///< mode fixed only
     unsigned int refinement           = 0; ///< of the body meshes, mode fixed only
@@ -40,7 +40,7 @@ namespace ringmotor
     automatic ///< on where its indicator exceeds the accuracy target
   };
 
-  /** Which physical effects take part. The choices follow the paper's model. */
+  /** Which physical effects are included. The choices follow the paper's model. */
   struct Effects
   {
     EffectChoice tooth_shear                 = EffectChoice::on;
@@ -67,7 +67,7 @@ namespace ringmotor
     double radius; ///< m
   };
 
-  /** Where results go and which. */
+  /** Which results are written, and where. */
   struct Output
   {
     /**

@@ -5,7 +5,7 @@
 
 namespace ringmotor
 {
-  /** The widest vector instructions for which OpenBLAS has kernels of its own. */
+  /** The widest vector instructions for which OpenBLAS has its own kernels. */
   enum class VectorInstructions
   {
     older,
@@ -21,18 +21,18 @@ namespace ringmotor
 
   /**
    * The kernel that is faster than @p kernel on a processor with these instructions; empty if
-   * OpenBLAS has none, or if @p kernel is none of those it takes for processors it does not know.
+   * OpenBLAS has none, or if @p kernel is not one of its fallbacks for unknown processors.
    */
   std::string faster_blas_kernel(const std::string &kernel, const VectorInstructions instructions);
 
   /**
    * Starts the program once more, with OPENBLAS_CORETYPE in the environment, if OpenBLAS uses a
    * kernel slower than the processor allows: an OpenBLAS older than the processor does. It reads
-   * the variable only while it is loaded. A value that is set already stays, which also ends the
-   * repetition. Must be called before MPI starts and before anything is written.
+   * the variable only while it is loaded. A value that is already set is kept, which also prevents
+   * a second restart. Must be called before MPI starts and before anything is written.
    *
-   * Returns if nothing is to be done, or if the program cannot be started again: it is slower then,
-   * not wrong.
+   * Returns if there is nothing to do, or if the program cannot be started again: it is then
+   * slower, not wrong.
    *
    * @param argv of main(), all of it
    */

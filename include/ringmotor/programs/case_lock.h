@@ -7,8 +7,8 @@ namespace ringmotor
 {
   /**
    * Keeps other programs out of the folder of a case while one works there: their results would
-   * tell of different motors. The system gives the lock back when the process ends, in whatever
-   * way. To be used on MPI rank 0 only.
+   * belong to different motors. The system releases the lock when the process ends, for whatever
+   * reason. To be used on MPI rank 0 only.
    */
   class CaseLock
   {

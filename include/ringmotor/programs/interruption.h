@@ -6,9 +6,8 @@
 namespace ringmotor
 {
   /**
-   * Says @p words on standard error if the user stops the program (Ctrl-C) or the system asks it to
-   * end, which it then does at once, as by the signal. To be called again with other words when
-   * there is something else to say.
+   * Prints @p words on standard error if the user stops the program (Ctrl-C) or the system asks it
+   * to end; the program then ends immediately, as by the signal. Call it again to change the words.
    */
   void tell_when_interrupted(const std::string &words);
 } // namespace ringmotor

@@ -18,7 +18,7 @@ namespace ringmotor
   struct Program
   {
     std::string name, purpose;
-    /** What looks for contradictions in the parameters, and what does the work. */
+    /** What checks the parameters for contradictions, and what does the work. */
     std::function<void(const Parameters &)> check, run;
     /** The options `--study`, `--resume`, `--clear`; those of a program that has none are refused.
      */
@@ -26,12 +26,12 @@ namespace ringmotor
   };
 
   /**
-   * Everything a program's main() does around its work: sees to a fast BLAS, starts MPI, reads the
-   * command line `FILE.prm [--set 'Section/Sub/Entry = value']... [--output DIR] [--check]
-   * [--study] [--resume] [--clear] [--help] [--version]` and the parameters, checks them and, in a
-   * folder that it locks, does the work; turns errors into one line on standard error and an exit
-   * status: 0 done and certified, 1 the user's mistake, 2 a computation that failed. The words of
-   * an error in the work stay in the folder of the case, see failure_file().
+   * Everything a program's main() does around its work: selects a fast BLAS kernel, starts MPI,
+   * reads the command line `FILE.prm [--set 'Section/Sub/Entry = value']... [--output DIR]
+   * [--check] [--study] [--resume] [--clear] [--help] [--version]` and the parameters, checks them
+   * and, in a folder that it locks, does the work; turns errors into one line on standard error and
+   * an exit status: 0 done and certified, 1 the user's mistake, 2 a computation that failed. The
+   * message of an error in the work is kept in the folder of the case, see failure_file().
    */
   int run_program(int argc, char **argv, const Program &program);
 } // namespace ringmotor

@@ -11,27 +11,26 @@
 
 namespace ringmotor
 {
-  /** What becomes of the effects of the contact that are `auto`, and what was computed to choose.
-   */
+  /** The decisions on contact effects set to `auto`, and what was computed for them. */
   class ChosenEffects
   {
   public:
     /** @throws ComputationError if an effect is needed that is not available */
     ChosenEffects(const Parameters &given, const StatorWave &wave);
 
-    /** Those given, with no effect of the contact `auto`. */
+    /** The given parameters with all `auto` effects of the contact decided. */
     const Parameters &parameters() const { return chosen; }
-    /** What was left out, for error bars. */
+    /** The effects left out, for error bars. */
     LeftOut left_out() const { return {rows, measured}; }
     /** The modes of the rotor of this motor. */
     const RotorVibration &vibration() const { return own_vibration; }
 
-    std::optional<LipAmplification> lip; ///< if inertia of the rotor may take part
+    std::optional<LipAmplification> lip; ///< if the rotor's inertia may matter
     std::vector<EffectRow> rows;
 
   private:
     const RotorVibration uniform_vibration;         ///< of the rotor on a uniform ring
-    std::map<std::string, EffectOnPoints> measured; ///< effects that operating points tell
+    std::map<std::string, EffectOnPoints> measured; ///< effects measured at operating points
     Parameters chosen;
     RotorVibration own_vibration;
   };

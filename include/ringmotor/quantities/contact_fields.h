@@ -7,7 +7,7 @@
 
 namespace ringmotor
 {
-  /** Everything at the contact points at some samples; by sample, tooth, node. */
+  /** All fields at the contact nodes at some time samples; by time sample, tooth, node. */
   struct ContactFields
   {
     std::vector<double> times;             ///< s
@@ -15,15 +15,15 @@ namespace ringmotor
     double time_step     = 0.;             ///< s
     std::vector<PointVector> force;        ///< N, on the rotor
     std::vector<PointVector> motion;       ///< m, gap and slip in the step
-    std::vector<PointVector> tooth, rotor; ///< m, displacements; the rotor's without its turn
-    std::vector<PointVector> modal;        ///< m, of the rotor, in its modes, if it has inertia
-    std::vector<double> rigid;             ///< motions of the rotor by sample, see RingContact
+    std::vector<PointVector> tooth, rotor; ///< m, displacements; the rotor's without its rotation
+    std::vector<PointVector> modal;        ///< m, of the rotor, by its modes, if it has inertia
+    std::vector<double> rigid;             ///< rigid motions by time sample, see RingContact
     std::vector<unsigned char> status;     ///< see PointStatus
     double turn = 0.; ///< rad, of the rotor in the last step, if the torque was given
 
-    /** Makes room for so many samples in all, each like those that are there. */
+    /** Reserves memory for @p n_samples time samples in total, each of the present size. */
     void reserve(const std::size_t n_samples);
-    /** Adds samples that follow. */
+    /** Appends later time samples. */
     void append(const ContactFields &later);
 
     template <class Archive>
@@ -33,6 +33,6 @@ namespace ringmotor
     }
   };
 
-  /** The fields of a state whose first sample is at @p first_time (s). */
+  /** The fields of a state whose first time sample is at @p first_time (s). */
   ContactFields fields_of(const OperatingState &state, const double first_time);
 } // namespace ringmotor

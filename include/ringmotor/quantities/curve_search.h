@@ -11,19 +11,19 @@
 namespace ringmotor
 {
   /**
-   * The operating points that `Loading` asks for, on meshes and with time steps that get finer
-   * until speeds and torques are as accurate as `Accuracy/Contact target` asks for.
+   * The operating points that `Loading` requests, with meshes and time steps refined until speeds
+   * and torques meet `Accuracy/Contact target`.
    *
-   * The meshes are the same for all points; each point has its own time step, so short that its
-   * powers balance, too. Errors of a point come from its own changes alone: by the meshes from the
-   * change from the next coarser ones, with a margin, as convergence is not regular at the edge of
-   * contact; by the step, which is of first order, from the change since a longer one, on the mesh
-   * in use; by the wave from a solution with the wave changed by its error.
+   * The meshes are the same for all points; each point has its own time step, short enough that its
+   * powers also balance. The errors of a point are estimated from its own changes alone: that of
+   * the meshes from the change from the next coarser ones, with a margin, as convergence is not
+   * regular at the edge of contact; that of the step, of first order, from the change from a longer
+   * one on the mesh in use; that of the wave from a solution with the wave changed by its error.
    */
   class CurveSearch
   {
   public:
-    /** Where motors and points come from. Collective: called on all ranks alike. */
+    /** Functions that compute motors and points. Collective: called on all ranks. */
     struct Sources
     {
       std::function<CondensedMotor(unsigned int level, unsigned int modes_level)> motor;
@@ -39,28 +39,28 @@ namespace ringmotor
     CurveSearch(const Parameters &parameters, const double wave_error, const double period,
                 const Sources &sources, const LeftOut &left_out = {});
 
-    /** Refines until the target is met or, `Accuracy/Mode = fixed`, computes what is asked for.
+    /** Refines until the target is met or, with `Accuracy/Mode = fixed`, computes what is
+     * requested.
      * @throws UserError for a load beyond stall
      * @throws ComputationError if the target is out of reach */
     void find();
 
-    /** The meshes that find() ended with, their motor and its points with their error bars. */
+    /** The final meshes of find(), their motor and its points with error bars. */
     unsigned int level() const { return reached_level; }
     const CondensedMotor &motor() const { return *motors.at(reached_level); }
     const std::vector<CurvePoint> &points() const { return results; }
-    /** Whether the wave does not turn the rotor: it stands still, as far as the target can tell,
-     * though a quarter of the torque that friction bears loads it. The last point of a curve is
-     * then this one. */
+    /** Whether the wave does not turn the rotor: within the target it stands still under a quarter
+     * of the torque that friction can bear. This is then the last point of a curve. */
     bool rotor_sticks() const { return stalled.request.control == Control::torque; }
-    /** Relative to the fastest speed and to the stall torque: the largest error bar. */
+    /** The largest error bar, relative to the fastest speed and to the stall torque. */
     double worst_error() const;
 
-    /** How the result in the middle of the points would change, in rad/s with a given torque, else
-     * in N m. */
+    /** How much the result at the middle point would change, in rad/s for a given torque, else in
+     * N m. */
     struct StaticFrictionEffect
     {
       CurvePoint middle;
-      double dynamic_alone; ///< by the dynamic coefficient alone
+      double dynamic_alone; ///< with the dynamic coefficient alone
       double half_step, finer_mesh;
     };
     StaticFrictionEffect static_friction_effect();
@@ -72,29 +72,29 @@ namespace ringmotor
       unsigned int n_nodes, n_dofs;
       unsigned int n_steps;          ///< in a period
       double largest_error;          ///< relative, see worst_error()
-      double distance;               ///< largest change to the last setting, relative
+      double distance;               ///< largest relative change to the last setting
       double seconds;                ///< of the motor and all its points
-      double seconds_with_error_bar; ///< with those that the error bars take
+      double seconds_with_error_bar; ///< including points for the error bars
     };
     /** Computes a ladder of settings, the finest mesh last: all interface meshes or, `Accuracy/Mode
-     * = fixed`, those up to `Accuracy/Interface refinement`, each but the finest with half the time
-     * step, too. @p after_rung is called after each, when its distance is not known yet. */
+     * = fixed`, those up to `Accuracy/Interface refinement`, each but the finest also with half the
+     * time step. @p after_rung is called after each, when its distance is not known yet. */
     std::vector<Rung> climb(const std::function<void(const Rung &)> &after_rung);
 
   private:
     static constexpr unsigned int finest_level = 3;
-    /** A rotor pressed so hard that it hardly moves has neither a speed nor a torque with which
-     * errors could be compared; then they are with this share of the speed of the wave's crests and
-     * of the torque that friction bears. */
+    /** A rotor pressed so hard that it barely moves has neither a speed nor a torque to which
+     * errors could be related. They are then related to this fraction of the speed of the wave's
+     * crests and of the torque that friction can bear. */
     static constexpr double share_of_scales = 0.5;
-    /** The level whose change to @p level tells the error of the meshes. */
+    /** The level compared with @p level to estimate the error of the meshes. */
     static unsigned int compared_with(const unsigned int level)
     {
       return level == 0 ? 1 : level - 1;
     }
 
     const CondensedMotor &motor_of(const unsigned int level);
-    /** Whether the error bars take the averaging window from points of this setting. */
+    /** Whether the error of the averaging window is taken from points of this setting. */
     bool needs_window(const CurveSetting &setting) const;
     /** Computes points of some requests where they are not known yet. */
     void find_points_of(CurveSetting setting, const std::vector<unsigned int> &wanted);
@@ -104,31 +104,31 @@ namespace ringmotor
       find_points_of(setting, {request});
       return known[setting].at(request);
     }
-    /** Known points from which others can be found: of longer steps, or of another mesh. */
+    /** Known points from which others can be started: with longer steps, or on another mesh. */
     std::vector<CurvePoint> starts_for(const CurveSetting &setting,
                                        const std::vector<unsigned int> &wanted);
-    /** The known one whose steps are longer than those of a setting, but not by much. */
+    /** The known one with the shortest steps that are longer than those of a setting. */
     const CurvePoint &point_with_longer_steps(const CurveSetting &setting,
                                               const unsigned int request);
-    /** Points with few steps of the reached level and of that with which it is compared. */
+    /** Finds points with few steps on the reached level and on that with which it is compared. */
     void find_on_both_meshes();
-    /** Points with the step that each has. */
+    /** Finds each point with its own step. */
     void find_with_own_steps();
     std::vector<unsigned int> all_requests() const;
-    /** All points of the reached level with their time steps and error bars. */
+    /** Computes all points of the reached level with their time steps and error bars. */
     void evaluate();
     PointErrors errors_of(const unsigned int request);
     PointError mesh_error(const unsigned int request);
-    /** Takes finer meshes as long as their error alone is too large. */
+    /** Refines the meshes while their error alone is too large. */
     void refine_meshes();
     void take_finer_meshes();
-    /** Takes modes of the next level, with which all is found anew. */
+    /** Takes modes of the next level; all points must then be computed again. */
     void take_finer_modes();
-    /** The target is out of reach, @p error is not. @throws ComputationError */
+    /** Reports that only @p error, not the target, can be reached. @throws ComputationError */
     [[noreturn]] void refuse(const double error) const;
-    /** Whether powers balance at all points; shortens the steps of those at which they do not. */
+    /** Whether powers balance at all points; shortens the steps where they do not. */
     bool powers_balance();
-    /** Gives a point more parts of a step. */
+    /** Divides the step of a point into more parts. */
     void shorten_step(const unsigned int request, const unsigned int parts);
     void refine();
     Rung rung_of(const CurveSetting &setting);
@@ -138,21 +138,21 @@ namespace ringmotor
     /** Where the whole curve is computed: along its shape on the first mesh, or at rising torques
      * if the rotor sticks under all of them. */
     std::vector<PointRequest> points_of_curve();
-    /** With which steps those of a point are compared. */
+    /** The setting with whose steps those of a point are compared. */
     CurveSetting compared_step(const unsigned int request) const;
     CurveSetting changed_wave() const;
     CurveSetting coarse_modes() const;
     CurveSetting other_scheme() const;
-    /** All of these that tell an error of this motor. */
+    /** All of these that serve to estimate an error of this motor. */
     std::vector<CurveSetting> changed_motors() const;
     /** Loads a rotor that nearly sticks at rest, to see whether it stands still. */
     void find_held_torque();
     /** Whether nearly all points stick at stall. */
     bool nearly_sticks() const;
-    /** What friction bears (N m) where all points slip the same way. */
+    /** The torque (N m) that friction bears if all contact points slip the same way. */
     double borne_torque() const;
-    /** Of a speed relative to the fastest one, or to half that of the wave's crests if that is
-     * more; of a torque to that at stall, or to half of what friction bears. */
+    /** The error of a speed relative to the fastest one or, if larger, half that of the wave's
+     * crests; of a torque relative to that at stall or half of what friction bears. */
     double relative(const PointError &error) const;
 
     const Parameters &parameters;
@@ -161,7 +161,7 @@ namespace ringmotor
     const Sources sources;
     const LeftOut left_out;
     const bool has_inertia;
-    CurvePoint stalled;       ///< on the first mesh; the loaded one if the rotor sticks
+    CurvePoint stalled;       ///< on the first mesh; the loaded point if the rotor sticks
     double stall_torque = 0.; ///< N m; of the first motor that was computed
     std::vector<PointRequest> requests;
     unsigned int reached_level = 0;

@@ -9,33 +9,34 @@
 
 namespace ringmotor
 {
-  /** What an effect does to a motor, at least approximately. */
+  /** The approximate influence of an effect on a motor. */
   struct EffectOnPoints
   {
-    /** The largest change without load, at half the stall torque and at stall. */
+    /** The largest of the changes at no load, at half the stall torque and at stall. */
     PointError change;
-    double relative = 0.; ///< of speed and torque, by those at no load and at stall
+    double relative = 0.; ///< of speed and torque, relative to no load and stall
   };
 
   /**
    * Compares operating points of a uniform ring with and without an effect on the coarsest mesh,
-   * with few modes. @param vibration of the rotor of that ring. Infinite if there is a state
-   * without it, but none with it.
-   * @throws ComputationError if none is found without it
+   * with few modes. EffectOnPoints::relative is infinite if there is a state without the effect,
+   * but none with it.
+   * @param vibration of the rotor of that ring
+   * @throws ComputationError if no state is found without the effect
    */
   EffectOnPoints effect_on_points(const Parameters &parameters, const Effect &effect,
                                   const StatorWave &wave, const RotorVibration &vibration);
 
-  /** What `auto` has left out of a motor. */
+  /** The effects that `auto` has left out of a motor. */
   class LeftOut
   {
   public:
     LeftOut() = default;
-    /** @param measured those whose indicator comes from operating points, by name */
+    /** @param measured effects whose indicator comes from operating points, by name */
     LeftOut(const std::vector<EffectRow> &rows,
             const std::map<std::string, EffectOnPoints> &measured);
 
-    /** What that may cost a point. */
+    /** The error of a point that may result. */
     PointError of(const CurvePoint &point) const;
 
   private:

@@ -10,7 +10,7 @@ namespace ringmotor
     double error = 0.;
   };
 
-  /** What one computation on one mesh says of a mode's frequency. */
+  /** The result of one computation on one mesh for a mode's frequency. */
   struct FrequencySample
   {
     unsigned int degree; ///< of the finite elements
@@ -35,11 +35,11 @@ namespace ringmotor
 
   /**
    * A quantity of the mode's shape with its error bar: @p value on the last mesh, @p earlier on the
-   * one before, and the samples of the frequency there. The change between the meshes, scaled by
-   * what is left of it (the shape converges like the square root of the indicator at worst) and
-   * doubled, as such quantities need not converge from one side. Since a change can be small by
-   * accident, the error bar is at least that of the eigenvalue, 2 * @p relative_frequency_error, to
-   * which energies and ratios of amplitudes are tied.
+   * one before, and the samples of the frequency there. The error is the change between the meshes,
+   * scaled to what remains of it (the shape converges at worst like the square root of the
+   * indicator) and doubled, as such quantities need not converge from one side. Since a change can
+   * be small by accident, the error bar is at least that of the eigenvalue,
+   * 2 * @p relative_frequency_error, to which energies and ratios of amplitudes are tied.
    */
   Estimate shape_estimate(const double value, const double earlier, const FrequencySample &sample,
                           const FrequencySample &earlier_sample,

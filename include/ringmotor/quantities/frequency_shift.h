@@ -7,12 +7,12 @@
 namespace ringmotor
 {
   /**
-   * By how much what @p model puts on the stator (target plates, felt) shifts the frequency of
-   * @p mode, relatively, as Rayleigh's quotient says for the mode as it is: (K/omega^2 - M) / 2 of
-   * what is added by M of the body. Negative where mass prevails. Collective.
+   * The relative shift of the frequency of @p mode by what @p model adds to the stator (target
+   * plates, felt), from Rayleigh's quotient of the unchanged mode: (K/omega^2 - M) / 2 of what is
+   * added, divided by M of the body. Negative where mass prevails. Collective.
    */
   double frequency_shift(const CyclicSector &sector, const Mode &mode, const MotorModel &model);
 
-  /** Puts it on the mesh of a stator. */
+  /** Adds these parts of @p model to the mesh of a stator. */
   void add_to_stator(const MotorModel &model, SectorMesh &mesh);
 } // namespace ringmotor

@@ -20,16 +20,17 @@ namespace ringmotor
   /**
    * Strain energy (J) of a felt ring that carries the stator on a foundation of the stiffness felt
    * modulus / felt thickness per area and follows its lower side: the mean over a period of one
-   * half of stiffness times normal displacement squared. Only where the felt lies under the stator.
+   * half of stiffness times normal displacement squared. Only the area where the felt lies under
+   * the stator counts.
    */
   double felt_energy(const Support &felt, const StatorGeometry &stator, const unsigned int n_teeth,
                      const WaveMotion &lower_side);
 
   /**
-   * Where the energy of an operating point goes, in W. Hysteretic damping: what stores the strain
-   * energy E in a travelling wave of angular frequency omega loses 2 eta omega E, eta the loss
-   * factor. The stator's share is that of its wave; what contact forces change in the stator is
-   * left out, as the paper does.
+   * The power balance of an operating point, in W. Hysteretic damping: a part with the strain
+   * energy E in a travelling wave of angular frequency omega loses 2 eta omega E, with the loss
+   * factor eta. The stator's share is that of its wave; its deformation by contact forces is
+   * neglected, as in the paper.
    */
   struct LossBudget
   {
@@ -47,20 +48,20 @@ namespace ringmotor
 
     /** The losses, for all outputs. */
     std::vector<Quantity> losses() const;
-    /** Powers that go in and out, and the efficiency, for all outputs. */
+    /** Input and output power and the efficiency, for all outputs. */
     std::vector<Quantity> powers() const;
   };
 
-  /** Power lost per volume (W/m^3, the mean over a period) in the stator that moves by its wave: by
-   * cell, then by point of the cell. */
+  /** Power loss per volume (W/m^3, the mean over a period) of the stator in its wave: by cell, then
+   * by lattice point of the cell. */
   std::vector<std::vector<double>> loss_density(const SectorField &wave,
                                                 const Materials &materials);
 
   LossBudget loss_budget(const CurvePoint &point, const WaveEnergies &wave,
                          const Materials &materials, const Support &felt);
 
-  /** The same, each with the errors of one cause alone, see PointErrors; those of all add up to the
-   * error of the whole. The stator's wave also makes those of what it stores. */
+  /** The same, each with the errors of one cause alone, see PointErrors; these add up to the total
+   * error. The errors of the strain energies count as caused by the stator's wave. */
   std::vector<std::pair<std::string, LossBudget>> budgets_by_cause(const CurvePoint &point,
                                                                    const WaveEnergies &wave,
                                                                    const Materials &materials,

@@ -9,20 +9,20 @@
 namespace ringmotor
 {
   /**
-   * How far the last of several means over equal spans of time may be from where they lead to: the
-   * larger one of the last two changes or, where changes shrink slowly, what is still to come if
-   * they go on shrinking as they do. Infinite for fewer than three means.
+   * How far the last of several means over equal spans of time may be from their limit: the larger
+   * one of the last two changes or, where changes shrink slowly, the change to come if they
+   * continue to shrink at this rate. Infinite for fewer than three means.
    */
   double remaining_change(const std::vector<double> &means);
 
   /** Some equal steps of a marched motor. */
   struct MarchedSpan
   {
-    OperatingPoint mean;  ///< over its steps, but for the first one of all
+    OperatingPoint mean;  ///< over its steps, except the very first one of a run
     ContactFields fields; ///< at the ends of all parts of its steps
   };
 
-  /** A motor on its way through time under one load, which comes after the first span. */
+  /** A motor marched through time under one load, whose torque starts after the first part-step. */
   class MarchedRun
   {
   public:
@@ -30,19 +30,19 @@ namespace ringmotor
     MarchedRun(const Parameters &parameters, const CondensedMotor &motor,
                const PointRequest &request, const unsigned int n_joined = 1);
 
-    /** Goes on by some steps of a length (s), as many of which as possible are joined to one; these
-     * fall into `Time/Snapshots` parts each. @throws ComputationError */
+    /** Advances by some steps of a length (s). As many of these as possible are joined into one,
+     * which is divided into `Time/Snapshots` parts. @throws ComputationError */
     MarchedSpan advance(const unsigned int n_steps, const double length);
 
     /** See MarchingDriver::damp(). */
     void damp(const double loss_factor) { driver.damp(loss_factor); }
 
-    /** Has the certificate of all steps so far, and what it took to find them. */
+    /** The certificate of all steps so far, and the effort to find them. */
     const CurvePoint &effort() const { return taken; }
 
   private:
-    /** Goes on by a part of a step. @returns nothing for the first one of all, before which there
-     * is no energy, and which has no torque */
+    /** Advances by a part of a step. @returns nothing for the very first one, before which there is
+     * no energy, and which has no torque */
     std::optional<OperatingPoint> add_step(const double length, ContactFields &fields);
 
     const RotorLoad load;
@@ -56,11 +56,11 @@ namespace ringmotor
   /**
    * Finds an operating point by marching. Averages over whole periods of the solution once their
    * means have settled to a tenth of `Accuracy/Contact target`, the steps being shortened so that a
-   * period is a whole number of them; the fields are those of the last period. If `Time` gives
-   * steps to average over, the point has these and the fields of all steps that are asked for, and
-   * what the settled means differ from it by is an error of it, see CurvePoint::window; it is left
-   * at zero if @p tells_window is false, which saves the steps until the means have settled. @p
-   * n_joined of these steps are joined to one, as far as the window allows.
+   * period is a whole number of them; the fields are those of the last period. If `Time` specifies
+   * steps to average over, the point has their means and the fields of all requested steps, and its
+   * difference from the settled means is an error of it, see CurvePoint::window; this is left at
+   * zero if @p tells_window is false, which saves the steps until the means have settled.
+   * @p n_joined of these steps are joined into one, as far as the window allows.
    *
    * @throws ComputationError if a step fails or the means do not settle
    */

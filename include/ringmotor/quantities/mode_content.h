@@ -7,21 +7,21 @@
 
 namespace ringmotor
 {
-  /** What kind of motion of the ring's cross-section a mode mostly is. */
+  /** The dominant motion of the ring's cross-section in a mode. */
   enum class Family
   {
     out_of_plane, ///< the cross-section moves along the axis: bending out of the ring's plane
     in_plane,     ///< it moves radially and along the ring
-    torsion,      ///< it turns about the ring's centre line
-    cross_section ///< it changes its shape
+    torsion,      ///< it rotates about the ring's centre line
+    cross_section ///< it deforms
   };
 
   std::string to_string(const Family family);
 
   /**
-   * The kinetic energy of a mode in parts: rigid motions of the cross-section (axial shift with the
-   * tilt that goes with bending; radial and tangential shift with the turn about the axis; torsion)
-   * and what is left. The fractions add up to 1.
+   * The kinetic energy of a mode, split into rigid motions of the cross-section (axial shift with
+   * the tilt of bending; radial and tangential shift with the rotation about the axis; torsion) and
+   * the remainder. The fractions add up to 1.
    */
   struct ModeContent
   {

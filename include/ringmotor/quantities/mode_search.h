@@ -15,13 +15,13 @@ namespace ringmotor
   {
     Mode mode;
     ModeContent content;
-    std::vector<FrequencySample> samples; ///< one for each pass, the last one of this mesh
+    std::vector<FrequencySample> samples; ///< one for each pass, the last one on this mesh
     Estimate frequency;                   ///< Hz
   };
 
   /**
-   * Finds the requested modes on one mesh after the other, until their error bars are small enough:
-   * compute(), look at worst_relative_error(), refine() the mesh, and so on.
+   * Finds the requested modes on a sequence of meshes until their error bars are small enough:
+   * compute(), check worst_relative_error(), refine() the mesh, and so on.
    */
   class ModeSearch
   {
@@ -30,8 +30,7 @@ namespace ringmotor
 
     /**
      * Computes all requested modes on @p mesh with elements of @p degree. The first call, on a
-     * coarse mesh, also finds out where in the spectrum they lie. The mesh must outlive the use of
-     * sector().
+     * coarse mesh, also locates them in the spectrum. The mesh must outlive the use of sector().
      * @throws ComputationError if the spectrum cannot be proven complete.
      */
     void compute(const SectorMesh &mesh, const unsigned int degree);
@@ -41,19 +40,19 @@ namespace ringmotor
 
     /**
      * Cuts the sheets of @p mesh, the one of the last compute(), that carry most of the error for
-     * their number of cells. sector() and the modes' displacements are void afterwards.
+     * their number of cells. sector() and the modes' displacements are invalid afterwards.
      */
     void refine(SectorMesh &mesh);
 
     const std::vector<FoundMode> &modes() const { return found; }
     const CyclicSector &sector() const { return *model; }
 
-    /** The out-of-plane mode without nodal circle of nodal diameter @p n_waves, if it was asked
-     * for: the motor's. */
+    /** The motor's mode: out of plane, without nodal circle, of nodal diameter @p n_waves; null if
+     * it was not requested. */
     const FoundMode *working_mode(const unsigned int n_waves) const;
 
-    /** Modes that the factorisations of the last compute() count and the eigensolver did not find.
-     */
+    /** Number of modes that the factorisations of the last compute() count, but the eigensolver did
+     * not find. */
     unsigned int n_missed() const { return missed; }
 
   private:

@@ -10,7 +10,7 @@
 
 namespace ringmotor
 {
-  /** A sample of an operating point. */
+  /** A time sample of an operating point. */
   struct PointSample
   {
     const ContactFields &fields;
@@ -18,28 +18,28 @@ namespace ringmotor
   };
 
   /**
-   * Rotor and teeth of a motor over the whole ring, and how they move, inside too, by what
-   * happens at their contact points. The bodies are condensed again for it. An effect that is
-   * off leaves out the forces that it is about: those on the teeth, or friction on the rotor.
+   * Rotor and teeth of a motor over the whole ring, and their motion, interior included, recovered
+   * from the fields at their contact nodes. The bodies are condensed again for it. If an effect is
+   * off, its forces are left out: those on the teeth, or friction on the rotor.
    */
   class MotorBodies
   {
   public:
-    /** @param discretisation as that of the condensed motor
+    /** @param discretisation the same as that of the condensed motor
      *  @param n_subdivisions of a cell per direction, see RingBody
      *
      *  The references must outlive this object. */
     MotorBodies(const Parameters &parameters, const StatorWave &wave,
                 const ContactDiscretisation &discretisation, const unsigned int n_subdivisions = 1);
 
-    /** In its own place at rest, where the lip's lower face is in the plane of the tooth tops. */
+    /** In its position at rest, with the lip's lower face in the plane of the tooth tops. */
     const RingBody &rotor() const { return rotor_ring; }
     const RingBody &teeth() const { return tooth_ring; }
 
-    /** The displacement of the rotor without its turn, at each sample. */
+    /** The displacement of the rotor without its rotation, at each time sample. */
     std::vector<RingBody::Displacement>
     rotor_motions(const std::vector<PointSample> &samples) const;
-    /** The displacement of the teeth, a warp at rest included. */
+    /** The displacement of the teeth, including a static warp. */
     std::vector<RingBody::Displacement>
     teeth_motions(const std::vector<PointSample> &samples) const;
 

@@ -20,13 +20,13 @@ namespace ringmotor
     EllipticMotion motion;
   };
 
-  /** Place at rest, amplitudes and phases of a point: the columns of `ellipses.csv`. */
+  /** Position at rest, amplitudes and phases of a tooth point: the columns of `ellipses.csv`. */
   std::vector<Quantity> quantities_of(const PointResult &result);
 
-  /** A quantity whose whole error is that of the body's mesh. */
+  /** A quantity whose only error is that of the body's mesh. */
   Quantity on_body_mesh(const std::string &name, const Unit &unit, const Estimate &estimate);
 
-  /** The motor's travelling wave at its amplitude: what the contact needs to know of the stator. */
+  /** The motor's travelling wave at its amplitude: what the contact needs of the stator. */
   struct WaveResult
   {
     FoundMode found;                 ///< scaled to the wave's amplitude
@@ -39,32 +39,32 @@ namespace ringmotor
                             ///< diameter; 0: none computed
     double gap_above = 0.;  ///< the same for the next faster one
 
-    /** What the wave's shape gives; empty after the first mesh, which tells no error. */
+    /** Quantities of the wave's shape; empty after the first mesh, which gives no error. */
     std::vector<Quantity> shape;
 
-    /** Relative error of the speed of the tooth tops along the ring, which is what drives the
-     * rotor: that of the frequency and that of A_t/A_n. Infinite without #shape. */
+    /** Relative error of the speed of the tooth tops along the ring, which drives the rotor: that
+     * of the frequency plus that of A_t/A_n. Infinite without #shape. */
     double relative_error() const;
   };
 
   /**
-   * Follows the motor's wave from pass to pass of a ModeSearch of the stator: the change of its
-   * shape from one mesh to the next is what the error bars of the shape are made from.
+   * Follows the motor's wave from pass to pass of a ModeSearch of the stator: the error bars of its
+   * shape are estimated from its change from one mesh to the next.
    */
   class MotorWave
   {
   public:
     MotorWave(const unsigned int n_waves, const Wave &request);
 
-    /** Takes over what the last compute() of @p search has found. */
+    /** Adds the result of the last compute() of @p search. */
     void add_pass(const ModeSearch &search);
 
-    /** The wave of the last pass; null if it is not among the modes. Its displacements are void
+    /** The wave of the last pass; null if it is not among the modes. Its displacements are invalid
      * after the next refinement. */
     const WaveResult *result() const { return wave ? &*wave : nullptr; }
 
   private:
-    /** The shape's numbers in one pass, without errors. */
+    /** The quantities of the shape in one pass, without errors. */
     struct Sample
     {
       std::vector<Quantity> shape;

@@ -5,23 +5,23 @@
 
 namespace ringmotor
 {
-  /** What a motor does at an operating point, of the whole ring and averaged over time. */
+  /** The results of a motor at an operating point, for the whole ring and averaged over time. */
   struct OperatingPoint
   {
     double speed  = 0.; ///< rad/s, in the driven direction
     double torque = 0.; ///< N m, of friction on the rotor
-    /** The power balance, in W. Work in a step is that of the means of the forces at its both ends:
-     * then elastic forces give back what they took. */
+    /** The power balance, in W. The work in a step is that of the means of the forces at its two
+     * ends: elastic forces then return all the energy that they store. */
     double tangential_loss = 0., radial_loss = 0.; ///< of friction, by sliding along and across
-    double input_power   = 0.; ///< of the feet, by the stator's forced motion on the contact forces
-    double output_work   = 0.; ///< output_power(), step by step with these means of the torque
-    double stored_power  = 0.; ///< by which stored energy grows, see RingContact::stored_energy()
-    double modal_power   = 0.; ///< that the rotor's inertia and damping take
-    double modal_damping = 0.; ///< by damping alone, by the loss factor
+    double input_power   = 0.; ///< of the feet, by the stator's forced motion on contact forces
+    double output_work   = 0.; ///< output_power(), step by step with such means of the torque
+    double stored_power  = 0.; ///< growth rate of stored energy, see RingContact::stored_energy()
+    double modal_power   = 0.; ///< taken by the rotor's inertia and damping
+    double modal_damping = 0.; ///< taken by damping with the loss factor alone
     double gross_power   = 0.; ///< the input power, all of its parts taken positive
-    double closing_work = 0.; ///< of pressure on gaps that close or open in a step; in numbers only
+    double closing_work  = 0.; ///< of pressure on gaps closing or opening in a step; numerical
 
-    /** By how much the contact shifts the frequency of the stator's wave, relatively, see
+    /** The relative shift of the frequency of the stator's wave by the contact, see
      * ringmotor::detuning(). */
     double detuning = 0.;
 
@@ -31,9 +31,9 @@ namespace ringmotor
     double friction_loss() const { return tangential_loss + radial_loss; }
     double output_power() const { return torque * speed; }
     /** Input power less output work, friction loss and stored power, over the larger of input power
-     * and loss. Exactly, it is the work on closing gaps. */
+     * and loss. Up to solver errors, it is the work on closing gaps. */
     double power_imbalance() const;
-    /** What a result may have of it. */
+    /** The largest admissible power_imbalance() of a result. */
     static constexpr double largest_imbalance = 1e-3;
 
     /** All numbers above: what point_quantities() lists of them, and those that only serve to
@@ -49,21 +49,21 @@ namespace ringmotor
   };
 
   /**
-   * By how much the contact forces of a steady state shift the frequency of the wave, relatively,
-   * if the drive keeps the amplitude and follows: W / (4 E), W the mean of the work that the forces
-   * on the rotor would do in the motion of the stator, E the strain energy of the wave. For a
-   * travelling wave q'' + omega^2 q = Q/m of each of its two modes says so; it is Rayleigh's
-   * quotient of springs that press as the contact does.
+   * The relative shift of the wave's frequency by the contact forces of a steady state, if the
+   * drive keeps the amplitude and tracks the frequency: W / (4 E), W the mean of the work that the
+   * forces on the rotor would do in the motion of the stator, E the strain energy of the wave. This
+   * follows from q'' + omega^2 q = Q/m of each of the two modes of a travelling wave; it is
+   * Rayleigh's quotient of springs that exert the contact forces.
    */
   double detuning(const OperatingState &state);
 
-  /** Evaluates a steady state, which stores no power: a period later all energy is as it was. */
+  /** Evaluates a steady state, which stores no power: its energy is periodic. */
   OperatingPoint evaluate(const OperatingState &state);
 
   /** Evaluates one step from the state @p before. */
   OperatingPoint evaluate_step(const OperatingState &before, const OperatingState &state);
 
-  /** The mean over the time of several steps of some @p lengths (s). */
+  /** The time average over several steps of given @p lengths (s). */
   OperatingPoint mean(const std::vector<OperatingPoint> &points,
                       const std::vector<double> &lengths);
 } // namespace ringmotor

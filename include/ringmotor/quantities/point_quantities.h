@@ -15,29 +15,29 @@ namespace ringmotor
   {
     std::string name;
     Unit unit;
-    /** A number that points keep and `contact.h5` gives back, or what follows from such numbers. */
+    /** A number stored in points and in `contact.h5`, or one derived from such numbers. */
     std::variant<double OperatingPoint::*, double CurvePoint::*, double (OperatingPoint::*)() const>
         source;
     double PointError::*error = nullptr; ///< also that of its parts; null if it is not known
 
     double value(const CurvePoint &point) const;
-    /** Where a point keeps it; null for what follows from other numbers. */
+    /** Where a point stores it; null if it is derived from other numbers. */
     double *place(CurvePoint &point) const;
   };
 
   /**
-   * All that the program `contact` tells of an operating point. This is the only list of them: each
-   * is a column of `torque_speed.csv`, an attribute of a point in `contact.h5`, and an entry of
-   * `summary.json`; what OperatingPoint keeps of it is averaged and stored.
+   * All quantities that the program `contact` reports of an operating point. This is their only
+   * list: each is a column of `torque_speed.csv`, an attribute of a point in `contact.h5`, and an
+   * entry of `summary.json`; those that OperatingPoint stores are averaged and saved.
    */
   const std::vector<PointQuantity> &point_quantities();
 
-  /** The quantities of a point with their errors; that of what is prescribed is zero. */
+  /** The quantities of a point with their errors; that of a prescribed one is zero. */
   std::vector<Quantity> quantities_of(const CurvePoint &point);
 
-  /** The quantity whose error bar an entry of PointError is in the first place. */
+  /** The quantity to which an entry of PointError primarily belongs. */
   const PointQuantity &quantity_with(double PointError::*const error);
 
-  /** The quantity that is asked for; the point is to have just this value. */
+  /** The prescribed quantity; the point must have exactly this value. */
   const PointQuantity &prescribed(const PointRequest &request);
 } // namespace ringmotor

@@ -9,7 +9,7 @@
 
 namespace ringmotor
 {
-  /** The SI unit of a number, and the unit in which people read it. */
+  /** The SI unit of a number, and the unit in which it is shown. */
   struct Unit
   {
     const char *si, *shown; ///< as in `rad/s`; "1" for a pure number
@@ -29,12 +29,12 @@ namespace ringmotor
     inline constexpr Unit degree{"deg", "deg", 1.};
   } // namespace units
 
-  /** A result, with all that the outputs tell of it. */
+  /** A result, with all that the outputs report of it. */
   struct Quantity
   {
     std::string name; ///< the same in all outputs
     Unit unit;
-    double value;                                    ///< in SI units, as the errors
+    double value;                                    ///< in SI units, like the errors
     std::optional<double> error                = {}; ///< absolute; none if it is not known
     std::map<std::string, double> error_causes = {}; ///< parts of the error
   };

@@ -15,8 +15,8 @@ namespace ringmotor
 {
   /**
    * A body over the whole ring as hexahedra with straight edges and the points that they share:
-   * what it takes to draw how it moves. Shells have their thickness, as in sample_sector(). For
-   * half sectors.
+   * what is needed to plot its motion. Shells have their thickness, as in sample_sector(). Requires
+   * a half sector.
    */
   class RingBody
   {
@@ -25,26 +25,26 @@ namespace ringmotor
     using Amplitude    = std::vector<std::array<std::complex<double>, 3>>; ///< m, of a sector
 
     /** @param n_subdivisions of a cell per direction
-     *  @param height (m) and @param turn (rad) by which the sectors are put in their place */
+     *  @param height (m) and @param turn (rad) by which the sectors are moved into place */
     RingBody(const SectorElements &sector, const unsigned int n_subdivisions,
              const double height = 0., const double turn = 0.);
 
     const std::vector<dealii::Point<3>> &points() const { return ring_points; }
     /** Points of each cell, the first direction fastest. */
     const std::vector<std::array<unsigned int, 8>> &cells() const { return ring_cells; }
-    /** The point at a place, if there is one. */
+    /** The point at a position, if there is one. */
     std::optional<unsigned int> point_at(const dealii::Point<3> &place) const;
 
     Displacement at_rest() const { return Displacement(ring_points.size()); }
 
     /** The motion @p one + i @p two of sector 0. Both parts have the symmetry
-     * U(-theta) = S conj(U(theta)), which their sum has not. */
+     * U(-theta) = S conj(U(theta)), which their sum does not have. */
     Amplitude amplitude(const SectorMotion &one, const SectorMotion &two) const;
 
     /** The motion of sector 0 straight up by a height (m) at each angle (rad) from its middle. */
     Amplitude lift(const std::function<std::complex<double>(const double theta)> &height_at) const;
 
-    /** Adds the real part of @p factor times a motion, turned to its place, in sector @p sector. */
+    /** Adds the real part of @p factor times a motion, rotated into place, in sector @p sector. */
     void add(const unsigned int sector, const std::complex<double> factor,
              const Amplitude &amplitude, Displacement &displacement) const;
 
@@ -77,8 +77,8 @@ namespace ringmotor
     std::vector<std::array<unsigned int, 8>> ring_cells;
     std::vector<std::array<double, 2>> turns; ///< cosine and sine of each sector's angle
     /** Points of a sector, those of its half first, then their mirror images: numbers in the ring
-     * or, where another one has the same place and was first, invalid_unsigned_int. */
+     * or, where an earlier one has the same position, invalid_unsigned_int. */
     std::vector<unsigned int> owned;
-    std::map<Key, unsigned int> known; ///< in the half sector first, in the ring then
+    std::map<Key, unsigned int> known; ///< first in the half sector, later in the ring
   };
 } // namespace ringmotor

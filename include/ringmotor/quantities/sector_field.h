@@ -14,7 +14,7 @@ namespace ringmotor
 {
   /**
    * A complex displacement amplitude on one whole sector, sampled on a lattice in every cell: what
-   * output needs to draw the sector or, by turning it, the whole ring. The motion is
+   * output needs to plot the sector or, by rotation, the whole ring. The motion is
    * Re(displacement * exp(i omega t)); sector j has exp(-i n j alpha) R(j alpha) displacement at
    * the positions R(j alpha) points, alpha = 2 pi / n_sectors.
    */

@@ -50,7 +50,7 @@ namespace ringmotor
 
   /**
    * Scales @p mode so that the normal amplitude at the outer edge of the tooth top (top_outer_C) is
-   * @p amplitude in m, and turns its phase so that the crest is there at t = 0.
+   * @p amplitude in m, and shifts its phase so that the crest is there at t = 0.
    */
   void normalise_to_amplitude(Mode &mode, const std::vector<ToothPoint> &points,
                               const double amplitude);

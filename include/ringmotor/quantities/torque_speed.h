@@ -19,7 +19,7 @@
 
 namespace ringmotor
 {
-  /** An operating point that is asked for. */
+  /** A requested operating point. */
   struct PointRequest
   {
     Control control;
@@ -31,7 +31,7 @@ namespace ringmotor
     }
   };
 
-  /** Errors of an operating point; what is prescribed has none. */
+  /** Errors of an operating point; prescribed quantities have none. */
   struct PointError
   {
     double speed = 0., torque = 0., loss = 0.; ///< rad/s, N m, W
@@ -69,11 +69,11 @@ namespace ringmotor
     PointError mesh;    ///< meshes of bodies and interface
     PointError modes;   ///< of a rotor with inertia: their mesh and their number
     PointError time;    ///< time step
-    PointError scheme;  ///< dissipation of the scheme that steps what has inertia
+    PointError scheme;  ///< dissipation of the time integration of inertia
     PointError window;  ///< see CurvePoint::window
-    PointError wave;    ///< the stator's wave, as the program `stator` knows it
+    PointError wave;    ///< the stator's wave, as estimated by the program `stator`
     PointError effects; ///< left out by `auto`
-    PointError algebra; ///< what the solver leaves of the laws of contact and friction
+    PointError algebra; ///< residual of the laws of contact and friction
 
     static constexpr const char *by_wave = "wave of the stator"; ///< name of that cause
     /** All members with their names. */
@@ -91,25 +91,25 @@ namespace ringmotor
     }
   };
 
-  /** An operating point and what it took to find it. */
+  /** An operating point and the effort to find it. */
   struct CurvePoint
   {
     PointRequest request{};
     OperatingPoint result;
     std::vector<double> rotor_energies; ///< J, see rotor_energies()
     double rotor_power = 0.;            ///< W, see power_per_loss_factor()
-    /** By the steps that a marched motor is averaged over: how far the result is from where it
-     * settles, if the point tells that. */
+    /** Error of the averaging window of a marched motor: how far the result is from its settled
+     * value, if the point reports that. */
     PointError window;
     bool tells_window = false;
     PointErrors errors;
     double largest_violation  = 0.; ///< of the laws of contact and friction, see ContactCertificate
     unsigned int n_iterations = 0;
     double seconds            = 0.;
-    std::string remark; ///< what was tried if Newton's method alone did not do
+    std::string remark; ///< what was tried if Newton's method alone did not suffice
     ContactFields fields;
 
-    /** Takes in what the solver tells of a state. */
+    /** Adds what the solver reports of a state. */
     void add_certificate(const ContactSolution &solution);
 
     template <class Archive>
@@ -121,39 +121,38 @@ namespace ringmotor
     }
   };
 
-  /** Knows operating points of a motor that have been found already. */
+  /** Stores operating points of a motor that have already been found. */
   class PointMemory
   {
   public:
     virtual ~PointMemory() = default;
     /** The point that was found for a request, if there is one. */
     virtual std::optional<CurvePoint> recall(const PointRequest &request) = 0;
-    /** Remembers a point. */
+    /** Stores a point. */
     virtual void keep(const CurvePoint &point) = 0;
   };
 
-  /** Finds operating points of a motor, in the way (steady or marching) that its parameters ask
-   * for. Looks at relevant_for_points() of the parameters only. */
+  /** Finds operating points of a motor, steady or by marching as its parameters request. Uses only
+   * relevant_for_points() of the parameters. */
   class OperatingPointFinder
   {
   public:
-    /** @p motor and @p memory, which may be left out, must outlive this object. What
-     * @p setting says must hold of them: the parts of a step of @p parameters, the others of
-     * @p motor. */
+    /** @p motor and @p memory, which is optional, must outlive this object. @p parameters must
+     * match @p setting in the parts of a step, @p motor in all else. */
     OperatingPointFinder(const Parameters &parameters, const CondensedMotor &motor,
                          PointMemory *memory = nullptr, const CurveSetting &setting = {});
 
     /**
-     * Asks the memory first. A steady state is looked for from that of @p start, of the same
-     * request, or else from the point before. The next point is found as if this one had been
-     * computed, to the last bit.
+     * Looks in the memory first. The search for a steady state starts from that of @p start, of the
+     * same request, or else from the previous point. After a point from the memory, the next one is
+     * bitwise the same as if the former had been computed.
      * @throws ComputationError if none is found
      */
     CurvePoint find(const PointRequest &request, const CurvePoint *start = nullptr);
 
   private:
     CurvePoint find_steady(const PointRequest &request);
-    /** A steady state in which the wave has the frequency that the contact gives it. */
+    /** A steady state with the wave at the frequency to which the contact shifts it. */
     OperatingState at_own_frequency(const RotorLoad &load);
 
     const CurveSetting setting;
@@ -161,25 +160,25 @@ namespace ringmotor
     const MotorModel model;
     const CondensedMotor &motor;
     SteadyDriver steady;
-    std::unique_ptr<CondensedMotor> detuned; ///< the motor, with that frequency
+    std::unique_ptr<CondensedMotor> detuned; ///< the motor at that frequency
     PointMemory *const memory;
   };
 
-  /** What loads the rotor at an operating point that is asked for. */
+  /** The load on the rotor at a requested operating point. */
   RotorLoad load_of(const Loading &loading, const PointRequest &request);
 
-  /** The parameters with a step of a part of its length: of the steady state, with so many samples;
-   * when marching, with each step divided by so much. */
+  /** The parameters with shorter steps: with @p n_parts time samples in the steady state, with each
+   * step divided into @p n_parts when marching. */
   Parameters with_parts_of_a_step(const Parameters &parameters, const unsigned int n_parts);
 
-  /** The points that Loading/Values lists; none of a curve, see points_along_curve(). */
+  /** The points that Loading/Values lists; none for a curve, see points_along_curve(). */
   std::vector<PointRequest> listed_points(const Loading &loading);
 
   /**
-   * Finds several points with the steps of @p setting, spread over the ranks of @p communicator;
-   * all of them end up on each rank. @p motor is of its mesh and its wave. @p starts has none or as
-   * many points as requests, to start from. @p after_point is called, and @p memory asked, on the
-   * rank that finds a point.
+   * Finds several points with the steps of @p setting, distributed over the ranks of
+   * @p communicator and returned on all of them. @p motor must have its mesh and wave. @p starts is
+   * empty or has one initial point for each request. @p after_point is called, and @p memory
+   * consulted, on the rank that finds a point.
    */
   std::vector<CurvePoint>
   find_points(const Parameters &parameters, const CondensedMotor &motor,
@@ -187,7 +186,7 @@ namespace ringmotor
               MPI_Comm communicator, const std::function<void(const CurvePoint &)> &after_point,
               PointMemory *memory = nullptr, const std::vector<CurvePoint> &starts = {});
 
-  /** By how much a point changes from one discretisation, or one wave, to another. What is
-   * prescribed does not change. */
+  /** The change of a point from one discretisation, or one wave, to another. Prescribed quantities
+   * do not change. */
   PointError change(const CurvePoint &from, const CurvePoint &to);
 } // namespace ringmotor

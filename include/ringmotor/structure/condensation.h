@@ -16,10 +16,10 @@ namespace ringmotor
   using LinearForm = std::vector<std::pair<SectorNodes::Dof, double>>;
 
   /**
-   * A load that stands against a motion which nothing, or hardly anything, else holds. Its mean
-   * displacement, the sum over @p load, is kept at zero, so that the load becomes the reaction; in
-   * the end the reaction is the load that the body really carries, and that displacement comes back
-   * as an unknown, see SupportMotion.
+   * A load that acts against a rigid or near-rigid motion, which nothing or almost nothing else
+   * constrains. Its mean displacement, the sum over @p load, is constrained to zero, and the load
+   * becomes the reaction. Finally the reaction must equal the load that the body actually carries,
+   * and that displacement becomes an unknown again, see SupportMotion.
    */
   struct CondensationSupport
   {
@@ -27,19 +27,19 @@ namespace ringmotor
     LinearForm load;   ///< N, for the meshed part of the sector
   };
 
-  /** What a body does when the displacement of a support is 1, that of the others 0. */
+  /** Response of a body to a unit displacement of one support, the others being fixed. */
   struct SupportMotion
   {
     std::vector<double> interface; ///< displacements of the interface, real field, then imaginary
-    double stiffness;              ///< load of the support that it takes; 0 for a rigid motion
+    double stiffness;              ///< load of the support that causes it; 0 for a rigid motion
   };
 
-  /** What acts on a body; empty: nothing. */
+  /** Loads and prescribed motions of a body; empty: none. */
   struct CondensationLoad
   {
     std::vector<double> forces; ///< N, on the interface, real field, then imaginary
     std::vector<double> driven; ///< m, of the driven degrees of freedom, real field, then imaginary
-    std::vector<double> supports; ///< m, of each support that is held
+    std::vector<double> supports; ///< m, of each constrained support
   };
 
   class SparseLDLT;
@@ -50,14 +50,14 @@ namespace ringmotor
    * their interface and their cut once; each nodal diameter then only ties the cut and eliminates
    * it.
    *
-   * Exact linear algebra: what comes out is what a solution with all unknowns gives.
+   * The condensation is exact: the results are those of a solution with all unknowns.
    */
   class Condensation
   {
   public:
     /**
-     * @param interface displacements at which forces act; with a force goes the load that does work
-     * on the displacement. Their degrees of freedom must be independent.
+     * @param interface displacements on which forces act; each force is work-conjugate to its
+     * displacement. Their degrees of freedom must be independent.
      * @param driven degrees of freedom with a given motion, none of them on a cut
      * @param shift omega^2 in rad^2/s^2; 0: static
      * @param with_interior keeps what interior() needs: the factors of both fields
@@ -69,19 +69,19 @@ namespace ringmotor
                  const bool with_interior = false);
     ~Condensation();
 
-    /** The motion of one of the supports @p held. */
+    /** The motion due to @p support, one of the constrained supports @p held. */
     SupportMotion support_motion(const unsigned int k, const std::vector<unsigned int> &held,
                                  const unsigned int support) const;
 
     /**
-     * Interface displacements, real field, then imaginary one, without interface forces when the
+     * Interface displacements, real field, then imaginary one, without interface forces, when the
      * driven degrees of freedom move by @p motion (in the same order; axes of the nodes).
      */
     std::vector<double> prescribed_response(const unsigned int k,
                                             const std::vector<double> &motion) const;
 
-    /** The motion of the whole body, inside too, under each of these loads; only if the factors
-     * have been kept. */
+    /** The motion of the whole body, including its interior, under each of these loads; requires
+     * that the factors were kept. */
     std::vector<SectorMotion> interior(const unsigned int k, const std::vector<unsigned int> &held,
                                        const std::vector<CondensationLoad> &loads) const;
 
@@ -92,7 +92,7 @@ namespace ringmotor
     struct Field
     {
       std::vector<unsigned int> kept;       ///< numbers in the field, those of the cut first
-      std::vector<unsigned int> row_of_dof; ///< in the matrix, of kept degrees of freedom
+      std::vector<unsigned int> row_of_dof; ///< in the matrix, of retained degrees of freedom
       std::vector<unsigned int> unknown;    ///< by row, of those not on the cut
       std::vector<double> matrix;           ///< by columns
       std::unique_ptr<SparseLDLT> factors;  ///< if they are kept
@@ -100,21 +100,21 @@ namespace ringmotor
     struct Reduced;
 
     void condense(const unsigned int part, const double shift, const bool with_interior);
-    /** Which unknowns stay when the cut is eliminated, and how kept rows depend on unknowns. */
+    /** Which unknowns are retained when the cut is eliminated; how rows depend on all unknowns. */
     Reduced layout(const unsigned int k, const std::vector<unsigned int> &held) const;
-    /** The fields tied to each other at the cut: by columns, cut first. */
+    /** The matrix of the fields tied to each other at the cut: by columns, cut first. */
     std::vector<double> tied(const Reduced &reduced) const;
-    /** The condensed body with the condition on its cut, the rest of the cut eliminated. */
+    /** The condensed body with the condition on its cut, which is eliminated off the interface. */
     Reduced reduce(const unsigned int k, const std::vector<unsigned int> &held) const;
-    /** The interface displacements that belong to the unknowns which stay. */
+    /** The interface displacements for given retained unknowns. */
     std::vector<double> interface_motion(const Reduced &reduced,
                                          const std::vector<double> &unknowns) const;
-    /** Where the driven degrees of freedom are in it. */
+    /** Places of the driven degrees of freedom in the reduced matrix. */
     std::vector<unsigned int> driven_places(const Reduced &reduced) const;
-    /** The unknowns that stay, under each load one after the other. */
+    /** The retained unknowns under each load, one after the other. */
     std::vector<double> solutions(const Reduced &reduced, const std::vector<unsigned int> &held,
                                   const std::vector<CondensationLoad> &loads) const;
-    /** All unknowns of a field under each load, from those that stay. */
+    /** All unknowns of a field under each load, from the retained ones. */
     std::vector<double> field_solutions(const Reduced &reduced, const unsigned int part,
                                         const std::vector<double> &unknowns) const;
 

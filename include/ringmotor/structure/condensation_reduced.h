@@ -3,11 +3,11 @@
 
 #include <ringmotor/structure/condensation.h>
 
-// Shared by the source files of Condensation, of no use to others.
+// Internal to the source files of Condensation.
 
 namespace ringmotor
 {
-  /** What is left when the cut is eliminated: a dense symmetric matrix of some unknowns. */
+  /** What remains when the cut is eliminated: a dense symmetric matrix of the retained unknowns. */
   struct Condensation::Reduced
   {
     /** An entry of a real field is the sum of factor * unknown over some of these. */
@@ -18,15 +18,15 @@ namespace ringmotor
     };
     std::array<std::vector<std::vector<Part>>, 2> rows; ///< by field and row of its matrix
     std::vector<unsigned int> place,
-        cut_place; ///< of an unknown that stays, and of others, or none
+        cut_place; ///< of a retained unknown, and of an eliminated one, or none
     unsigned int size = 0, n_cut = 0;
     std::vector<double> matrix;       ///< by columns, both triangles
-    std::vector<double> cut_response; ///< by columns: minus how the cut follows those that stay
+    std::vector<double> cut_response; ///< by columns: minus the response to retained unknowns
 
-    /** Unknowns that stay, by their places, with coefficients. */
+    /** Retained unknowns, by their places, with coefficients. */
     using Sum = std::vector<std::pair<unsigned int, double>>;
 
-    /** What makes up a sum over one field. */
+    /** A linear form over one field in terms of retained unknowns. */
     Sum in_places(const unsigned int part, const LinearForm &form, const Field &field) const
     {
       Sum sum;
@@ -37,7 +37,7 @@ namespace ringmotor
       return sum;
     }
 
-    /** The same for some forms, over the real field, then over the imaginary one. */
+    /** The same for several forms, over the real field, then over the imaginary one. */
     std::vector<Sum> in_places(const std::vector<LinearForm> &forms,
                                const std::array<Field, 2> &fields) const
     {
@@ -48,7 +48,7 @@ namespace ringmotor
       return sums;
     }
 
-    /** Holds some unknowns at zero: their rows and columns become those of the unit matrix. */
+    /** The matrix with some rows and columns replaced by those of the unit matrix. */
     std::vector<double> with_held(const std::vector<unsigned int> &held) const
     {
       std::vector<double> result = matrix;

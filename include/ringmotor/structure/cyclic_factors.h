@@ -12,8 +12,8 @@
 namespace ringmotor
 {
   /**
-   * The factorised K - shift M of a cyclic sector. The two real fields meet only at the cut, and
-   * only there a nodal diameter makes a difference: one sparse factorisation of each field down to
+   * The factorised K - shift M of a cyclic sector. The two real fields are coupled only at the cut,
+   * and only there does the nodal diameter matter: one sparse factorisation of each field down to
    * its cut serves all nodal diameters, and each of these adds a small dense one. (On a whole
    * sector both fields have the same sparse factors.) Where much of the body lies on its cuts, as
    * with a ring without teeth, the dense matrices would be large: there (and where there is no
@@ -26,12 +26,12 @@ namespace ringmotor
     explicit CyclicFactors(const CyclicSector &sector);
 
     /**
-     * Goes to a shift (rad^2/s^2) and a nodal diameter. Cheap as long as the shift stays.
+     * Factorises for a shift (rad^2/s^2) and a nodal diameter. Cheap while the shift is unchanged.
      * @throws ComputationError if the matrix is singular.
      */
     void factorise(const unsigned int k, const double shift);
 
-    /** Number of negative eigenvalues of the matrix in real numbers. */
+    /** Number of negative eigenvalues of the matrix, written in real numbers. */
     unsigned int n_negative() const;
 
     /** Replaces @p unknowns, a right-hand side, by the solution (on all ranks). */

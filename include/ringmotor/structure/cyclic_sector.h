@@ -38,8 +38,8 @@ namespace ringmotor
      */
     CyclicSector(const SectorMesh &mesh, const MaterialTable &materials, const unsigned int degree);
 
-    /** Unknowns of one nodal diameter (real numbers; twice the complex unknowns on a whole sector).
-     */
+    /** Number of unknowns of one nodal diameter (real numbers; twice the complex unknowns on a
+     * whole sector). */
     unsigned int n_unknowns() const { return unknown_count; }
 
     /** True if the unknowns are the real parts, then the imaginary parts, of n_unknowns()/2 complex
@@ -65,7 +65,7 @@ namespace ringmotor
       double factor;
     };
 
-    /** The real field (0) and the imaginary one (1). On a whole sector both are alike. */
+    /** The real field (0) and the imaginary one (1). On a whole sector both are the same. */
     const RealField &field(const unsigned int part) const { return fields[part]; }
 
     /** The ties of a field's cut for nodal diameter @p k. */
@@ -78,14 +78,15 @@ namespace ringmotor
     void multiply_mass(const unsigned int k, const std::vector<double> &unknowns,
                        std::vector<double> &product) const;
 
-    /** The motion that belongs to the unknowns of nodal diameter @p k. */
+    /** The motion given by the unknowns of nodal diameter @p k. */
     SectorMotion expand(const unsigned int k, const std::vector<double> &unknowns) const;
 
-    /** The transposed of expand(): the loads on the unknowns from forces on all degrees of freedom
+    /** The transpose of expand(): the loads on the unknowns from forces on all degrees of freedom
      * (N, and N m on rotations), Cartesian, complete on every rank. */
     std::vector<double> loads_of(const unsigned int k, const SectorMotion &forces) const;
 
-    /** The unknowns of nodal diameter @p k that interpolate a @p motion given at points. */
+    /** The unknowns of nodal diameter @p k that interpolate a @p motion given as a function of
+     * position. */
     std::vector<double>
     unknowns_of(const unsigned int k,
                 const std::function<NodeMotion(const dealii::Point<3> &)> &motion) const;
@@ -124,7 +125,7 @@ namespace ringmotor
     std::array<dealii::Vector<double>, 2> to_fields(const unsigned int k,
                                                     const std::vector<double> &unknowns) const;
 
-    /** The transposed of to_fields(). */
+    /** The transpose of to_fields(). */
     std::vector<double> to_unknowns(const unsigned int k,
                                     const std::array<dealii::Vector<double>, 2> &dof_loads) const;
 

@@ -10,21 +10,21 @@ namespace ringmotor
 {
   /**
    * Interface displacements of a condensed sector under interface forces, with driven degrees of
-   * freedom at rest, m/N on the meshed part of the sector. While the cut rests, the two real fields
-   * know neither of each other nor of the nodal diameter; what neighbours do comes through the cut
-   * and has few shapes:
+   * freedom at rest, m/N on the meshed part of the sector. With the cut fixed, the two real fields
+   * depend neither on each other nor on the nodal diameter; the neighbouring sectors act through
+   * the cut, by few shapes:
    *
    *   C_k = diag(A_0, A_1) + diag(E_0, E_1) B_k diag(E_0, E_1)^T
    *
-   * for the real field (0) and the imaginary one (1). The shapes are orthonormal; what they leave
-   * out of the motions that come through the cut is rounding.
+   * for the real field (0) and the imaginary one (1). The shapes are orthonormal and span the
+   * motions that come through the cut, up to rounding.
    */
   class InterfaceCompliance
   {
   public:
     /**
      * @p condensation must outlive this object.
-     * @throws ComputationError if the body is singular with its cut at rest
+     * @throws ComputationError if the body is singular with its cut fixed
      */
     explicit InterfaceCompliance(const Condensation &condensation);
 
@@ -38,8 +38,8 @@ namespace ringmotor
     {
       return fields[part].shapes;
     }
-    /** B_k, symmetric, the shapes of the real field first. Supports hold if they are among @p held,
-     * as they must where a rigid motion is free. */
+    /** B_k, symmetric, the shapes of the real field first. Supports in @p held are constrained, as
+     * they must be where a rigid motion is free. */
     dealii::FullMatrix<double> through_cut(const unsigned int k,
                                            const std::vector<unsigned int> &held) const;
 
@@ -48,7 +48,7 @@ namespace ringmotor
                                           const std::vector<unsigned int> &held) const;
 
   private:
-    /** One real field. Its cut's rows have those of its supports at their end. */
+    /** One real field. The rows of its cut are followed by those of its supports. */
     struct Field
     {
       dealii::FullMatrix<double> at_rest, shapes;
@@ -56,8 +56,8 @@ namespace ringmotor
       dealii::FullMatrix<double> loads; ///< on the cut, by the forces of shapes; by rows
     };
 
-    /** Which rows of a condensed field are of its cut with its supports, and which are not; driven
-     * ones are neither. */
+    /** Which rows of a condensed field belong to its cut and supports, and which do not; driven
+     * rows are in neither list. */
     struct Rows
     {
       std::vector<unsigned int> cut, inner;
@@ -68,7 +68,7 @@ namespace ringmotor
 
     static Rows rows_of(const Condensation &condensation, const unsigned int part);
     static Field split(const Condensation &condensation, const unsigned int part);
-    /** Shapes and loads of a field from how its interface moves with its cut. */
+    /** Shapes and loads of a field from the motion of its interface with its cut. */
     static void find_shapes(dealii::FullMatrix<double> by_cut, Field &field);
 
     const Condensation &condensation;

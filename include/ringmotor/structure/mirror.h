@@ -7,8 +7,8 @@
 #include <complex>
 
 // The half of a sector that is not meshed is the mirror image of the other one at theta = 0. A wave
-// moves it by U(-theta) = S conj(U(theta)), where S turns round what points along theta: the second
-// of the components (x, y, z), (r, theta, z) and (normal, along, radial) alike.
+// moves it by U(-theta) = S conj(U(theta)), where S reverses the component along theta: the second
+// of (x, y, z), (r, theta, z) and (normal, along, radial) alike.
 
 namespace ringmotor
 {
@@ -28,7 +28,7 @@ namespace ringmotor
     return {point[0], -point[1], point[2]};
   }
 
-  /** The amplitude of a wave at the mirrored place. */
+  /** The amplitude of a wave at the mirrored position. */
   inline std::array<std::complex<double>, 3>
   mirrored(const std::array<std::complex<double>, 3> &amplitude)
   {

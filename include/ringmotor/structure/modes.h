@@ -32,15 +32,15 @@ namespace ringmotor
   std::vector<Mode> nearest_elastic(const std::vector<Mode> &modes, const unsigned int n_wanted,
                                     const double target);
 
-  /** Shifts (rad^2/s^2) between two eigenvalues, at a distance from both. */
+  /** Shifts (rad^2/s^2) between two eigenvalues, well away from both. */
   struct ShiftWindow
   {
     double low, high;
   };
 
   /**
-   * For each nodal diameter a shift in one of its @p windows, so that few different ones are
-   * needed: nodal diameters of one shift share a factorisation.
+   * For each nodal diameter a shift in one of its @p windows, chosen such that few different shifts
+   * are needed: nodal diameters with the same shift share a factorisation.
    */
   std::map<unsigned int, double>
   common_shifts(const std::map<unsigned int, std::vector<ShiftWindow>> &windows);
@@ -64,7 +64,7 @@ namespace ringmotor
 
     /**
      * Shifts above the @p n_wanted elastic modes nearest to @p target (Hz; 0: the lowest ones), but
-     * below few others. Found on this, coarse, mesh, they serve finer ones too.
+     * below few others. Shifts found on a coarse mesh can be used on finer ones.
      */
     std::vector<ShiftWindow> windows_above(const unsigned int k, const unsigned int n_wanted,
                                            const double target);
@@ -72,8 +72,8 @@ namespace ringmotor
     /** The middle of the widest of these windows. */
     double shift_above(const unsigned int k, const unsigned int n_wanted, const double target);
 
-    /** The @p n_elastic lowest elastic modes of nodal diameter @p k and the rigid ones; not proven
-     * complete. */
+    /** The @p n_elastic lowest elastic modes of nodal diameter @p k and the rigid ones; not
+     * verified to be complete. */
     std::vector<Mode> lowest(const unsigned int k, const unsigned int n_elastic);
 
     /** How many modes of nodal diameter @p k have an eigenvalue below @p shift. */

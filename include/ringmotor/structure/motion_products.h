@@ -8,8 +8,8 @@
 
 namespace ringmotor
 {
-  /** Quadratic forms of a complex motion U on the meshed part of a sector, real and imaginary part
-   * added up. */
+  /** Quadratic forms of a complex motion U on the meshed part of a sector, summed over real and
+   * imaginary part. */
   struct MotionProducts
   {
     std::map<dealii::types::material_id, double>
@@ -24,7 +24,7 @@ namespace ringmotor
 
   /**
    * The products of each of @p motions, summed over all ranks. They come from strains and motions
-   * at quadrature points, so that a large rigid motion does not blur small strains, as it does in
+   * at quadrature points, so a large rigid motion does not blur small strains, as it would in
    * assembled matrices.
    */
   std::vector<MotionProducts> motion_products(const SectorElements &elements,

@@ -5,14 +5,14 @@
 
 namespace ringmotor
 {
-  /** A matrix as the product of orthonormal columns and their weights, as many as it has that are
-   * more than rounding. */
+  /** A matrix as the product of orthonormal columns and their weights, as many as its numerical
+   * rank. */
   struct RankFactors
   {
     dealii::FullMatrix<double> columns; ///< of the height of the matrix
     dealii::FullMatrix<double> weights; ///< of its width
 
-    /** Householder's method with pivots (LAPACK). What is below @p tolerance times the largest
+    /** Householder QR with column pivoting (LAPACK). Anything below @p tolerance times the largest
      * column counts as rounding. */
     RankFactors(const dealii::FullMatrix<double> &matrix, const double tolerance);
   };

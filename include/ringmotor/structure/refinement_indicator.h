@@ -7,12 +7,12 @@
 namespace ringmotor
 {
   /**
-   * For each of some modes and each sheet, how much, times U.M U, the eigenvalue would fall if the
-   * polynomial degree across the sheet were raised without end. For an eigenvalue primal and dual
-   * solution are the same and what a part of the solution is worth is just its strain energy: the
-   * indicator is goal-oriented for the frequency. In each cell the strain energies of the parts of
-   * highest and second highest degree across the sheet show how fast they fall from degree to
-   * degree; the series is summed. frequency_estimate() knows the factor to the true error.
+   * For each motion and each sheet, U.M U times the decrease of the eigenvalue if the polynomial
+   * degree across the sheet went to infinity. For an eigenvalue, primal and dual solution coincide,
+   * and the contribution of a part of the solution is its strain energy: the indicator is
+   * goal-oriented for the frequency. In each cell the strain energies of the parts of highest and
+   * second highest degree across the sheet give the rate at which they fall with the degree; the
+   * series is summed. frequency_estimate() contains the factor to the true error.
    */
   std::vector<std::vector<double>>
   sheet_indicators(const SectorElements &sector, const Sheets &sheets,

@@ -13,14 +13,14 @@ namespace ringmotor
 
   /**
    * The rigid motions that a wave of nodal diameter @p k contains and that neither bars nor clamped
-   * faces hold, as unknowns of @p sector: from axial shift and spin for k = 0, in-plane shift and
-   * tilt for k = 1, none otherwise. M-orthonormal.
+   * faces constrain, as unknowns of @p sector: from axial shift and spin for k = 0, in-plane shift
+   * and tilt for k = 1, none otherwise. M-orthonormal.
    */
   std::vector<std::vector<double>> rigid_motions(const CyclicSector &sector, const unsigned int k);
 
   /**
-   * The part (0 to 1) of the kinetic energy of the M-normalised @p unknowns that is motion within
-   * the space of @p rigid_motions.
+   * The fraction (0 to 1) of the kinetic energy of the M-normalised @p unknowns that lies in the
+   * space of @p rigid_motions.
    */
   double rigid_fraction(const CyclicSector &sector, const unsigned int k,
                         const std::vector<std::vector<double>> &rigid_motions,

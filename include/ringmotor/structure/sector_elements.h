@@ -37,14 +37,14 @@ namespace ringmotor
   {
     ComplexField solid, shell;
 
-    /** Scales the motion and turns its phase. */
+    /** Scales the motion and shifts its phase. */
     SectorMotion &operator*=(const std::complex<double> factor);
   };
 
   /**
    * The solids, shells, bars and foundations of a sector in finite elements of one degree: their
-   * degrees of freedom in one numbering, those of the shell after those of the solids, and what
-   * ties some of them to others whatever the wave.
+   * degrees of freedom in one numbering, those of the shell after those of the solids, and the
+   * constraints among them that do not depend on the wave.
    */
   class SectorElements
   {
@@ -68,7 +68,7 @@ namespace ringmotor
     dealii::IndexSet owned_dofs() const;
 
     const SectorNodes &nodes() const { return sector_nodes; }
-    /** Hanging nodes of the solids, for a scalar by nodes. */
+    /** Hanging-node constraints of the solids, for a scalar with one value per node. */
     const dealii::AffineConstraints<double> &scalar_hanging_nodes() const { return hanging; }
     /** Hanging nodes, ties between solids and shells, clamped faces; in the axes of the nodes. */
     const dealii::AffineConstraints<double> &dependent() const { return dependent_dofs; }
@@ -79,15 +79,15 @@ namespace ringmotor
     std::vector<Dof> dofs_of(const Cell &cell) const;
     std::vector<Dof> dofs_of(const ShellCell &cell) const;
 
-    /** Visits the solid cells that this rank owns, with the element, which has gone there. */
+    /** Visits the solid cells that this rank owns, with the element reinitialized there. */
     void for_each_owned_cell(const std::function<void(const Cell &, SolidElement &)> &visit) const;
-    /** As well for the cells of the shell. */
+    /** The same for shell cells. */
     void for_each_owned_shell_cell(
         const std::function<void(const ShellCell &, ShellElement &)> &visit) const;
-    /** As well for the edges with bars: one of their cells, their boundary id and the element. */
+    /** The same for the edges with bars: one of their cells, their boundary id and the element. */
     void for_each_owned_bar(const std::function<void(const Cell &, const dealii::types::boundary_id,
                                                      BarElement &)> &visit) const;
-    /** As well for the faces on a foundation: their cell, their boundary id and the element. */
+    /** The same for the faces on a foundation: their cell, their boundary id and the element. */
     void for_each_owned_foundation(
         const std::function<void(const Cell &, const dealii::types::boundary_id,
                                  FoundationElement &)> &visit) const;
@@ -99,7 +99,7 @@ namespace ringmotor
     /** A motion of all degrees of freedom in the axes of the nodes. */
     std::array<dealii::Vector<double>, 2> in_axes(const SectorMotion &motion) const;
 
-    /** The transposed of to_motion(): forces on all degrees of freedom become forces on those that
+    /** The transpose of to_motion(): forces on all degrees of freedom become forces on those that
      * are not dependent, in the axes of the nodes. */
     std::array<dealii::Vector<double>, 2> from_forces(const SectorMotion &forces) const;
 

@@ -15,9 +15,9 @@ namespace ringmotor
    * Stiffness and mass of a sector, with no condition on the mirror plane or the cuts, in the axes
    * of the nodes; dependent degrees of freedom are eliminated.
    *
-   * The mass of a solid knows no direction: one number for each pair of nodes tells it. That of a
-   * shell, and of solids that follow one, couples displacements and rotations; only there the full
-   * matrix is stored.
+   * The mass of a solid is isotropic: one number for each pair of nodes suffices. That of a shell,
+   * and of solids that follow one, couples displacements and rotations; only there is the full
+   * matrix stored.
    */
   class SectorMatrices
   {
@@ -25,8 +25,8 @@ namespace ringmotor
     /** @p elements must outlive this object. */
     explicit SectorMatrices(const SectorElements &elements);
 
-    /** This rank's part of K - shift M (lower triangle) with the rows and columns that have a
-     * @p number, in these numbers. */
+    /** This rank's part of K - shift M (lower triangle) for the rows and columns that have a
+     * @p number, in this numbering. */
     SymmetricTriplets shifted(const std::vector<unsigned int> &number, const double shift) const;
 
     /** The mass times two fields, in the rows this rank owns; zero in all others. */
@@ -45,7 +45,7 @@ namespace ringmotor
     std::vector<Dof> dofs_on(const SectorElements::Cell &cell, const BarElement &bar) const;
     /** The nodes of solid degrees of freedom, those of the x component. */
     std::vector<Dof> nodes_of(const std::vector<Dof> &dofs) const;
-    /** Adds a mass without direction, given as that of a vector field. */
+    /** Adds an isotropic mass, given as that of a vector field. */
     void add_node_mass(const std::vector<Dof> &dofs, const dealii::FullMatrix<double> &mass);
 
     const SectorElements &elements;

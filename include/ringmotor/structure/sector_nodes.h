@@ -36,17 +36,17 @@ namespace ringmotor
 
   /**
    * The nodes of the solids (FE_Q with three components) and of the shells (with six) of a sector,
-   * in one numbering of degrees of freedom, those of the shell after those of the solids. A node is
-   * what has three degrees of freedom that belong together: a displacement, or a rotation of the
-   * shell. It knows whether it lies on the mirror plane or on a cut, and the axes used there. On a
-   * cut the degrees of freedom of a node mean its (r, theta, z) components, elsewhere (x, y, z).
+   * in one numbering of degrees of freedom, those of the shell after those of the solids. A node
+   * has three degrees of freedom that belong together: a displacement, or a rotation of the shell.
+   * It stores whether it lies on the mirror plane or on a cut, and the axes used there. On a cut
+   * the degrees of freedom of a node are its (r, theta, z) components, elsewhere (x, y, z).
    */
   class SectorNodes
   {
   public:
     using Dof = dealii::types::global_dof_index;
 
-    /** No nodes: to be assigned to. */
+    /** Without nodes, to be assigned to. */
     SectorNodes() = default;
 
     /**
@@ -71,7 +71,7 @@ namespace ringmotor
     /** 0, 1, 2 for x, y, z or, on a cut, for r, theta, z. */
     unsigned int component(const Dof dof) const { return place[dof].component; }
 
-    /** Whether the mirror theta -> -theta turns the component round: the theta component of a
+    /** Whether the mirror theta -> -theta reverses the component: the theta component of a
      * displacement, r and z components of a rotation. */
     bool turned_by_mirror(const Dof dof) const
     {
@@ -104,24 +104,25 @@ namespace ringmotor
     dealii::AffineConstraints<double>
     scalar_hanging_node_constraints(const dealii::DoFHandler<3> &solid) const;
 
-    /** These as conditions on vectors. */
+    /** The same as constraints on vectors. */
     static std::vector<SlaveNode>
     slaves_of(const dealii::AffineConstraints<double> &scalar_hanging_nodes);
 
     /** The constraints that make @p slaves follow their masters, in the axes used here, closed. */
     dealii::AffineConstraints<double> constraints(const std::vector<SlaveNode> &slaves) const;
 
-    /** Turns a cell matrix from Cartesian components to the axes of the nodes. */
+    /** Rotates a cell matrix from Cartesian components to the axes of the nodes. */
     void rotate_to_axes(const std::vector<Dof> &cell_dofs,
                         dealii::FullMatrix<double> &matrix) const;
 
-    /** Turns a field from Cartesian components to the axes of the nodes. */
+    /** Rotates a field from Cartesian components to the axes of the nodes. */
     void rotate_to_axes(dealii::Vector<double> &field) const;
 
-    /** Turns a field from the axes of the nodes to Cartesian components. */
+    /** Rotates a field from the axes of the nodes to Cartesian components. */
     void rotate_to_cartesian(dealii::Vector<double> &field) const;
 
-    /** Fills a complex field, in the axes of the nodes, with a motion given at points. */
+    /** Fills a complex field, in the axes of the nodes, with a motion given as a function of
+     * position. */
     void interpolate(const std::function<NodeMotion(const dealii::Point<3> &)> &motion,
                      dealii::Vector<double> &real, dealii::Vector<double> &imaginary) const;
 
@@ -151,7 +152,7 @@ namespace ringmotor
     void check_angle(const dealii::types::boundary_id boundary, const double angle,
                      const char *what) const;
 
-    /** Throws a UserError if two partners are not apart by the pitch, in the right direction. */
+    /** Throws a UserError if two partners are not one pitch apart, in the right direction. */
     void check_turn(const Node &low, const Node &high) const;
 
     double pitch              = 0.; ///< angle of a whole sector

@@ -11,20 +11,20 @@
 
 namespace ringmotor
 {
-  /** Positions and motion of the points across a shell, over chosen points of its cells. */
+  /** Positions and motion across the thickness of a shell, over chosen points of its cells. */
   class ShellTrace
   {
   public:
-    /** @p points of the unit cell; their weights go into area(). @p elements must outlive this
+    /** @p points of the unit cell; their weights enter area(). @p elements must outlive this
      * object. */
     ShellTrace(const SectorElements &elements, const dealii::Quadrature<2> &points);
 
-    /** Goes to a cell, where the shell moves by @p motion. */
+    /** Reinitialises for a cell, where the shell moves by @p motion. */
     void reinit(const SectorElements::ShellCell &cell, const ComplexField &motion);
 
     unsigned int size() const { return real.size(); }
 
-    /** The place (m) at a height (m) over point @p q of the reference surface, along its normal;
+    /** The position (m) at a height (m) over point @p q of the reference surface, along its normal;
      * see ShellSection for the heights of faces and mid-surface. */
     dealii::Point<3> position(const unsigned int q, const double height) const;
 

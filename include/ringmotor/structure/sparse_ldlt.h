@@ -9,12 +9,12 @@
 namespace ringmotor
 {
   /**
-   * Entries of a symmetric sparse matrix, lower triangle (row >= column), spread over the ranks in
-   * any way; entries given more than once are added.
+   * Entries of a symmetric sparse matrix, lower triangle (row >= column), distributed over the
+   * ranks in any way; entries given more than once are added.
    */
   struct SymmetricTriplets
   {
-    std::vector<int> rows, columns; ///< counted from 1, as MUMPS wants them
+    std::vector<int> rows, columns; ///< counted from 1, as MUMPS expects them
     std::vector<double> values;
 
     void reserve(const std::size_t n_entries)
@@ -36,8 +36,8 @@ namespace ringmotor
    * L D L^T factorisation of a real symmetric indefinite sparse matrix by MUMPS, in parallel. Its
    * inertia counts the eigenvalues below a shift (Sylvester's law).
    *
-   * Some unknowns can be kept: the others, the inner ones, are eliminated, and what remains is the
-   * dense Schur complement of the kept ones, with which they can be joined to other bodies.
+   * Some unknowns can be kept: the others, the inner ones, are eliminated, and the dense Schur
+   * complement of the kept ones remains, which can be coupled to other bodies.
    */
   class SparseLDLT
   {
@@ -76,7 +76,7 @@ namespace ringmotor
 
     /**
      * Second half, to follow condense(): the solutions for all unknowns from those of the kept
-     * ones. All ranks give and get the same.
+     * ones. Arguments and results are the same on all ranks.
      */
     std::vector<double> expand(std::vector<double> kept_solutions);
 

@@ -17,11 +17,11 @@ namespace ringmotor
 
   /**
    * Ties the edge of the shell to the solids: its displacement and rotation there are those of the
-   * faces marked ids::shell_root, averaged across the shell's thickness with the weights that make
-   * the forces on the solid those of beam theory, stresses that vary linearly and shear stresses
-   * that vary as a parabola. (A cross-section that stays rigid would make the root too stiff.) The
-   * turn about the shell's normal stays free. The meshes need not match, but the solid must not be
-   * the finer one: the shell would hold it in single points.
+   * faces marked ids::shell_root, averaged across the shell's thickness with weights such that the
+   * forces on the solid are those of beam theory: linear normal stresses and parabolic shear
+   * stresses. (A cross-section that stays rigid would make the root too stiff.) The rotation about
+   * the shell's normal stays free. The meshes need not match, but the solid must not be the finer
+   * one: the shell would constrain it only at single points.
    * @throws dealii::StandardExceptions::ExcMessage if it is, or if the faces do not cover the
    *         shell's thickness.
    */

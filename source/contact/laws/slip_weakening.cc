@@ -8,7 +8,7 @@ namespace ringmotor::laws
 {
   namespace
   {
-    /** From mu_s to mu_d, linearly while the point slips the weakening length. */
+    /** From mu_s to mu_d, linearly in the slipped distance, over the weakening length. */
     class SlipWeakening : public FrictionLawBase
     {
     public:
@@ -32,7 +32,7 @@ namespace ringmotor::laws
         return {dynamic + left * excess, -excess / *friction.weakening_length};
       }
 
-      /** The distance slipped has to be the same to a small part of the weakening length. */
+      /** The slipped distances must agree to a small fraction of the weakening length. */
       bool settle(const Friction &friction, const FrictionMemory &found, const PointStatus,
                   const bool, FrictionMemory &memory) const override
       {

@@ -20,7 +20,7 @@ namespace ringmotor::laws
         return {memory.stuck ? dynamic + excess : dynamic, 0.};
       }
 
-      /** A point that slips falls to mu_d and stays there. */
+      /** A point that slips drops to mu_d and stays there. */
       bool lose_static_limit(const PointStatus status, FrictionMemory &memory) const override
       {
         if (!memory.stuck || status != PointStatus::slip)
@@ -29,8 +29,8 @@ namespace ringmotor::laws
         return true;
       }
 
-      /** More than one memory agrees with itself. A point that slips loses mu_s; one without it
-       * whose predecessor stuck gets it, but once only, so that the search ends. */
+      /** More than one memory is self-consistent. A point that slips loses mu_s; one without it
+       * whose predecessor stuck gets it, but only once, so that the search terminates. */
       bool settle(const Friction &, const FrictionMemory &found, const PointStatus status,
                   const bool had_stuck, FrictionMemory &memory) const override
       {

@@ -29,14 +29,14 @@ namespace ringmotor::effects
 
       void enter(const Parameters &parameters, MotorModel &model) const override
       {
-        // Without inertia `auto` has not chosen yet.
+        // Without inertia the choice of `auto` is still open.
         if (choice(parameters) == EffectChoice::on ||
             parameters.effects.rotor_inertia != EffectChoice::off)
           model.rotor_loss_factor = parameters.materials.rotor_metal.loss_factor;
       }
 
-      /** It takes part where the rotor vibrates. Hysteresis delays the rotor's motion by its share
-       * eta; single steps in time leave that out. */
+      /** Always on if the rotor vibrates. Hysteresis delays the rotor's motion by the fraction eta;
+       * single steps in time neglect it. */
       std::optional<double> indicator(const Scene &scene) const override
       {
         return scene.parameters.effects.rotor_inertia == EffectChoice::off

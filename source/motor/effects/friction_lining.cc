@@ -40,8 +40,8 @@ namespace ringmotor::effects
         parameters.friction.lining_tangential_stiffness = {};
       }
 
-      /** A lining without stiffness is none; that of one with stiffness gives way under the preload
-       * on a tenth of the lip as part of the height of the wave. */
+      /** Zero without a given stiffness; else the compression of the lining under the preload on a
+       * tenth of the lip, relative to the height of the wave. */
       std::optional<double> indicator(const Scene &scene) const override
       {
         const Parameters &parameters = scene.parameters;

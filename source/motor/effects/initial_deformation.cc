@@ -23,7 +23,7 @@ namespace ringmotor::effects
 
       void forget(Parameters &parameters) const override { parameters.initial_deformation = {}; }
 
-      /** Against the height of the wave, on which the teeth ride. */
+      /** The warp relative to the height of the wave. */
       std::optional<double> indicator(const Scene &scene) const override
       {
         return scene.parameters.initial_deformation.amplitude / scene.parameters.wave.amplitude;

@@ -18,7 +18,7 @@ namespace ringmotor::effects
       {
         if (is_marched(parameters))
         {
-          // Tilt and shift would be one motion with two inertias.
+          // Tilt and shift would be one coupled motion with two inertias.
           if (parameters.rotor.radial_bar_stiffness == 0.)
             throw UserError(given(parameters) +
                             " is not available with Rotor/Radial bar stiffness = 0 when the motor "
@@ -26,8 +26,8 @@ namespace ringmotor::effects
                             "radial bars");
           return;
         }
-        // The motions as a whole follow their loads at once, which only slow ones and those of high
-        // harmonics may do.
+        // The motions as a whole are quasi-static, which is adequate only for slow loads and those
+        // of high harmonics.
         constexpr unsigned int highest = 6; // harmonic that must not move the rotor as a whole
         const Motor &motor             = parameters.motor;
         for (unsigned int m = 1; m <= highest; ++m)
@@ -46,7 +46,7 @@ namespace ringmotor::effects
         model.rotor_moves_as_whole = is_marched(parameters);
       }
 
-      /** Roughly by the amplification of the lip; by operating points where that is near the
+      /** Estimated by the amplification of the lip; by operating points where that is near the
        * threshold. */
       std::optional<double> indicator(const Scene &scene) const override
       {

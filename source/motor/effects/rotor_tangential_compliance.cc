@@ -5,7 +5,7 @@ namespace ringmotor::effects
 {
   namespace
   {
-    /** A rotor that gives way to friction; to pressure it does in any case. */
+    /** Compliance of the rotor under friction; under pressure it is always compliant. */
     class RotorTangentialCompliance : public Effect
     {
     public:

@@ -8,7 +8,7 @@ namespace ringmotor::effects
 {
   namespace
   {
-    /** Convection of the rotor's deformation by its own turning. */
+    /** Convection of the rotor's deformation by its rotation. */
     class SpinConvection : public Effect
     {
     public:
@@ -20,8 +20,8 @@ namespace ringmotor::effects
 
       bool is_available(const Parameters &) const override { return false; }
 
-      /** Waves that a rotor as fast as the crests passes by its own turning, against those that
-       * pass it. */
+      /** For a rotor as fast as the crests: number of waves passed by its rotation relative to
+       * those that pass it. */
       std::optional<double> indicator(const Scene &scene) const override
       {
         if (!scene.wave)

@@ -6,7 +6,7 @@ namespace ringmotor::effects
 {
   namespace
   {
-    /** Friction that is larger at rest, by the law that was given. */
+    /** Friction that is larger at rest, by the given law. */
     class StaticFrictionExcess : public Effect
     {
     public:
@@ -20,7 +20,7 @@ namespace ringmotor::effects
         model.friction.law = parameters.friction.law;
       }
 
-      /** None where there is no excess; else only a run can tell, see
+      /** Zero without an excess; otherwise determined in the run, see
        * CurveSearch::static_friction_effect(). */
       std::optional<double> indicator(const Scene &scene) const override
       {

@@ -7,7 +7,7 @@ namespace ringmotor::effects
 {
   namespace
   {
-    /** The frequency that the wave has with the rotor on the stator, where the drive follows it. */
+    /** The frequency of the wave with the rotor on the stator, if the drive follows it. */
     class StatorBackReaction : public Effect
     {
     public:
@@ -25,7 +25,7 @@ namespace ringmotor::effects
 
       void enter(const Parameters &parameters, MotorModel &model) const override
       {
-        model.wave_feels_contact = !parameters.wave.frequency; // else the drive gives it
+        model.wave_feels_contact = !parameters.wave.frequency; // else the drive prescribes it
       }
 
       /** As if all of the preload rested on the crests, see detuning(). */

@@ -6,7 +6,7 @@ namespace ringmotor::effects
 {
   namespace
   {
-    /** Inertia of the teeth: under contact forces, and while they follow the base. */
+    /** Inertia of the teeth: under contact forces, and in the motion driven by the base. */
     class ToothInertia : public Effect
     {
     public:
@@ -17,7 +17,7 @@ namespace ringmotor::effects
         model.teeth_vibrate = true;
       }
 
-      /** The change of the motion that the foot gives the top along the ring, which drives the
+      /** The change of the circumferential motion of the top, driven by the foot, which drives the
        * rotor: (omega / omega_1)^2 of the tooth. */
       std::optional<double> indicator(const Scene &scene) const override
       {

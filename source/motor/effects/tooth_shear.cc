@@ -5,7 +5,7 @@ namespace ringmotor::effects
 {
   namespace
   {
-    /** Teeth that give way to contact forces. */
+    /** Compliance of the teeth under contact forces. */
     class ToothShear : public Effect
     {
     public:
