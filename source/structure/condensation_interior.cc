@@ -40,8 +40,8 @@ namespace ringmotor
   }
 
   std::vector<SectorMotion> Condensation::interior(const unsigned int k,
-                                                 const std::vector<unsigned int> &held,
-                                                 const std::vector<CondensationLoad> &loads) const
+                                                   const std::vector<unsigned int> &held,
+                                                   const std::vector<CondensationLoad> &loads) const
   {
     AssertThrow(fields[0].factors, ExcMessage("the inside of this body has not been kept"));
     if (loads.empty())
