@@ -7,6 +7,7 @@
 // exponent of these corners, 1.089; their uncertainty is half of that step, and 4e-5 for the cells
 // far from the corners. benchmarks/against_calculix.py prints them.
 
+#include "support/motor_model.h"
 #include "support/record.h"
 
 #include <ringmotor/quantities/body_modes.h>
@@ -61,13 +62,8 @@ namespace
     parameters.accuracy.target            = 1e-3;
     if (motor == "StiffSpring")
     {
-      parameters.rotor.ring_inner_radius = 35.6e-3;
-      parameters.rotor.ring_outer_radius = 42.0e-3;
-      parameters.rotor.ring_lower_face   = -2.4e-3;
-      parameters.rotor.ring_upper_face   = 5.0e-3;
-      parameters.rotor.flange_thickness  = 0.45e-3;
-      parameters.rotor.lip_inner_radius  = 33.9e-3;
-      parameters.accuracy.target         = 2e-3; // to save time
+      stiffen_spring(parameters.rotor);
+      parameters.accuracy.target = 2e-3; // to save time
     }
     return parameters;
   }

@@ -22,6 +22,17 @@ namespace ringmotor::tests
     return parameters;
   }
 
+  /** The rotor of prm/canon_stiff_spring.prm instead of that of the reference motor. */
+  inline void stiffen_spring(RotorGeometry &rotor)
+  {
+    rotor.ring_inner_radius = 35.6e-3;
+    rotor.ring_outer_radius = 42.0e-3;
+    rotor.ring_lower_face   = -2.4e-3;
+    rotor.ring_upper_face   = 5.0e-3;
+    rotor.flange_thickness  = 0.45e-3;
+    rotor.lip_inner_radius  = 33.9e-3;
+  }
+
   /** Its wave, as the program stator passes it to the contact. */
   inline StatorWave stator_wave(const Parameters &parameters)
   {
