@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Figure of the torque-speed curve, of one case or of several together."""
 import numpy as np
-from drawing import BLUE, GREEN, GREY, ORANGE, PURPLE, start_figure
+from drawing import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, start_figure
 
-CASE_STYLE = ((BLUE, "o"), (ORANGE, "s"), (GREEN, "^"), (PURPLE, "D"))
+CASE_STYLE = ((BLUE, "o"), (ORANGE, "s"), (GREEN, "^"), (PURPLE, "D"), (SKY, "v"))
 PARTS = {"friction_loss_mW": ("total", "-"), "tangential_loss_mW": ("along the ring", "--"),
          "radial_loss_mW": ("across the ring", ":")}
 

@@ -18,7 +18,7 @@ except ImportError as error:
 plt.rcParams.update({"font.size": 8.5, "axes.linewidth": 0.7, "svg.hashsalt": "ringmotor"})
 
 # Colours of Okabe and Ito: told apart by colour-blind readers and, by lightness, in grey print.
-BLUE, ORANGE, GREEN, PURPLE, GREY = "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#6E6E6E"
+BLUE, ORANGE, GREEN, PURPLE, SKY, GREY = "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#6E6E6E"
 METAL = "#E9E9E9"
 MICRO, MILLI, KILO = 1e-6, 1e-3, 1e3
 

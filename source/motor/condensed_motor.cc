@@ -288,7 +288,7 @@ namespace ringmotor
     motor.constants = constants_for(motor.compliance);
     if (model.needs_modes())
       add_modes(motor, tooth.surface, rotor.mortar, discretisation, parameters, model,
-                modes_level.value_or(RotorVibration::finest_level),
+                modes_level.value_or(RotorVibration::usual_level),
                 vibration ? *vibration : RotorVibration(parameters, motor.angular_frequency));
     return motor;
   }

@@ -75,6 +75,15 @@ namespace ringmotor
     return discretisation;
   }
 
+  ContactDiscretisation ContactDiscretisation::requested(const Accuracy &accuracy,
+                                                         const unsigned int level)
+  {
+    ContactDiscretisation discretisation = ContactDiscretisation::level(level);
+    if (accuracy.mode == AccuracyMode::fixed)
+      discretisation.degree = accuracy.interface_degree;
+    return discretisation;
+  }
+
   ToothBody::ToothBody(const Parameters &parameters, const ContactDiscretisation &discretisation,
                        const bool is_clamped)
       : mesh(tooth_mesh(parameters, discretisation, is_clamped)),

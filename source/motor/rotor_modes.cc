@@ -111,8 +111,8 @@ namespace ringmotor
   {
     // The truncation error of the modes decreases with the third power of the highest frequency, to
     // a third from level to level.
-    constexpr std::array<double, finest_level + 1> up_to{{6., 8.5, highest_harmonic}};
-    constexpr std::array<unsigned int, finest_level + 1> n_harmonics{{9, 13, 19}};
+    constexpr std::array<double, finest_level + 1> up_to{{6., 8.5, 12., 17.}};
+    constexpr std::array<unsigned int, finest_level + 1> n_harmonics{{9, 13, 19, 27}};
     if (!levels[level])
       levels[level] = std::make_shared<const LipModes>(parameters, level, up_to[level] * frequency,
                                                        n_harmonics[level]);

@@ -61,13 +61,19 @@ namespace ringmotor
     add_entry(prm, "Mode", mode,
               selection<AccuracyMode>(
                   {{"adaptive", AccuracyMode::adaptive}, {"fixed", AccuracyMode::fixed}}),
-              "Refine until the target is met, or use the three entries below.");
+              "Refine until the target is met, or use the entries below.");
     add_entry(prm, "Polynomial degree", polynomial_degree, whole_number(2, 8),
               "Degree of the elements of the program stator; used with Mode = fixed only.");
     add_entry(prm, "Refinement", refinement, whole_number(0, 6),
               "Refinements of the mesh of the program stator; used with Mode = fixed only.");
     add_entry(prm, "Interface refinement", interface_refinement, whole_number(0, 6),
               "Refinements of the contact interface; used with Mode = fixed only.");
+    add_entry(prm, "Interface degree", interface_degree, whole_number(2, 5),
+              "Degree of the elements of teeth and rotor in the program contact; used with Mode = "
+              "fixed only.");
+    add_entry(prm, "Rotor modes", rotor_modes, whole_number(1, 3),
+              "Accuracy of the modes of a rotor with inertia: modes up to 8.5, 12 or 17 times the "
+              "frequency of the wave, on finer and finer meshes; used with Mode = fixed only.");
   }
 
   void Effects::declare(ParameterHandler &prm)

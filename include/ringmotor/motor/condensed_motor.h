@@ -114,7 +114,7 @@ namespace ringmotor
   /**
    * Condenses the teeth and the rotor of a motor to their contact points. Depends only on
    * relevant_for_condensation() of the parameters.
-   * @param modes_level of the rotor, from 1, see RotorVibration; none: the finest one
+   * @param modes_level of the rotor, from 1, see RotorVibration; none: the usual one
    * @param vibration of the rotor, which is the same for all discretisations; computed if not
    * given
    * @throws UserError if the lip misses the teeth

@@ -28,6 +28,8 @@ namespace ringmotor
 
     /** Discretisation 0, 1, 2, ... of a sequence of increasing refinement. */
     static ContactDiscretisation level(const unsigned int level);
+    /** The same with the degree that the entries request with `Accuracy/Mode = fixed`. */
+    static ContactDiscretisation requested(const Accuracy &accuracy, const unsigned int level);
   };
 
   /** The finite element model of a tooth, cut off the base at its foot. */

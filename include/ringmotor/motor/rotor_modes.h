@@ -58,8 +58,10 @@ namespace ringmotor
   class RotorVibration
   {
   public:
-    static constexpr unsigned int finest_level = 2;
-    /** The finest level includes modes of bodies up to this multiple of the wave's frequency. */
+    static constexpr unsigned int finest_level = 3;
+    /** For tight targets, to begin with. */
+    static constexpr unsigned int usual_level = 2;
+    /** The modes of teeth are included up to this multiple of the wave's frequency. */
     static constexpr double highest_harmonic = 12.;
 
     /** @param frequency rad/s, of the wave */

@@ -1,0 +1,144 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Convergence with the inertia of the rotor, and the influence of friction, on the reference motor.
+
+usage: benchmarks/inertia.py [--markdown FILE] [--figure FILE.png]
+
+One coefficient of friction, all other effects as in the paper. The first table varies steps, dissipation, modes, mesh
+and degree of elements one at a time from a common setting; each row quotes its own error bars, except those of the
+wave, which is the same in all rows. Last, the values with the target of the reference motor, whose bars must contain
+all rows that are at least as fine as the common setting. The second table, and the figure, vary the coefficient.
+"""
+import argparse
+import csv
+import pathlib
+import shutil
+import sys
+import tempfile
+
+sys.dont_write_bytecode = True
+from motor_run import OUTPUT_OFF, table, write_markdown  # noqa: E402
+from timed_run import PAPERS_MODEL, ROOT, arguments, limited_run, program  # noqa: E402
+
+MOTOR = ROOT / "prm" / "canon_ring.prm"
+TORQUES = (0., 0.05, 0.1, 0.13)  # N m
+BASE = {**PAPERS_MODEL, **OUTPUT_OFF, "Effects/Rotor inertia": "on", "Effects/Damping": "on",
+        "Effects/Static friction excess": "off", "Friction/Dynamic coefficient": "0.4",
+        "Loading/Values": ", ".join(map(str, TORQUES))}
+FIXED = {"Accuracy/Mode": "fixed", "Accuracy/Interface refinement": "1", "Time/Snapshots": "4"}
+# Name, entries, and whether the setting is at least as fine as the common one.
+ROWS = [("common setting: 360 steps, spectral radius 0.8, modes to 12 times 30 kHz, interface mesh 1", {}, True)]
+ROWS += [(f"{90 * number} steps", {"Time/Snapshots": str(number)}, number > 4) for number in (1, 2, 8)]
+ROWS += [(f"spectral radius {radius}", {"Time/Spectral radius": str(radius)}, True) for radius in (0.5, 0.9)]
+ROWS += [(f"modes to {multiple} times 30 kHz", {"Accuracy/Rotor modes": str(level)}, level > 2)
+         for level, multiple in ((1, 8.5), (3, 17))]
+ROWS += [(f"interface mesh {level}", {"Accuracy/Interface refinement": str(level)}, level > 1) for level in (0, 2)]
+ROWS += [("interface mesh 1 of degree 3", {"Accuracy/Interface degree": "3"}, True)]
+FRICTION = [("0.40, without", {"Effects/Rotor inertia": "off", "Effects/Damping": "off"})]
+FRICTION += [(f"{mu:.2f}, with", {"Friction/Dynamic coefficient": str(mu)}) for mu in (0.4, 0.6, 0.7, 0.8)]
+
+
+def run(name, folder, entries):
+    done = limited_run([str(program(name))] + arguments(MOTOR, folder, entries))
+    if done.status != 0:
+        raise RuntimeError(f"{name}: {done.message}")
+    return done
+
+
+def points(folder, entries):
+    """Of a run of the program contact: the rows of its table, and its seconds."""
+    done = run("contact", folder, entries)
+    with open(folder / "contact" / "torque_speed.csv") as file:
+        return [{key: float(value) for key, value in row.items() if key != "control"}
+                for row in csv.DictReader(file)], done.processor_seconds
+
+
+def cells(rows, key, error, digits):
+    return [f"{row[key]:.{digits}f} +- {row[error]:.{digits}f}" if row else "" for row in rows]
+
+
+def points_where_powers_balance(folder, entries):
+    """The rows of the torques; None for those at which long steps leave the powers unbalanced."""
+    for left_out in range(len(TORQUES)):
+        values = {"Loading/Values": ", ".join(map(str, TORQUES[left_out:]))}
+        try:
+            found, seconds = points(folder, {**entries, **values})
+        except RuntimeError as error:
+            if "power put in" not in str(error):
+                raise
+            continue
+        return [None] * left_out + found, seconds
+    raise RuntimeError("powers do not balance at any torque")
+
+
+def convergence(folder):
+    header = ["varied"] + [f"{1e3 * torque:g} mN m, rpm" for torque in TORQUES] + ["loss at 0, mW", "seconds"]
+    lines, finer = [], []
+
+    def add(name, found, seconds):
+        lines.append([name] + cells(found, "speed_rpm", "speed_error_rpm", 2) +
+                     cells(found[:1], "friction_loss_mW", "friction_loss_error_mW", 0) + [f"{seconds:.0f}"])
+        print(" | ".join(lines[-1]), flush=True)
+    for name, entries, is_finer in ROWS:
+        try:
+            found, seconds = points_where_powers_balance(folder, {**BASE, **FIXED, **entries})
+        except RuntimeError as error:
+            print(f"{name}: {error}", file=sys.stderr)
+            continue
+        add(name, found, seconds)
+        if is_finer:
+            finer.append((name, found))
+    found, seconds = points(folder, {**BASE, "Accuracy/Contact target": "0.1"})
+    add("`Contact target = 0.1`", found, seconds)
+    outside = [f"{name}, {1e3 * torque:g} mN m" for name, rows in finer
+               for torque, row, bar in zip(TORQUES, rows, found)
+               if row and abs(row["speed_rpm"] - bar["speed_rpm"]) > bar["speed_error_rpm"]]
+    inside = len(finer) * len(TORQUES) - len(outside)
+    return table(header, lines) + ["", f"The last bars contain {inside} of {inside + len(outside)} speeds of the rows "
+                                   "that are at least as fine as the common setting" +
+                                   (f"; not {'; '.join(outside)}." if outside else ".")]
+
+
+def friction(folder, figure):
+    torques = (0., 0.05, 0.1, 0.15)
+    header = ["coefficient, inertia", "speed at 0, 50, 100, 150 mN m, rpm", "friction loss, mW"]
+    lines, cases = [], []
+    for name, entries in FRICTION:
+        found, _ = points(folder, {**BASE, **FIXED, "Motor/Name": f"friction {name} inertia",
+                                   "Loading/Values": ", ".join(map(str, torques)), **entries})
+        lines.append([name] + [", ".join(f"{row[key]:.{digits}f}" for row in found)
+                               for key, digits in (("speed_rpm", 1), ("friction_loss_mW", 0))])
+        print(" | ".join(lines[-1]), flush=True)
+        cases.append(pathlib.Path(shutil.copytree(folder, folder.parent / f"case{len(cases)}")))
+    if figure:
+        draw(cases, figure)
+    return table(header, lines)
+
+
+def draw(folders, path):
+    sys.path.insert(0, str(ROOT / "scripts"))
+    import contact_case
+    import curve_figures
+    cases = [contact_case.ContactCase(str(folder)) for folder in folders]
+    figure = curve_figures.draw_torque_speed(cases[0], cases[1:])
+    figure.suptitle("Reference motor: speed and friction loss, friction 0.40 without and 0.40 to 0.80 with inertia",
+                    fontsize=9)
+    figure.savefig(path, dpi=160)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--markdown", type=pathlib.Path, help="file between whose comments the tables go")
+    parser.add_argument("--figure", type=pathlib.Path, help="file of the figure of friction coefficients")
+    options = parser.parse_args()
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = pathlib.Path(scratch) / "case"
+        run("stator", folder, {**BASE, "Accuracy/Target": "1e-4"})
+        for name, lines in (("convergence", convergence(folder)), ("friction", friction(folder, options.figure))):
+            print("\n".join(lines))
+            if options.markdown:
+                write_markdown(options.markdown, name, lines)
+
+
+if __name__ == "__main__":
+    main()
