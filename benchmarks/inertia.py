@@ -32,8 +32,7 @@ ROWS += [(f"{90 * number} steps", {"Time/Snapshots": str(number)}, number > 4) f
 ROWS += [(f"spectral radius {radius}", {"Time/Spectral radius": str(radius)}, True) for radius in (0.5, 0.9)]
 ROWS += [(f"modes to {multiple} times 30 kHz", {"Accuracy/Rotor modes": str(level)}, level > 2)
          for level, multiple in ((1, 8.5), (3, 17))]
-ROWS += [(f"interface mesh {level}", {"Accuracy/Interface refinement": str(level)}, level > 1) for level in (0, 2)]
-ROWS += [("interface mesh 1 of degree 3", {"Accuracy/Interface degree": "3"}, True)]
+ROWS += [(f"interface mesh {level}", {"Accuracy/Interface refinement": str(level)}, level > 1) for level in (0, 2, 3)]
 FRICTION = [("0.40, without", {"Effects/Rotor inertia": "off", "Effects/Damping": "off"})]
 FRICTION += [(f"{mu:.2f}, with", {"Friction/Dynamic coefficient": str(mu)}) for mu in (0.4, 0.6, 0.7, 0.8)]
 

@@ -6,15 +6,14 @@
 
 namespace ringmotor
 {
-  std::vector<double> graded_lines(const double length, const double first)
+  std::vector<double> graded_lines(const double length, const double first, const double ratio,
+                                   const double longest)
   {
-    constexpr double growth = 0.3;
     std::vector<double> lines{0.};
-    // A last cell less than sqrt(growth) of the one before it would only add a sliver.
-    for (double distance = first; distance < length * std::sqrt(growth); distance /= growth)
+    // A last cell less than sqrt(ratio) of the one before it would only add a sliver.
+    for (double distance = first; distance < length * std::sqrt(ratio); distance /= ratio)
       lines.push_back(distance);
-    // A cell over most of the cross-section's height is too long for its bending.
-    if (length - lines.back() > 0.6 * length)
+    if (length - lines.back() > longest * length)
       lines.push_back(0.5 * (lines.back() + length));
     lines.push_back(length);
     return lines;

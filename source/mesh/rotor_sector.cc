@@ -16,11 +16,19 @@ namespace ringmotor
 
   namespace
   {
+    /** The cells at the edges where flange and ring meet. */
+    struct EdgeCells
+    {
+      double first;          ///< width, m
+      double ratio, longest; ///< see RotorGrading
+    };
+
     /** Lines from @p from to @p to, finer at @p from, which is not included. */
     void append_lines(std::vector<double> &lines, const double from, const double to,
-                      const double first)
+                      const EdgeCells &cells)
     {
-      const std::vector<double> distances = graded_lines(std::abs(to - from), first);
+      const std::vector<double> distances =
+          graded_lines(std::abs(to - from), cells.first, cells.ratio, cells.longest);
       for (unsigned int i = 1; i < distances.size(); ++i)
         lines.push_back(from + (to > from ? distances[i] : -distances[i]));
     }
@@ -30,7 +38,7 @@ namespace ringmotor
      * on both sides of the lip's outer edge.
      */
     void append_flange_lines(std::vector<double> &lines, const RotorGeometry &rotor,
-                             const double first, const InterfaceGrading &lip)
+                             const EdgeCells &cells, const InterfaceGrading &lip)
     {
       for (const double distance :
            squared_lines(rotor.lip_outer_radius - rotor.lip_inner_radius, lip.n_across))
@@ -39,11 +47,11 @@ namespace ringmotor
       {
         lines.pop_back();
         lines.back() = rotor.lip_inner_radius;
-        append_lines(lines, rotor.ring_inner_radius, rotor.lip_outer_radius, first);
+        append_lines(lines, rotor.ring_inner_radius, rotor.lip_outer_radius, cells);
         return;
       }
       const double middle = 0.5 * (rotor.lip_outer_radius + rotor.ring_inner_radius);
-      append_lines(lines, rotor.ring_inner_radius, middle, first);
+      append_lines(lines, rotor.ring_inner_radius, middle, cells);
       const std::vector<double> distances =
           squared_lines(middle - rotor.lip_outer_radius, lip.n_across);
       for (unsigned int i = 1; i + 1 < distances.size(); ++i)
@@ -108,11 +116,11 @@ namespace ringmotor
 
     /** Lip and flange as a shell, tied to the solid root of the flange by its outer edge. */
     void add_flange_shell(SectorMesh &mesh, const RotorGeometry &rotor,
-                          const std::vector<double> &angles, const unsigned int level,
+                          const std::vector<double> &angles, const RotorGrading &grading,
                           const InterfaceGrading &lip)
     {
       const double height      = rotor.flange_lower_face + 0.5 * rotor.flange_thickness;
-      const unsigned int n_lip = std::max(1 + level / 2, lip.n_across), n_span = 2 + level;
+      const unsigned int n_lip = std::max(grading.n_lip, lip.n_across), n_span = grading.n_span;
       std::vector<double> radii;
       for (const double distance :
            squared_lines(rotor.lip_outer_radius - rotor.lip_inner_radius, n_lip))
@@ -148,16 +156,16 @@ namespace ringmotor
       mesh.sections[ids::rotor] = mesh.sections[ids::lip_shell] = {rotor.flange_thickness, 0.};
     }
 
-    /** The lines of the cross-section along r; @p first: the first width at a notch (m). */
-    std::vector<double> radial_lines(const RotorGeometry &rotor, const double first,
+    /** The lines of the cross-section along r. */
+    std::vector<double> radial_lines(const RotorGeometry &rotor, const EdgeCells &cells,
                                      const InterfaceGrading &lip)
     {
       std::vector<double> r_lines{rotor.ring_inner_radius};
       if (rotor.flange_element == ElementKind::solid)
-        append_flange_lines(r_lines, rotor, first, lip);
+        append_flange_lines(r_lines, rotor, cells, lip);
       else
-        append_lines(r_lines, rotor.ring_inner_radius, root_radius(rotor), first);
-      append_lines(r_lines, rotor.ring_inner_radius, rotor.ring_outer_radius, first);
+        append_lines(r_lines, rotor.ring_inner_radius, root_radius(rotor), cells);
+      append_lines(r_lines, rotor.ring_inner_radius, rotor.ring_outer_radius, cells);
       return sorted(r_lines);
     }
 
@@ -167,13 +175,13 @@ namespace ringmotor
     }
 
     /** Those along z. */
-    std::vector<double> axial_lines(const RotorGeometry &rotor, const double first,
+    std::vector<double> axial_lines(const RotorGeometry &rotor, const EdgeCells &cells,
                                     const InterfaceGrading &lip)
     {
       const double flange_top    = ringmotor::flange_top(rotor);
       const double flange_middle = 0.5 * (rotor.flange_lower_face + flange_top);
       std::vector<double> z_lines{rotor.flange_lower_face, flange_top};
-      append_lines(z_lines, rotor.flange_lower_face, rotor.ring_lower_face, first);
+      append_lines(z_lines, rotor.flange_lower_face, rotor.ring_lower_face, cells);
       if (rotor.flange_element == ElementKind::solid && lip.n_across > 1)
       {
         for (const double distance : squared_lines(rotor.flange_thickness, lip.n_across + 1))
@@ -181,10 +189,10 @@ namespace ringmotor
       }
       else
       {
-        append_lines(z_lines, rotor.flange_lower_face, flange_middle, first);
-        append_lines(z_lines, flange_top, flange_middle, first);
+        append_lines(z_lines, rotor.flange_lower_face, flange_middle, cells);
+        append_lines(z_lines, flange_top, flange_middle, cells);
       }
-      append_lines(z_lines, flange_top, rotor.ring_upper_face - rotor.radial_bar_height, first);
+      append_lines(z_lines, flange_top, rotor.ring_upper_face - rotor.radial_bar_height, cells);
       z_lines.push_back(rotor.ring_upper_face);
       z_lines = sorted(z_lines);
       // The flange was added from both sides.
@@ -195,13 +203,18 @@ namespace ringmotor
     }
   } // namespace
 
+  RotorGrading RotorGrading::level(const unsigned int level)
+  {
+    return {0.5 * std::pow(0.3, level), 0.3, 0.6, 2 + level, 1 + level / 2};
+  }
+
   SectorMesh make_rotor_sector(const RotorGeometry &rotor, const unsigned int n_teeth,
-                               const SectorForm form, const unsigned int level,
+                               const SectorForm form, const RotorGrading &grading,
                                MPI_Comm communicator, const InterfaceGrading &lip)
   {
-    const double first                = 0.5 * rotor.flange_thickness * std::pow(0.3, level);
-    const std::vector<double> r_lines = radial_lines(rotor, first, lip),
-                              z_lines = axial_lines(rotor, first, lip);
+    const EdgeCells cells{grading.first * rotor.flange_thickness, grading.ratio, grading.longest};
+    const std::vector<double> r_lines = radial_lines(rotor, cells, lip),
+                              z_lines = axial_lines(rotor, cells, lip);
 
     const double half_pitch = numbers::PI / n_teeth;
     std::vector<double> angles;
@@ -235,7 +248,7 @@ namespace ringmotor
     triangulation.set_all_manifold_ids(0);
     triangulation.set_manifold(0, CylindricalManifold<3>(2));
     if (rotor.flange_element != ElementKind::solid)
-      add_flange_shell(mesh, rotor, angles, level, lip);
+      add_flange_shell(mesh, rotor, angles, grading, lip);
     if (rotor.radial_bar_stiffness > 0.)
       mesh.foundations[ids::radial_bars] = rotor.radial_bar_stiffness / rotor.radial_bar_height;
     return mesh;

@@ -8,6 +8,7 @@
 #include <ringmotor/structure/surface_load.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace ringmotor
@@ -69,19 +70,14 @@ namespace ringmotor
 
   ContactDiscretisation ContactDiscretisation::level(const unsigned int level)
   {
-    ContactDiscretisation discretisation;
-    discretisation.tooth = {1 + level, std::max(1u, level)};
-    discretisation.lip   = {1 + level, 1 + level};
-    return discretisation;
-  }
-
-  ContactDiscretisation ContactDiscretisation::requested(const Accuracy &accuracy,
-                                                         const unsigned int level)
-  {
-    ContactDiscretisation discretisation = ContactDiscretisation::level(level);
-    if (accuracy.mode == AccuracyMode::fixed)
-      discretisation.degree = accuracy.interface_degree;
-    return discretisation;
+    const InterfaceGrading coarse{1, 1}, tooth{2, 1}, lip{2, 2};
+    static const std::array<ContactDiscretisation, finest_level + 1> levels{
+        {{2, coarse, coarse, {}},
+         {2, tooth, lip, {}},
+         {3, tooth, lip, {0.25, 0.1, 0.8}},
+         {4, tooth, lip, {0.2, 0.1, 0.8}},
+         {4, {3, 2}, {3, 3}, {0.08, 0.1, 0.8}}}};
+    return levels.at(level);
   }
 
   ToothBody::ToothBody(const Parameters &parameters, const ContactDiscretisation &discretisation,
@@ -138,7 +134,7 @@ namespace ringmotor
 
   RotorBody::RotorBody(const Parameters &parameters, const ContactDiscretisation &discretisation)
       : mesh(make_rotor_sector(parameters.rotor, parameters.motor.n_teeth, SectorForm::half,
-                               discretisation.rotor_level, MPI_COMM_SELF, discretisation.lip)),
+                               discretisation.rotor, MPI_COMM_SELF, discretisation.lip)),
         sector(mesh,
                {{ids::rotor, parameters.materials.rotor_metal},
                 {ids::lip_shell, parameters.materials.rotor_metal}},

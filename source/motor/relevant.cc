@@ -51,10 +51,8 @@ namespace ringmotor
     relevant.accuracy.time_limit           = defaults.accuracy.time_limit;
     relevant.accuracy.mode                 = defaults.accuracy.mode;
     relevant.accuracy.interface_refinement = defaults.accuracy.interface_refinement;
-    if (parameters.accuracy.mode == AccuracyMode::adaptive)
-      relevant.accuracy.interface_degree = defaults.accuracy.interface_degree;
-    relevant.accuracy.rotor_modes = defaults.accuracy.rotor_modes;
-    relevant.support              = defaults.support;
+    relevant.accuracy.rotor_modes          = defaults.accuracy.rotor_modes;
+    relevant.support                       = defaults.support;
     forget_what_never_matters(relevant);
     if (motor_model(parameters).rotor_needs_modes())
       relevant.materials.rotor_metal.loss_factor = parameters.materials.rotor_metal.loss_factor;

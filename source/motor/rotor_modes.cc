@@ -58,8 +58,8 @@ namespace ringmotor
   ContactDiscretisation LipModes::discretisation(const unsigned int level)
   {
     ContactDiscretisation discretisation;
-    discretisation.lip         = {1, 1}; // modes move the lip smoothly
-    discretisation.rotor_level = level;
+    discretisation.lip   = {1, 1}; // modes move the lip smoothly
+    discretisation.rotor = RotorGrading::level(level);
     return discretisation;
   }
 

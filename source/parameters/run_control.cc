@@ -66,11 +66,10 @@ namespace ringmotor
               "Degree of the elements of the program stator; used with Mode = fixed only.");
     add_entry(prm, "Refinement", refinement, whole_number(0, 6),
               "Refinements of the mesh of the program stator; used with Mode = fixed only.");
-    add_entry(prm, "Interface refinement", interface_refinement, whole_number(0, 6),
-              "Refinements of the contact interface; used with Mode = fixed only.");
-    add_entry(prm, "Interface degree", interface_degree, whole_number(2, 5),
-              "Degree of the elements of teeth and rotor in the program contact; used with Mode = "
-              "fixed only.");
+    add_entry(
+        prm, "Interface refinement", interface_refinement, whole_number(0, 4),
+        "Place in the sequence of meshes and degrees of the bodies in contact; used with Mode = "
+        "fixed only.");
     add_entry(prm, "Rotor modes", rotor_modes, whole_number(1, 3),
               "Accuracy of the modes of a rotor with inertia: modes up to 8.5, 12 or 17 times the "
               "frequency of the wave, on finer and finer meshes; used with Mode = fixed only.");

@@ -187,9 +187,8 @@ namespace ringmotor
       const auto scope    = phases.measure("condensation, interface mesh " + std::to_string(level));
       const auto condense = [&]
       {
-        return condense_motor(parameters, wave,
-                              ContactDiscretisation::requested(parameters.accuracy, level),
-                              modes_level, &effects.vibration());
+        return condense_motor(parameters, wave, ContactDiscretisation::level(level), modes_level,
+                              &effects.vibration());
       };
       std::optional<unsigned int> of_rotor;
       if (motor_model(parameters).rotor_needs_modes())
@@ -342,8 +341,7 @@ namespace ringmotor
       const auto scope    = phases.measure("fields for ParaView");
       const double height = parameters.stator.base_thickness + parameters.stator.tooth_height;
       write_contact_surfaces(folder, search.motor(), search.points(), height);
-      const MotorBodies bodies(
-          parameters, wave, ContactDiscretisation::requested(parameters.accuracy, search.level()));
+      const MotorBodies bodies(parameters, wave, ContactDiscretisation::level(search.level()));
       write_motor_bodies(folder, search.motor(), bodies, search.points(), height);
       if (search.motor().has_rotor_modes())
         log.line("the interior of a rotor with inertia or damping is not drawn: motor.pvd shows "

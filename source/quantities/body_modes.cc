@@ -173,7 +173,8 @@ namespace ringmotor
     level                      = new_level;
     const unsigned int n_teeth = parameters.motor.n_teeth;
     if (parameters.modes.body == Body::rotor)
-      mesh = make_rotor_sector(parameters.rotor, n_teeth, SectorForm::half, level, communicator);
+      mesh = make_rotor_sector(parameters.rotor, n_teeth, SectorForm::half,
+                               RotorGrading::level(level), communicator);
     else if (parameters.modes.body == Body::tooth)
       mesh = make_tooth(parameters.stator, n_teeth, SectorGrading::level(level), communicator);
     else

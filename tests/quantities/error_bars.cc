@@ -16,6 +16,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <stdexcept>
@@ -199,9 +200,9 @@ namespace
   constexpr double window_error = 0.01; // rad/s, of synthetic points that report it
   constexpr double period       = 1e-5 * dealii::numbers::PI; // s, of the synthetic wave
 
-  /** Synthetic sources of points: speeds w0 - T with a mesh error a ratio^level, a time step error
+  /** Synthetic sources of points: speeds w0 - T with a mesh error a / 4^level, a time step error
    * b/n for n parts, and an error in proportion to the wave; powers balance with four parts. */
-  CurveSearch::Sources made_up_sources(const double a, const double b, const double ratio = 0.25)
+  CurveSearch::Sources made_up_sources(const double a, const double b)
   {
     CurveSearch::Sources sources;
     sources.motor = [](unsigned int, unsigned int)
@@ -215,9 +216,9 @@ namespace
       motor.degree = 1;
       return motor;
     };
-    sources.points =
-        [a, b, ratio](const Parameters &, const CondensedMotor &, const CurveSetting &setting,
-                      const std::vector<PointRequest> &requests, const std::vector<CurvePoint> &)
+    sources.points = [a, b](const Parameters &, const CondensedMotor &, const CurveSetting &setting,
+                            const std::vector<PointRequest> &requests,
+                            const std::vector<CurvePoint> &)
     {
       std::vector<CurvePoint> points;
       for (const PointRequest &request : requests)
@@ -228,7 +229,7 @@ namespace
         point.result.torque  = of_torque ? request.value : 8.;
         const double exact   = (8. - point.result.torque) * setting.wave_factor;
         point.result.speed =
-            of_torque ? exact + a * std::pow(ratio, setting.level) * (1. + point.result.torque) +
+            of_torque ? exact + a * std::pow(0.25, setting.level) * (1. + point.result.torque) +
                             b * setting.n_joined / setting.n_parts
                       : request.value;
         point.result.input_power     = 1.;
@@ -284,25 +285,42 @@ TEST(ErrorBars, OfAnOperatingPointDoNotDependOnTheOthers)
     EXPECT_EQ(alone.errors.causes()[i].second.speed, among.errors.causes()[i].second.speed) << i;
 }
 
-TEST(ErrorBars, AreShorterWhereValuesSwingAboutTheirLimit)
+TEST(ErrorBars, OfMeshesFollowTheLastChange)
 {
-  // Errors of 0.2, -0.12, 0.072, -0.0432: the third value is the first one between two others.
-  constexpr double a = 0.2, ratio = -0.6;
-  Parameters parameters;
-  parameters.loading.values      = {0.};
-  parameters.loading.control     = Control::torque;
-  parameters.initial_deformation = {};
-  const auto mesh_bar            = [&](const double target, const unsigned int level)
+  // Errors of the meshes 0 to 3.
+  const auto mesh_bar =
+      [](const std::array<double, 4> &errors, const double target, const unsigned int level)
   {
+    Parameters parameters;
+    parameters.loading.values          = {0.};
+    parameters.loading.control         = Control::torque;
+    parameters.initial_deformation     = {};
     parameters.accuracy.contact_target = target;
-    CurveSearch search(parameters, 1e-4, period, made_up_sources(a, 0., ratio));
+    CurveSearch::Sources sources       = made_up_sources(0., 0.);
+    sources.points                     = [&errors, exact = sources.points](
+                         const Parameters &all, const CondensedMotor &motor,
+                         const CurveSetting &setting, const std::vector<PointRequest> &requests,
+                         const std::vector<CurvePoint> &starts)
+    {
+      std::vector<CurvePoint> points = exact(all, motor, setting, requests, starts);
+      for (CurvePoint &point : points)
+        if (point.request.control == Control::torque)
+          point.result.speed += errors[setting.level];
+      return points;
+    };
+    CurveSearch search(parameters, 1e-4, period, sources);
     search.find();
     EXPECT_EQ(search.level(), level);
     return search.points().front().errors.mesh.speed;
   };
-  EXPECT_NEAR(mesh_bar(0.1, 1), 2. * (0.2 + 0.12), 1e-12);
-  EXPECT_NEAR(mesh_bar(0.04, 2), 0.12 + 0.072, 1e-12);
-  EXPECT_NEAR(mesh_bar(0.02, 3), 0.072 + 0.0432, 1e-12);
+  const std::array<double, 4> regular{{0.36, 0.12, 0.04, 0.01}};
+  EXPECT_NEAR(mesh_bar(regular, 0.1, 1), 2. * 0.24, 1e-12); // far from convergence
+  EXPECT_NEAR(mesh_bar(regular, 0.02, 2), 1.25 * 0.08, 1e-12);
+  EXPECT_NEAR(mesh_bar(regular, 0.006, 3), 1.25 * 0.03, 1e-12);
+  // A last change that happens to be small is not trusted: a third of the one before.
+  EXPECT_NEAR(mesh_bar({{0.36, 0.12, 0.12, 0.}}, 0.02, 2), 1.25 * 0.08, 1e-12);
+  // Values that swing about their limit
+  EXPECT_NEAR(mesh_bar({{0.2, -0.1, 0.03, -0.01}}, 0.025, 2), 1.25 * 0.13, 1e-12);
 }
 
 TEST(ErrorBars, HaveTheAveragingWindowOfTheMeshThatIsShown)

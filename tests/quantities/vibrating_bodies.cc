@@ -45,7 +45,7 @@ namespace
 TEST(RotorModes, MakeUpTheDynamicCompliance)
 {
   const Parameters parameters = reference_motor();
-  const ContactDiscretisation mesh{2, {1, 1}, {1, 1}, 0, 0.};
+  const ContactDiscretisation mesh = ContactDiscretisation::level(0);
   const ToothBody tooth(parameters, mesh);
   const RotorBody body(parameters, mesh);
   const double pitch          = 2. * M_PI / 90.;

@@ -51,7 +51,7 @@ namespace
 
     explicit Rotor(const RotorGeometry &geometry)
         : geometry(geometry),
-          mesh(make_rotor_sector(geometry, n_teeth, SectorForm::half, 0, MPI_COMM_WORLD, {2, 1})),
+          mesh(make_rotor_sector(geometry, n_teeth, SectorForm::half, {}, MPI_COMM_WORLD, {2, 1})),
           sector(mesh, {{ids::rotor, aluminium}, {ids::lip_shell, aluminium}}, 2),
           lip(geometry.flange_element == ElementKind::solid
                   ? solid_surface(sector, ids::lip)

@@ -7,9 +7,11 @@ namespace ringmotor
 {
   /**
    * Mesh lines at growing distances from a re-entrant edge, including 0 and @p length (m): the
-   * first cell has width @p first, each further one is about three times as wide as the one before.
+   * first cell has width @p first; the distances grow by a factor of 1 / @p ratio. No
+   * cell is longer than @p longest times @p length.
    */
-  std::vector<double> graded_lines(const double length, const double first);
+  std::vector<double> graded_lines(const double length, const double first,
+                                   const double ratio = 0.3, const double longest = 0.6);
 
   /** The widths of the cells between lines in ascending order. */
   std::vector<double> widths(const std::vector<double> &lines);

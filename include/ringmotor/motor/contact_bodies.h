@@ -3,6 +3,7 @@
 
 #include <ringmotor/contact/contact_surface.h>
 #include <ringmotor/mesh/interface_grading.h>
+#include <ringmotor/mesh/rotor_sector.h>
 #include <ringmotor/parameters/parameters.h>
 #include <ringmotor/structure/modes.h>
 
@@ -23,13 +24,17 @@ namespace ringmotor
     unsigned int degree = 2;
     InterfaceGrading tooth{2, 1};
     InterfaceGrading lip{2, 2};
-    unsigned int rotor_level = 0;
-    double lip_turn          = 0.; ///< rad, of the lip's mesh against that of the teeth
+    RotorGrading rotor;
+    double lip_turn = 0.; ///< rad, of the lip's mesh against that of the teeth
 
-    /** Discretisation 0, 1, 2, ... of a sequence of increasing refinement. */
+    static constexpr unsigned int finest_level = 4;
+    /**
+     * Discretisations 0 to #finest_level, of increasing accuracy. From 1 on each step divides the
+     * errors of speeds by about three: contact is smooth between the edges of the lip and the
+     * borders of contact, so that the degree rises, and cells shrink towards the lip's outer edge
+     * and the singular edges where flange and ring meet.
+     */
     static ContactDiscretisation level(const unsigned int level);
-    /** The same with the degree that the entries request with `Accuracy/Mode = fixed`. */
-    static ContactDiscretisation requested(const Accuracy &accuracy, const unsigned int level);
   };
 
   /** The finite element model of a tooth, cut off the base at its foot. */

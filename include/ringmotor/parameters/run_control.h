@@ -28,7 +28,6 @@ namespace ringmotor
     unsigned int polynomial_degree    = 3; ///< mode fixed only
     unsigned int refinement           = 0; ///< of the body meshes, mode fixed only
     unsigned int interface_refinement = 0; ///< of the contact interface, mode fixed only
-    unsigned int interface_degree     = 2; ///< of the bodies in contact, mode fixed only
     unsigned int rotor_modes          = 2; ///< level of RotorVibration, mode fixed only
 
     /** Declares the entries; reading them changes the members. */

@@ -82,7 +82,7 @@ namespace ringmotor
     std::vector<Rung> climb(const std::function<void(const Rung &)> &after_rung);
 
   private:
-    static constexpr unsigned int finest_level = 3;
+    static constexpr unsigned int finest_level = ContactDiscretisation::finest_level;
     /** A rotor pressed so hard that it barely moves has neither a speed nor a torque to which
      * errors could be related. They are then related to this fraction of the speed of the wave's
      * crests and of the torque that friction can bear. */

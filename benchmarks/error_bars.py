@@ -1,0 +1,146 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""True errors of speeds and friction losses against their error bars, without inertia, on twelve motors.
+
+usage: benchmarks/error_bars.py [--resume] [--csv FILE] [--markdown FILE] [--figure FILE.png] [MOTOR ...]
+
+Each motor is computed at five torques with several targets. The truth is discretisation 4 with eight times as many steps
+per period as there are teeth that differ; its own error bars, a few times shorter than those of the tightest target, are
+not taken into account. It takes two to six minutes for each motor; with --resume the rows of the CSV file are kept.
+"""
+import argparse
+import csv
+import pathlib
+import shutil
+import statistics
+import sys
+
+sys.dont_write_bytecode = True
+from motor_run import OUTPUT_OFF, RowFile, table, write_markdown  # noqa: E402
+from timed_run import PAPERS_MODEL, ROOT, arguments, limited_run, program  # noqa: E402
+
+CANON, STIFF, RING60 = (ROOT / "prm" / f"{name}.prm" for name in ("canon_ring", "canon_stiff_spring", "ring60"))
+RING45 = ROOT / "tests" / "programs" / "ring45.prm"
+MOTORS = {
+    "reference": (CANON, {}), "stiff spring": (STIFF, {}), "solid flange": (CANON, {"Rotor/Flange element": "solid"}),
+    "lip inside the teeth": (CANON, {"Rotor/Lip outer radius": "0.0338"}),
+    "60 N": (CANON, {"Loading/Preload": "60"}), "3 N": (CANON, {"Loading/Preload": "3"}),
+    "high teeth": (CANON, {"Stator/Tooth height": "0.0035", "Stator/Slot width": "0.0003"}),
+    "friction 0.15": (CANON, {"Friction/Static coefficient": "0.15", "Friction/Dynamic coefficient": "0.15"}),
+    "thick flange": (CANON, {"Rotor/Flange thickness": "0.0009"}),
+    "45 mm": (RING45, {"Loading/Preload": "10", "Wave/Amplitude": "1e-6"}),
+    "60 mm": (RING60, {"Effects/Friction lining": "on"}),
+    "wave of 1 um": (CANON, {"Wave/Amplitude": "1e-6"})}
+BASE = {**PAPERS_MODEL, **OUTPUT_OFF, "Effects/Static friction excess": "off", "Effects/Initial deformation": "off",
+        "Friction/Static coefficient": "0.4", "Friction/Dynamic coefficient": "0.4"}
+TARGETS = ("0.03", "0.01", "0.005")
+TRUTH = {"Accuracy/Mode": "fixed", "Accuracy/Interface refinement": "4", "Time/Snapshots": "8"}
+SHARES = (0., 0.25, 0.5, 0.75, 0.9)  # of the stall torque
+COLUMNS = ["motor", "target", "seconds", "torque_mNm", "speed_rpm", "speed_error_rpm", "friction_loss_mW",
+           "friction_loss_error_mW"]
+
+
+def run(name, motor, folder, entries):
+    done = limited_run([str(program(name))] + arguments(motor, folder, entries), 3600.)
+    if done.status != 0:
+        raise RuntimeError(f"{name}: {done.message}")
+    return done
+
+
+def points(motor, folder, entries):
+    done = run("contact", motor, folder, entries)
+    with open(folder / "contact" / "torque_speed.csv") as file:
+        return list(csv.DictReader(file)), done.processor_seconds
+
+
+def compute(name, rows, scratch):
+    motor, others = MOTORS[name]
+    entries = {**BASE, **others}
+    wanted = [target for target in TARGETS + ("truth",) if not rows.find(motor=name, target=target)]
+    if not wanted:
+        return
+    shutil.rmtree(scratch, ignore_errors=True)
+    run("stator", motor, scratch, {**entries, "Accuracy/Contact target": "0.001"})
+    ends, _ = points(motor, scratch, {**entries, "Accuracy/Contact target": "0.3", "Loading/Number of curve points": "2"})
+    stall = 1e-3 * max(float(row["torque_mNm"]) for row in ends)
+    loads = {"Loading/Values": ", ".join(f"{share * stall:.6g}" for share in SHARES)}
+    for target in wanted:
+        accuracy = TRUTH if target == "truth" else {"Accuracy/Contact target": target}
+        try:
+            found, seconds = points(motor, scratch, {**entries, **loads, **accuracy})
+        except RuntimeError as error:
+            print(f"{name}, {target}: {error}", file=sys.stderr, flush=True)
+            continue
+        for row in found:
+            rows.add({"motor": name, "target": target, "seconds": f"{seconds:.1f}",
+                      **{key: row[key] for key in COLUMNS[3:]}})
+        print(f"{name}, {target}: {seconds:.1f} s", flush=True)
+    shutil.rmtree(scratch, ignore_errors=True)
+
+
+def ratios(rows, truth, quantity):
+    """True error over error bar."""
+    name, unit = quantity.rsplit("_", 1)
+    return [abs(float(row[quantity]) - float(true[quantity])) / float(row[f"{name}_error_{unit}"])
+            for row, true in zip(rows, truth)]
+
+
+def evaluate(rows):
+    """The lines of the table, and all ratios by target."""
+    header = ["motor", "target", "seconds", "largest bar of speed, %", "true error over bar: speeds", "losses"]
+    lines, every = [], {target: [] for target in TARGETS}
+    for name in MOTORS:
+        of = {target: [row for row in rows.rows if row["motor"] == name and row["target"] == target]
+              for target in TARGETS + ("truth",)}
+        truth = of.pop("truth")
+        for target, found in of.items():
+            if not found or len(truth) != len(found):
+                continue
+            both = [ratios(found, truth, quantity) for quantity in ("speed_rpm", "friction_loss_mW")]
+            every[target] += both[0] + both[1]
+            fastest = max(float(row["speed_rpm"]) for row in truth)
+            bar = max(float(row["speed_error_rpm"]) for row in found) / fastest
+            lines.append([name, target, found[0]["seconds"], f"{100 * bar:.2f}"] +
+                         [", ".join(f"{ratio:.2f}" for ratio in part) for part in both])
+    everything = sum(every.values(), [])
+    closing = (f"{len(everything)} quantities: the median of true error over bar is {statistics.median(everything):.2f}, "
+               f"{sum(ratio > 1. for ratio in everything)} are above 1, the largest is {max(everything):.1f}.")
+    return table(header, lines) + ["", closing], every
+
+
+def draw(every, path):
+    sys.path.insert(0, str(ROOT / "scripts"))
+    import drawing
+    import numpy
+    figure, axes = drawing.plt.subplots(figsize=(6.2, 3.4), layout="constrained")
+    for (target, found), color in zip(every.items(), (drawing.BLUE, drawing.ORANGE, drawing.GREEN)):
+        axes.step(numpy.sort(found), 100. * (numpy.arange(len(found)) + 1.) / len(found), where="post", color=color,
+                  label=f"target {target}, {len(found)} quantities")
+    axes.axvline(1., color=drawing.GREY, lw=0.8)
+    axes.set(xlabel="true error over error bar", ylabel="quantities below, %", xlim=(0, 2.5), ylim=(0, 102))
+    axes.legend(frameon=False, loc="lower right")
+    axes.spines[["top", "right"]].set_visible(False)
+    figure.savefig(path, dpi=160)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("motors", nargs="*", default=list(MOTORS), metavar="MOTOR", help=", ".join(MOTORS))
+    parser.add_argument("--csv", type=pathlib.Path, default=ROOT / "output" / "error_bars.csv")
+    parser.add_argument("--resume", action="store_true", help="keep the rows of that file, run what it lacks")
+    parser.add_argument("--markdown", type=pathlib.Path, help="file between whose comments the table goes")
+    parser.add_argument("--figure", type=pathlib.Path, help="file of the figure of the distribution")
+    options = parser.parse_args()
+    rows = RowFile(options.csv, COLUMNS, options.resume)
+    for name in options.motors:
+        compute(name, rows, options.csv.with_suffix(f".{name.replace(' ', '_')}"))
+    lines, every = evaluate(rows)
+    print("\n".join(lines))
+    if options.markdown:
+        write_markdown(options.markdown, "error bars", lines)
+    if options.figure:
+        draw(every, options.figure)
+
+
+if __name__ == "__main__":
+    main()
