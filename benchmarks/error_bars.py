@@ -4,8 +4,8 @@
 
 usage: benchmarks/error_bars.py [--resume] [--csv FILE] [--markdown FILE] [--figure FILE.png] [MOTOR ...]
 
-Each motor is computed at five torques with several targets. The truth is discretisation 4 with eight times as many steps
-per period as there are teeth that differ; its own error bars, a few times shorter than those of the tightest target, are
+Each motor is computed at five torques with several targets. The truth is interface mesh 4 with eight times as many steps
+per period as there are teeth that differ; its own error bars, a few times shorter, are
 not taken into account. It takes two to six minutes for each motor; with --resume the rows of the CSV file are kept.
 """
 import argparse
@@ -33,7 +33,7 @@ MOTORS = {
     "wave of 1 um": (CANON, {"Wave/Amplitude": "1e-6"})}
 BASE = {**PAPERS_MODEL, **OUTPUT_OFF, "Effects/Static friction excess": "off", "Effects/Initial deformation": "off",
         "Friction/Static coefficient": "0.4", "Friction/Dynamic coefficient": "0.4"}
-TARGETS = ("0.03", "0.01", "0.005")
+TARGETS = ("0.03", "0.01")
 TRUTH = {"Accuracy/Mode": "fixed", "Accuracy/Interface refinement": "4", "Time/Snapshots": "8"}
 SHARES = (0., 0.25, 0.5, 0.75, 0.9)  # of the stall torque
 COLUMNS = ["motor", "target", "seconds", "torque_mNm", "speed_rpm", "speed_error_rpm", "friction_loss_mW",
@@ -113,7 +113,7 @@ def draw(every, path):
     import drawing
     import numpy
     figure, axes = drawing.plt.subplots(figsize=(6.2, 3.4), layout="constrained")
-    for (target, found), color in zip(every.items(), (drawing.BLUE, drawing.ORANGE, drawing.GREEN)):
+    for (target, found), color in zip(every.items(), (drawing.BLUE, drawing.ORANGE)):
         axes.step(numpy.sort(found), 100. * (numpy.arange(len(found)) + 1.) / len(found), where="post", color=color,
                   label=f"target {target}, {len(found)} quantities")
     axes.axvline(1., color=drawing.GREY, lw=0.8)

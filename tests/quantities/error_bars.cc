@@ -292,8 +292,7 @@ TEST(ErrorBars, OfMeshesFollowTheLastChange)
       [](const std::array<double, 4> &errors, const double target, const unsigned int level)
   {
     Parameters parameters;
-    parameters.loading.values          = {0.};
-    parameters.loading.control         = Control::torque;
+    parameters.loading.values          = {0.}; // torque
     parameters.initial_deformation     = {};
     parameters.accuracy.contact_target = target;
     CurveSearch::Sources sources       = made_up_sources(0., 0.);
@@ -314,7 +313,7 @@ TEST(ErrorBars, OfMeshesFollowTheLastChange)
     return search.points().front().errors.mesh.speed;
   };
   const std::array<double, 4> regular{{0.36, 0.12, 0.04, 0.01}};
-  EXPECT_NEAR(mesh_bar(regular, 0.1, 1), 2. * 0.24, 1e-12); // far from convergence
+  EXPECT_NEAR(mesh_bar(regular, 0.1, 1), 2. * 0.24, 1e-12);
   EXPECT_NEAR(mesh_bar(regular, 0.02, 2), 1.25 * 0.08, 1e-12);
   EXPECT_NEAR(mesh_bar(regular, 0.006, 3), 1.25 * 0.03, 1e-12);
   // A last change that happens to be small is not trusted: a third of the one before.

@@ -44,7 +44,7 @@ namespace
 
 TEST(RotorModes, MakeUpTheDynamicCompliance)
 {
-  const Parameters parameters = reference_motor();
+  const Parameters parameters      = reference_motor();
   const ContactDiscretisation mesh = ContactDiscretisation::level(0);
   const ToothBody tooth(parameters, mesh);
   const RotorBody body(parameters, mesh);
