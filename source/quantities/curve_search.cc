@@ -56,6 +56,7 @@ namespace ringmotor
                            const double period, const Sources &sources, const LeftOut &left_out)
       : parameters(parameters), wave_error(wave_error), steps(parameters, period), sources(sources),
         left_out(left_out), has_inertia(motor_model(parameters).has_inertia()),
+        finest_level(ContactDiscretisation::finest_level - (has_inertia ? 1 : 0)),
         modes_level(
             parameters.accuracy.mode == AccuracyMode::fixed     ? parameters.accuracy.rotor_modes
             : parameters.accuracy.contact_target < loose_target ? RotorVibration::usual_level

@@ -82,7 +82,6 @@ namespace ringmotor
     std::vector<Rung> climb(const std::function<void(const Rung &)> &after_rung);
 
   private:
-    static constexpr unsigned int finest_level = ContactDiscretisation::finest_level;
     /** A rotor pressed so hard that it barely moves has neither a speed nor a torque to which
      * errors could be related. They are then related to this fraction of the speed of the wave's
      * crests and of the torque that friction can bear. */
@@ -161,6 +160,9 @@ namespace ringmotor
     const Sources sources;
     const LeftOut left_out;
     const bool has_inertia;
+    /** Of the discretisations that are tried: with inertia impacts scatter, and the last one, which
+     * takes an hour, gains nothing. */
+    const unsigned int finest_level;
     CurvePoint stalled;       ///< on the first mesh; the loaded point if the rotor sticks
     double stall_torque = 0.; ///< N m; of the first motor that was computed
     std::vector<PointRequest> requests;
