@@ -48,15 +48,10 @@ def teeth(number):
             "Loading/Values": LOADS}
 
 
-FINEST_GROWTH = 3  # interface mesh
+POINTS_ON_A_TOOTH = (15, 25, 49, 81)  # of the interface meshes on the reference motor
 GROWTH_OF_TEETH = [(number, teeth(number)) for number in (30, 60, 90, 180, 360)]
 GROWTH_OF_INTERFACE = [(level, {**teeth(90), "Accuracy/Interface refinement": str(level)})
-                       for level in range(FINEST_GROWTH + 1)]
-
-
-def points_on_a_tooth(level):
-    """Of an interface mesh on the reference motor, see ContactDiscretisation::level()."""
-    return (15, 25, 49, 81)[level]
+                       for level in range(len(POINTS_ON_A_TOOTH))]
 
 
 def condensation_seconds(summary):
@@ -127,7 +122,7 @@ def main():
     options = parser.parse_args()
     program("contact")
     if options.growth:
-        lines = growth("points on a tooth", GROWTH_OF_INTERFACE, points_on_a_tooth, options.repeat)
+        lines = growth("points on a tooth", GROWTH_OF_INTERFACE, POINTS_ON_A_TOOTH.__getitem__, options.repeat)
         lines += growth("teeth", GROWTH_OF_TEETH, int, options.repeat)
     else:
         lines = table(CASES, options.repeat)

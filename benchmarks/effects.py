@@ -9,15 +9,14 @@ stall torque, on interface mesh 0 with four moments. The indicator is that of th
 inertia: of one that has to choose). Effects of the stator: the frequency of the wave, elements of degree 3.
 """
 import argparse
-import csv
 import json
 import pathlib
 import sys
 import tempfile
 
 sys.dont_write_bytecode = True
-from motor_run import OUTPUT_OFF, table, write_markdown  # noqa: E402
-from timed_run import PAPERS_MODEL as OFF, ROOT, arguments, limited_run, program  # noqa: E402
+from motor_run import OUTPUT_OFF, certified_run, operating_points, table, write_markdown  # noqa: E402
+from timed_run import PAPERS_MODEL as OFF, ROOT  # noqa: E402
 
 MOTORS = [ROOT / "prm" / name for name in ("canon_ring.prm", "canon_stiff_spring.prm", "canon_ring_maeno.prm")]
 # The paper marched fifteen steps, of which inertia feels little: here its model is in the steady state.
@@ -35,19 +34,14 @@ FIXED = {**OUTPUT_OFF, **OFF, "Accuracy/Mode": "fixed", "Accuracy/Interface refi
          **STEADY}
 
 
-def run(name, motor, folder, entries):
-    done = limited_run([str(program(name))] + arguments(motor, folder, entries))
-    if done.status != 0:
-        raise RuntimeError(f"{name} {motor.name}: {done.message}")
-    return json.loads((folder / name / "summary.json").read_text()), done
+def summary_of(name, folder):
+    return json.loads((folder / name / "summary.json").read_text())
 
 
 def speeds(motor, folder, entries, torques):
-    summary, done = run("contact", motor, folder,
-                        {**FIXED, "Loading/Values": ", ".join(f"{torque:.6g}" for torque in torques), **entries})
-    with open(folder / "contact" / "torque_speed.csv") as file:
-        rows = list(csv.DictReader(file))
-    return [float(row["speed_rpm"]) for row in rows], summary, done
+    rows, done = operating_points(motor, folder, {
+        **FIXED, "Loading/Values": ", ".join(f"{torque:.6g}" for torque in torques), **entries})
+    return [row["speed_rpm"] for row in rows], summary_of("contact", folder), done
 
 
 def indicator(summary, effect):
@@ -56,9 +50,9 @@ def indicator(summary, effect):
 
 
 def rows_of_contact(motor, folder):
-    run("stator", motor, folder, {**OUTPUT_OFF, **OFF, "Accuracy/Target": "1e-3"})
-    for_stall, _ = run("contact", motor, folder, {**FIXED, "Loading/Control": "speed", "Loading/Values": "0"})
-    stall = next(q["value"] for q in for_stall["quantities"] if q["name"] in ("torque", "stall_torque"))
+    certified_run("stator", motor, folder, {**OUTPUT_OFF, **OFF, "Accuracy/Target": "1e-3"})
+    (at_rest,), _ = operating_points(motor, folder, {**FIXED, "Loading/Control": "speed", "Loading/Values": "0"})
+    stall = 1e-3 * at_rest["torque_mNm"]
     torques = [0., 0.5 * stall]
     base = speeds(motor, folder, {}, torques)
     for name, entries in OF_CONTACT.items():
@@ -70,9 +64,9 @@ def rows_of_contact(motor, folder):
         without = speeds(motor, folder, WITHOUT[name], torques) if name in WITHOUT else base
         change = max(abs(a - b) for a, b in zip(with_it[0], without[0])) / base[0][0]
         if name == "Rotor inertia":
-            chosen = run("contact", motor, folder, {**FIXED, "Accuracy/Contact target": "0.5", "Loading/Values": "0",
-                                                    "Effects/Rotor inertia": "auto"})[0]
-            says = indicator(chosen, name)
+            certified_run("contact", motor, folder, {**FIXED, "Accuracy/Contact target": "0.5", "Loading/Values": "0",
+                                                     "Effects/Rotor inertia": "auto"})
+            says = indicator(summary_of("contact", folder), name)
         else:
             says = "" if "(" in name else indicator(without[1], name)
         cost = [row for row in with_it[1]["effects"] if row["name"] == name]
@@ -86,7 +80,8 @@ def rows_of_stator(motor, folder):
              "Accuracy/Refinement": "1"}
 
     def frequency(entries):
-        summary, done = run("stator", motor, folder, {**fixed, **entries})
+        done = certified_run("stator", motor, folder, {**fixed, **entries})
+        summary = summary_of("stator", folder)
         return next(q["value"] for q in summary["quantities"] if q["name"] == "frequency"), summary, done
     base = frequency({})
     for name in ("Target plates", "Felt support"):

@@ -1,23 +1,22 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""True errors of speeds and friction losses against their error bars, without inertia, on twelve motors.
+"""True errors of speeds and friction losses against their error bars, on twelve motors without inertia.
 
 usage: benchmarks/error_bars.py [--resume] [--csv FILE] [--markdown FILE] [--figure FILE.png] [MOTOR ...]
 
-Each motor is computed at five torques with several targets. The truth is interface mesh 4 with eight times as many steps
-per period as there are teeth that differ; its own error bars, a few times shorter, are
-not taken into account. It takes two to six minutes for each motor; with --resume the rows of the CSV file are kept.
+Each motor is computed at five torques with several targets. The truth is interface mesh 4 with eight times as many
+steps per period as there are teeth that differ; its own error bars, a few times shorter, are not taken into account.
+It takes two to six minutes for each motor; with --resume the rows of the CSV file are kept.
 """
 import argparse
-import csv
 import pathlib
 import shutil
 import statistics
 import sys
 
 sys.dont_write_bytecode = True
-from motor_run import OUTPUT_OFF, RowFile, table, write_markdown  # noqa: E402
-from timed_run import PAPERS_MODEL, ROOT, arguments, limited_run, program  # noqa: E402
+from motor_run import OUTPUT_OFF, RowFile, certified_run, operating_points, table, write_markdown  # noqa: E402
+from timed_run import PAPERS_MODEL, ROOT  # noqa: E402
 
 CANON, STIFF, RING60 = (ROOT / "prm" / f"{name}.prm" for name in ("canon_ring", "canon_stiff_spring", "ring60"))
 RING45 = ROOT / "tests" / "programs" / "ring45.prm"
@@ -40,19 +39,6 @@ COLUMNS = ["motor", "target", "seconds", "torque_mNm", "speed_rpm", "speed_error
            "friction_loss_error_mW"]
 
 
-def run(name, motor, folder, entries):
-    done = limited_run([str(program(name))] + arguments(motor, folder, entries), 3600.)
-    if done.status != 0:
-        raise RuntimeError(f"{name}: {done.message}")
-    return done
-
-
-def points(motor, folder, entries):
-    done = run("contact", motor, folder, entries)
-    with open(folder / "contact" / "torque_speed.csv") as file:
-        return list(csv.DictReader(file)), done.processor_seconds
-
-
 def compute(name, rows, scratch):
     motor, others = MOTORS[name]
     entries = {**BASE, **others}
@@ -60,21 +46,22 @@ def compute(name, rows, scratch):
     if not wanted:
         return
     shutil.rmtree(scratch, ignore_errors=True)
-    run("stator", motor, scratch, {**entries, "Accuracy/Contact target": "0.001"})
-    ends, _ = points(motor, scratch, {**entries, "Accuracy/Contact target": "0.3", "Loading/Number of curve points": "2"})
-    stall = 1e-3 * max(float(row["torque_mNm"]) for row in ends)
+    certified_run("stator", motor, scratch, {**entries, "Accuracy/Contact target": "0.001"})
+    ends, _ = operating_points(motor, scratch, {**entries, "Accuracy/Contact target": "0.3",
+                                                "Loading/Number of curve points": "2"})
+    stall = 1e-3 * max(row["torque_mNm"] for row in ends)
     loads = {"Loading/Values": ", ".join(f"{share * stall:.6g}" for share in SHARES)}
     for target in wanted:
         accuracy = TRUTH if target == "truth" else {"Accuracy/Contact target": target}
         try:
-            found, seconds = points(motor, scratch, {**entries, **loads, **accuracy})
+            found, done = operating_points(motor, scratch, {**entries, **loads, **accuracy})
         except RuntimeError as error:
             print(f"{name}, {target}: {error}", file=sys.stderr, flush=True)
             continue
         for row in found:
-            rows.add({"motor": name, "target": target, "seconds": f"{seconds:.1f}",
+            rows.add({"motor": name, "target": target, "seconds": f"{done.processor_seconds:.1f}",
                       **{key: row[key] for key in COLUMNS[3:]}})
-        print(f"{name}, {target}: {seconds:.1f} s", flush=True)
+        print(f"{name}, {target}: {done.processor_seconds:.1f} s", flush=True)
     shutil.rmtree(scratch, ignore_errors=True)
 
 
@@ -103,7 +90,8 @@ def evaluate(rows):
             lines.append([name, target, found[0]["seconds"], f"{100 * bar:.2f}"] +
                          [", ".join(f"{ratio:.2f}" for ratio in part) for part in both])
     everything = sum(every.values(), [])
-    closing = (f"{len(everything)} quantities: the median of true error over bar is {statistics.median(everything):.2f}, "
+    closing = (f"{len(everything)} quantities: the median of true error over bar is "
+               f"{statistics.median(everything):.2f}, "
                f"{sum(ratio > 1. for ratio in everything)} are above 1, the largest is {max(everything):.1f}.")
     return table(header, lines) + ["", closing], every
 

@@ -4,25 +4,23 @@
 
 usage: benchmarks/inertia.py [--markdown FILE] [--figure FILE.png]
 
-One coefficient of friction, all other effects as in the paper. The first table varies steps, dissipation, modes, mesh
-and degree of elements one at a time from a common setting; each row quotes its own error bars, except those of the
+One coefficient of friction, all other effects as in the paper. The first table varies steps, dissipation, modes and
+interface mesh one at a time from a common setting; each row quotes its own error bars, except those of the
 wave, which is the same in all rows. Last, the values with the target of the reference motor, whose bars must contain
 all rows that are at least as fine as the common setting. The second table, and the figure, vary the coefficient.
 """
 import argparse
-import csv
 import pathlib
 import shutil
 import sys
 import tempfile
 
 sys.dont_write_bytecode = True
-from motor_run import OUTPUT_OFF, table, write_markdown  # noqa: E402
-from timed_run import PAPERS_MODEL, ROOT, arguments, limited_run, program  # noqa: E402
+from motor_run import OUTPUT_OFF, certified_run, operating_points, table, write_markdown  # noqa: E402
+from timed_run import MOTOR, ROOT  # noqa: E402
 
-MOTOR = ROOT / "prm" / "canon_ring.prm"
 TORQUES = (0., 0.05, 0.1, 0.13)  # N m
-BASE = {**PAPERS_MODEL, **OUTPUT_OFF, "Effects/Rotor inertia": "on", "Effects/Damping": "on",
+BASE = {**OUTPUT_OFF, "Effects/Rotor inertia": "on", "Effects/Damping": "on",
         "Effects/Static friction excess": "off", "Friction/Dynamic coefficient": "0.4",
         "Loading/Values": ", ".join(map(str, TORQUES))}
 FIXED = {"Accuracy/Mode": "fixed", "Accuracy/Interface refinement": "1", "Time/Snapshots": "4"}
@@ -37,21 +35,6 @@ FRICTION = [("0.40, without", {"Effects/Rotor inertia": "off", "Effects/Damping"
 FRICTION += [(f"{mu:.2f}, with", {"Friction/Dynamic coefficient": str(mu)}) for mu in (0.4, 0.6, 0.7, 0.8)]
 
 
-def run(name, folder, entries):
-    done = limited_run([str(program(name))] + arguments(MOTOR, folder, entries))
-    if done.status != 0:
-        raise RuntimeError(f"{name}: {done.message}")
-    return done
-
-
-def points(folder, entries):
-    """Of a run of the program contact: the rows of its table, and its seconds."""
-    done = run("contact", folder, entries)
-    with open(folder / "contact" / "torque_speed.csv") as file:
-        return [{key: float(value) for key, value in row.items() if key != "control"}
-                for row in csv.DictReader(file)], done.processor_seconds
-
-
 def cells(rows, key, error, digits):
     return [f"{row[key]:.{digits}f} +- {row[error]:.{digits}f}" if row else "" for row in rows]
 
@@ -61,12 +44,12 @@ def points_where_powers_balance(folder, entries):
     for left_out in range(len(TORQUES)):
         values = {"Loading/Values": ", ".join(map(str, TORQUES[left_out:]))}
         try:
-            found, seconds = points(folder, {**entries, **values})
+            found, done = operating_points(MOTOR, folder, {**entries, **values})
         except RuntimeError as error:
             if "power put in" not in str(error):
                 raise
             continue
-        return [None] * left_out + found, seconds
+        return [None] * left_out + found, done
     raise RuntimeError("powers do not balance at any torque")
 
 
@@ -74,28 +57,29 @@ def convergence(folder):
     header = ["varied"] + [f"{1e3 * torque:g} mN m, rpm" for torque in TORQUES] + ["loss at 0, mW", "seconds"]
     lines, finer = [], []
 
-    def add(name, found, seconds):
+    def add(name, found, done):
         lines.append([name] + cells(found, "speed_rpm", "speed_error_rpm", 2) +
-                     cells(found[:1], "friction_loss_mW", "friction_loss_error_mW", 0) + [f"{seconds:.0f}"])
+                     cells(found[:1], "friction_loss_mW", "friction_loss_error_mW", 0) +
+                     [f"{done.processor_seconds:.0f}"])
         print(" | ".join(lines[-1]), flush=True)
     for name, entries, is_finer in ROWS:
         try:
-            found, seconds = points_where_powers_balance(folder, {**BASE, **FIXED, **entries})
+            found, done = points_where_powers_balance(folder, {**BASE, **FIXED, **entries})
         except RuntimeError as error:
             print(f"{name}: {error}", file=sys.stderr)
             continue
-        add(name, found, seconds)
+        add(name, found, done)
         if is_finer:
             finer.append((name, found))
-    found, seconds = points(folder, {**BASE, "Accuracy/Contact target": "0.1"})
-    add("`Contact target = 0.1`", found, seconds)
-    outside = [f"{name}, {1e3 * torque:g} mN m" for name, rows in finer
-               for torque, row, bar in zip(TORQUES, rows, found)
-               if row and abs(row["speed_rpm"] - bar["speed_rpm"]) > bar["speed_error_rpm"]]
-    inside = len(finer) * len(TORQUES) - len(outside)
-    return table(header, lines) + ["", f"The last bars contain {inside} of {inside + len(outside)} speeds of the rows "
-                                   "that are at least as fine as the common setting" +
-                                   (f"; not {'; '.join(outside)}." if outside else ".")]
+    found, done = operating_points(MOTOR, folder, {**BASE, "Accuracy/Contact target": "0.1"})
+    add("`Contact target = 0.1`", found, done)
+    compared = [(f"{name}, {1e3 * torque:g} mN m",
+                 abs(row["speed_rpm"] - bar["speed_rpm"]) <= bar["speed_error_rpm"])
+                for name, rows in finer for torque, row, bar in zip(TORQUES, rows, found) if row]
+    outside = [name for name, is_inside in compared if not is_inside]
+    closing = (f"The last bars contain {len(compared) - len(outside)} of {len(compared)} speeds "
+               "of the rows that are at least as fine as the common setting")
+    return table(header, lines) + ["", f"{closing}; not {'; '.join(outside)}." if outside else f"{closing}."]
 
 
 def friction(folder, figure):
@@ -103,7 +87,7 @@ def friction(folder, figure):
     header = ["coefficient, inertia", "speed at 0, 50, 100, 150 mN m, rpm", "friction loss, mW"]
     lines, cases = [], []
     for name, entries in FRICTION:
-        found, _ = points(folder, {**BASE, **FIXED, "Motor/Name": f"friction {name} inertia",
+        found, _ = operating_points(MOTOR, folder, {**BASE, **FIXED, "Motor/Name": f"friction {name} inertia",
                                    "Loading/Values": ", ".join(map(str, torques)), **entries})
         lines.append([name] + [", ".join(f"{row[key]:.{digits}f}" for row in found)
                                for key, digits in (("speed_rpm", 1), ("friction_loss_mW", 0))])
@@ -132,7 +116,7 @@ def main():
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch) / "case"
-        run("stator", folder, {**BASE, "Accuracy/Target": "1e-4"})
+        certified_run("stator", MOTOR, folder, {**BASE, "Accuracy/Target": "1e-4"})
         for name, lines in (("convergence", convergence(folder)), ("friction", friction(folder, options.figure))):
             print("\n".join(lines))
             if options.markdown:

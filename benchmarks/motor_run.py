@@ -34,6 +34,22 @@ def run_program(name, motor, folder, entries, options):
             "memory_MB": f"{run.memory:.0f}", "message": run.message if run.status else ""}
 
 
+def certified_run(name, motor, folder, entries):
+    """One run without a limit; raises RuntimeError with its message if it does not end with certified results."""
+    run = limited_run([str(program(name))] + arguments(motor, folder, entries))
+    if run.status != 0:
+        raise RuntimeError(f"{name} {pathlib.Path(motor).name}: {run.message}")
+    return run
+
+
+def operating_points(motor, folder, entries):
+    """Of a run of the program contact: the rows of its table, numbers by name of a column, and the run itself."""
+    run = certified_run("contact", motor, folder, entries)
+    with open(folder / "contact" / "torque_speed.csv") as file:
+        return [{key: value if key == "control" else float(value) for key, value in row.items()}
+                for row in csv.DictReader(file)], run
+
+
 def add_results(row, folder):
     """Fills the row of a finished run of the program contact, and judges its results."""
     try:

@@ -205,7 +205,11 @@ namespace ringmotor
 
   RotorGrading RotorGrading::level(const unsigned int level)
   {
-    return {0.5 * std::pow(0.3, level), 0.3, 0.6, 2 + level, 1 + level / 2};
+    RotorGrading grading;
+    grading.first *= std::pow(grading.ratio, level);
+    grading.n_span += level;
+    grading.n_lip += level / 2;
+    return grading;
   }
 
   SectorMesh make_rotor_sector(const RotorGeometry &rotor, const unsigned int n_teeth,

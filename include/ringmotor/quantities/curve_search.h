@@ -160,8 +160,8 @@ namespace ringmotor
     const Sources sources;
     const LeftOut left_out;
     const bool has_inertia;
-    /** Of the discretisations that are tried: with inertia impacts scatter, and the last one, which
-     * takes an hour, gains nothing. */
+    /** Of the discretisations that are tried: with inertia all but the last one, which gains
+     * nothing against the scatter of impacts. */
     const unsigned int finest_level;
     CurvePoint stalled;       ///< on the first mesh; the loaded point if the rotor sticks
     double stall_torque = 0.; ///< N m; of the first motor that was computed
