@@ -5,6 +5,7 @@
 #include <ringmotor/motor/rotor_modes.h>
 #include <ringmotor/motor/tooth_modes.h>
 #include <ringmotor/parameters/errors.h>
+#include <ringmotor/structure/cut_responses.h>
 
 #include <algorithm>
 #include <cmath>
@@ -211,9 +212,9 @@ namespace ringmotor
       SurfaceCompliance of_lip = sector_compliance(interface, whole.origin);
       if (!model.rotor_gives_way_along)
         leave_normal_compliance(of_lip);
+      const CutResponses responses(interface, [&](const unsigned int k) { return body.held(k); });
       rotor.compliance                     = RingCompliance(n_teeth, of_lip, rotor.mortar,
-                                                            [&](const unsigned int k)
-                                                            { return interface.through_cut(k, body.held(k)); });
+                                                            [&](const unsigned int k) { return responses.at(k); });
       const std::vector<unsigned int> held = body.held(1);
       for (const unsigned int support : held)
       {

@@ -108,17 +108,17 @@ namespace ringmotor
     }
   }
 
-  std::array<double, 4> CyclicSector::factors(const unsigned int k) const
+  CyclicSector::WaveFunctions CyclicSector::wave_functions(const unsigned int k) const
   {
     const double pitch = 2. * numbers::PI / sector_mesh().n_sectors;
     const double angle = k * (sector_mesh().form == SectorForm::half ? 0.5 * pitch : pitch);
-    return {{1., std::cos(angle), std::sin(angle), -std::sin(angle)}};
+    return {{1., std::cos(angle), std::sin(angle)}};
   }
 
   std::vector<CyclicSector::Tie> CyclicSector::ties(const unsigned int part,
-                                                    const unsigned int k) const
+                                                    const WaveFunctions &values) const
   {
-    const std::array<double, 4> factor = factors(k);
+    const std::array<double, 4> factor = factors(values);
     const RealField &field             = fields[part];
     std::vector<Tie> ties;
     unsigned int position = 0;
@@ -143,7 +143,7 @@ namespace ringmotor
   std::array<Vector<double>, 2> CyclicSector::to_fields(const unsigned int k,
                                                         const std::vector<double> &unknowns) const
   {
-    const std::array<double, 4> factor = factors(k);
+    const std::array<double, 4> factor = factors(wave_functions(k));
     std::array<Vector<double>, 2> fields;
     for (unsigned int part = 0; part < 2; ++part)
     {
@@ -163,7 +163,7 @@ namespace ringmotor
   CyclicSector::to_unknowns(const unsigned int k,
                             const std::array<Vector<double>, 2> &dof_loads) const
   {
-    const std::array<double, 4> factor = factors(k);
+    const std::array<double, 4> factor = factors(wave_functions(k));
     std::vector<double> loads(unknown_count, 0.);
     for (unsigned int part = 0; part < 2; ++part)
       for (Dof dof = 0; dof < n_dofs(); ++dof)
@@ -191,7 +191,7 @@ namespace ringmotor
     nodes().interpolate(motion, fields[0], fields[1]);
 
     // The degrees of freedom are known combinations of the unknowns: least squares inverts that.
-    const std::array<double, 4> factor = factors(k);
+    const std::array<double, 4> factor = factors(wave_functions(k));
     std::vector<double> unknowns       = to_unknowns(k, fields), weights(unknown_count, 0.);
     for (unsigned int part = 0; part < 2; ++part)
       for (const Terms &of_dof : terms[part])

@@ -129,14 +129,26 @@ namespace ringmotor
     scale_columns(field.loads, 1);
   }
 
-  FullMatrix<double> InterfaceCompliance::through_cut(const unsigned int k,
-                                                      const std::vector<unsigned int> &held) const
+  const CyclicSector &InterfaceCompliance::sector() const
   {
-    const CyclicSector &sector  = condensation.sector;
-    const unsigned int n_shapes = shapes(0).n() + shapes(1).n();
-    FullMatrix<double> response(n_shapes, n_shapes);
+    return condensation.sector;
+  }
+
+  std::map<unsigned int, unsigned int> InterfaceCompliance::places() const
+  {
+    std::map<unsigned int, unsigned int> places;
+    for (const unsigned int part : {0u, 1u})
+      for (const CyclicSector::Tie &tie : sector().ties(part, 0))
+        places.emplace(tie.unknown, places.size());
+    return places;
+  }
+
+  InterfaceCompliance::CutSolutions
+  InterfaceCompliance::solve_cut(const unsigned int k, const std::vector<unsigned int> &held) const
+  {
+    const CyclicSector &sector                 = condensation.sector;
+    std::map<unsigned int, unsigned int> place = places();
     // How the rows of both cuts depend on the unknowns of the nodal diameter.
-    std::map<unsigned int, unsigned int> place;
     std::array<std::vector<CyclicSector::Tie>, 2> ties;
     for (const unsigned int part : {0u, 1u})
     {
@@ -152,9 +164,9 @@ namespace ringmotor
       for (CyclicSector::Tie &tie : ties[part])
         tie.unknown = place.emplace(tie.unknown, place.size()).first->second;
     }
-    const std::size_t size = place.size();
+    const std::size_t size = place.size(), n_shapes = shapes(0).n() + shapes(1).n();
     if (size == 0 || n_shapes == 0)
-      return response;
+      return CutSolutions();
 
     std::vector<double> matrix(size * size, 0.), loads(n_shapes * size, 0.);
     for (const unsigned int part : {0u, 1u})
@@ -174,10 +186,15 @@ namespace ringmotor
     factors.factorise(size, std::move(matrix));
     std::vector<double> motions = loads;
     factors.solve(motions);
-    FullMatrix<double> by_rows(n_shapes, size), solved(n_shapes, size);
-    std::copy(loads.begin(), loads.end(), &by_rows(0, 0));
-    std::copy(motions.begin(), motions.end(), &solved(0, 0));
-    by_rows.mTmult(response, solved);
+    return {FullMatrix<double>(n_shapes, size, loads.data()),
+            FullMatrix<double>(n_shapes, size, motions.data())};
+  }
+
+  FullMatrix<double> InterfaceCompliance::CutSolutions::response() const
+  {
+    FullMatrix<double> response(loads.m(), loads.m());
+    if (!loads.empty())
+      loads.mTmult(response, motions);
     response.symmetrize(); // symmetric up to rounding
     return response;
   }

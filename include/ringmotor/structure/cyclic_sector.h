@@ -68,8 +68,17 @@ namespace ringmotor
     /** The real field (0) and the imaginary one (1). On a whole sector both are the same. */
     const RealField &field(const unsigned int part) const { return fields[part]; }
 
+    /** The functions of k of which each factor is one, or minus one: 1, c and s. */
+    using WaveFunctions = std::array<double, 3>;
+    WaveFunctions wave_functions(const unsigned int k) const;
+
     /** The ties of a field's cut for nodal diameter @p k. */
-    std::vector<Tie> ties(const unsigned int part, const unsigned int k) const;
+    std::vector<Tie> ties(const unsigned int part, const unsigned int k) const
+    {
+      return ties(part, wave_functions(k));
+    }
+    /** Those for given values of the functions. */
+    std::vector<Tie> ties(const unsigned int part, const WaveFunctions &values) const;
 
     /** This rank's part of K - shift M in the numbers of a field (lower triangle). */
     SymmetricTriplets shifted_stiffness(const unsigned int part, const double shift) const;
@@ -120,8 +129,11 @@ namespace ringmotor
     void number_half_sector();
     void number_whole_sector();
     void number_fields();
-    /** Values of the factors one, cosine, sine, minus sine for nodal diameter k. */
-    std::array<double, 4> factors(const unsigned int k) const;
+    /** Values of the factors one, cosine, sine, minus sine. */
+    static std::array<double, 4> factors(const WaveFunctions &values)
+    {
+      return {{values[0], values[1], values[2], -values[2]}};
+    }
     std::array<dealii::Vector<double>, 2> to_fields(const unsigned int k,
                                                     const std::vector<double> &unknowns) const;
 

@@ -4,6 +4,8 @@
 #include <ringmotor/structure/condensation.h>
 
 #include <array>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace ringmotor
@@ -38,16 +40,32 @@ namespace ringmotor
     {
       return fields[part].shapes;
     }
-    /** B_k, symmetric, the shapes of the real field first. Supports in @p held are constrained, as
-     * they must be where a rigid motion is free. */
+    /** What moves the unknowns of a cut that is tied for one nodal diameter, and how they move: a
+     * row for each shape, the shapes of the real field first. */
+    struct CutSolutions
+    {
+      dealii::FullMatrix<double> loads, motions;
+      /** B_k, symmetric. */
+      dealii::FullMatrix<double> response() const;
+    };
+    /** Supports in @p held are constrained, as they must be where a rigid motion is free; their
+     * multipliers are unknowns too. */
+    CutSolutions solve_cut(const unsigned int k, const std::vector<unsigned int> &held) const;
+
+    /** B_k. CutResponses has those of all nodal diameters at less cost. */
     dealii::FullMatrix<double> through_cut(const unsigned int k,
-                                           const std::vector<unsigned int> &held) const;
+                                           const std::vector<unsigned int> &held) const
+    {
+      return solve_cut(k, held).response();
+    }
 
     /** C_k as one matrix, all entries of the real field first. */
     dealii::FullMatrix<double> compliance(const unsigned int k,
                                           const std::vector<unsigned int> &held) const;
 
   private:
+    friend class CutResponses;
+
     /** One real field. The rows of its cut are followed by those of its supports. */
     struct Field
     {
@@ -65,6 +83,12 @@ namespace ringmotor
       std::vector<std::vector<std::pair<unsigned int, double>>> forms;
       dealii::FullMatrix<double> by_cut; ///< the same by rows of the cut
     };
+
+    /** The places of unknowns in the system of the cut: the same for all nodal diameters, those of
+     * supports last. */
+    std::map<unsigned int, unsigned int> places() const;
+
+    const CyclicSector &sector() const;
 
     static Rows rows_of(const Condensation &condensation, const unsigned int part);
     static Field split(const Condensation &condensation, const unsigned int part);
