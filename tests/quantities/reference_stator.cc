@@ -3,9 +3,9 @@
 // The reference stator (the default geometry and materials) against an independent finite-element
 // program: CalculiX 2.20, quadratic bricks (C3D20), one-tooth cyclic sector with layers of cells at
 // the slot root, free-free. Each of its frequencies comes with the estimated relative excess of its
-// mesh over the converged value; n = 7 out-of-plane was converged to 30004 +- 3 Hz. Its amplitudes
-// (tops 2e-4, feet 5e-4 accurate) are those of the n = 7 out-of-plane mode with 2 um normal
-// amplitude at the outer centre of the tooth top.
+// mesh over the converged value, and what that estimate is worth; n = 7 out-of-plane was converged
+// to 30004 +- 3 Hz. Its amplitudes (tops 2e-4, feet 5e-4 accurate) are those of the n = 7
+// out-of-plane mode with 2 um normal amplitude at the outer centre of the tooth top.
 
 #include "support/materials.h"
 #include "support/record.h"
@@ -32,16 +32,22 @@ namespace
   {
     unsigned int n_waves;
     Family family;
-    double value;  ///< Hz, on CalculiX's mesh
-    double excess; ///< relative, of that mesh
+    double value;       ///< Hz, on CalculiX's mesh
+    double excess;      ///< relative, of that mesh
+    double uncertainty; ///< relative, of the value without the excess
   };
-  const std::vector<Frequency> frequencies{
-      {0, Family::torsion, 9875.22, 5.0e-4},       {2, Family::out_of_plane, 1934.62, 2.4e-4},
-      {3, Family::out_of_plane, 5421.15, 2.4e-4},  {4, Family::out_of_plane, 10171.41, 2.4e-4},
-      {6, Family::out_of_plane, 22649.86, 2.4e-4}, {7, Family::out_of_plane, 30006.50, 0.8e-4},
-      {8, Family::out_of_plane, 37900.03, 2.4e-4}, {10, Family::out_of_plane, 54675.50, 2.4e-4},
-      {2, Family::in_plane, 2299.34, 2.0e-4},      {7, Family::in_plane, 34170.12, 1.0e-4},
-      {7, Family::torsion, 64222.12, 3.0e-4}};
+  // The excess of a third mesh level is known to 0.5e-4; that of the others to 2e-4 of the value.
+  const std::vector<Frequency> frequencies{{0, Family::torsion, 9875.22, 5.0e-4, 2e-4},
+                                           {2, Family::out_of_plane, 1934.21, 1.2e-4, 0.5e-4},
+                                           {3, Family::out_of_plane, 5420.20, 1.2e-4, 0.5e-4},
+                                           {4, Family::out_of_plane, 10169.76, 1.2e-4, 0.5e-4},
+                                           {6, Family::out_of_plane, 22646.25, 1.2e-4, 0.5e-4},
+                                           {7, Family::out_of_plane, 30006.50, 0.8e-4, 1e-4},
+                                           {8, Family::out_of_plane, 37893.55, 1.2e-4, 0.5e-4},
+                                           {10, Family::out_of_plane, 54664.90, 1.2e-4, 0.5e-4},
+                                           {2, Family::in_plane, 2299.34, 2.0e-4, 2e-4},
+                                           {7, Family::in_plane, 34170.12, 1.0e-4, 2e-4},
+                                           {7, Family::torsion, 64222.12, 3.0e-4, 2e-4}};
 
   struct Ellipse
   {
@@ -114,9 +120,11 @@ TEST(ReferenceStatorLong, HasTheFrequenciesOfTheOtherProgram)
         const std::string of   = std::to_string(row.n_waves) + "_" + to_string(row.family);
         record("difference_" + of, found / converged - 1.);
         record("error_bar_" + of, mode.frequency.error / found);
-        EXPECT_NEAR(found / converged, 1., 5e-4) << row.n_waves << " " << to_string(row.family);
-        // inside the error bar, up to the uncertainty of the excess
-        EXPECT_NEAR(found, converged, mode.frequency.error + 0.7 * row.excess * converged)
+        record("their_uncertainty_" + of, row.uncertainty);
+        EXPECT_NEAR(found, converged, mode.frequency.error + row.uncertainty * converged)
+            << row.n_waves << " " << to_string(row.family);
+        // an error bar that says something
+        EXPECT_LT(mode.frequency.error, 4e-4 * found)
             << row.n_waves << " " << to_string(row.family);
       }
   }
