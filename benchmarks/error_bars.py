@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""True errors of speeds and friction losses against their error bars, on twelve motors without inertia.
+"""True errors of operating points against their error bars, on twelve motors without inertia.
 
 usage: benchmarks/error_bars.py [--resume] [--csv FILE] [--markdown FILE] [--figure FILE.png] [MOTOR ...]
 
@@ -35,8 +35,12 @@ BASE = {**PAPERS_MODEL, **OUTPUT_OFF, "Effects/Static friction excess": "off", "
 TARGETS = ("0.03", "0.01")
 TRUTH = {"Accuracy/Mode": "fixed", "Accuracy/Interface refinement": "4", "Time/Snapshots": "8"}
 SHARES = (0., 0.25, 0.5, 0.75, 0.9)  # of the stall torque
-COLUMNS = ["motor", "target", "seconds", "torque_mNm", "speed_rpm", "speed_error_rpm", "friction_loss_mW",
-           "friction_loss_error_mW"]
+# Columns of values and of their error bars.
+QUANTITIES = {"speeds": ("speed_rpm", "speed_error_rpm"),
+              "losses": ("friction_loss_mW", "friction_loss_error_mW"),
+              "stick fractions": ("stick_fraction", "stick_fraction_error"),
+              "teeth in contact": ("teeth_in_contact_per_wave", "teeth_in_contact_per_wave_error")}
+COLUMNS = ["motor", "target", "seconds", "torque_mNm"] + sum(map(list, QUANTITIES.values()), [])
 
 
 def compute(name, rows, scratch):
@@ -65,16 +69,15 @@ def compute(name, rows, scratch):
     shutil.rmtree(scratch, ignore_errors=True)
 
 
-def ratios(rows, truth, quantity):
+def ratios(rows, truth, value, error):
     """True error over error bar."""
-    name, unit = quantity.rsplit("_", 1)
-    return [abs(float(row[quantity]) - float(true[quantity])) / float(row[f"{name}_error_{unit}"])
-            for row, true in zip(rows, truth)]
+    return [abs(float(row[value]) - float(true[value])) / float(row[error]) for row, true in zip(rows, truth)]
 
 
 def evaluate(rows):
     """The lines of the table, and all ratios by target."""
-    header = ["motor", "target", "seconds", "largest bar of speed, %", "true error over bar: speeds", "losses"]
+    header = ["motor", "target", "seconds", "largest bar of speed, %", "true error over bar: " + ", ".join(QUANTITIES)]
+    header[-1:] = header[-1].split(", ")
     lines, every = [], {target: [] for target in TARGETS}
     for name in MOTORS:
         of = {target: [row for row in rows.rows if row["motor"] == name and row["target"] == target]
@@ -83,12 +86,12 @@ def evaluate(rows):
         for target, found in of.items():
             if not found or len(truth) != len(found):
                 continue
-            both = [ratios(found, truth, quantity) for quantity in ("speed_rpm", "friction_loss_mW")]
-            every[target] += both[0] + both[1]
+            parts = [ratios(found, truth, *columns) for columns in QUANTITIES.values()]
+            every[target] += sum(parts, [])
             fastest = max(float(row["speed_rpm"]) for row in truth)
             bar = max(float(row["speed_error_rpm"]) for row in found) / fastest
             lines.append([name, target, found[0]["seconds"], f"{100 * bar:.2f}"] +
-                         [", ".join(f"{ratio:.2f}" for ratio in part) for part in both])
+                         [", ".join(f"{ratio:.2f}" for ratio in part) for part in parts])
     everything = sum(every.values(), [])
     closing = (f"{len(everything)} quantities: the median of true error over bar is "
                f"{statistics.median(everything):.2f}, "

@@ -47,7 +47,10 @@ namespace ringmotor
     relevant.loading.values         = defaults.loading.values;
     relevant.loading.n_curve_points = defaults.loading.n_curve_points;
     if (!is_marched(parameters)) // marching continues until changes are small against the target
+    {
       relevant.accuracy.contact_target = defaults.accuracy.contact_target;
+      relevant.accuracy.quantities     = defaults.accuracy.quantities;
+    }
     relevant.accuracy.time_limit           = defaults.accuracy.time_limit;
     relevant.accuracy.mode                 = defaults.accuracy.mode;
     relevant.accuracy.interface_refinement = defaults.accuracy.interface_refinement;
@@ -66,6 +69,7 @@ namespace ringmotor
     const Friction friction          = relevant.friction;
     relevant.loading                 = defaults.loading;
     relevant.accuracy.contact_target = defaults.accuracy.contact_target;
+    relevant.accuracy.quantities     = defaults.accuracy.quantities;
     relevant.friction                = defaults.friction;
     relevant.time                    = defaults.time;
     relevant.initial_deformation     = defaults.initial_deformation;

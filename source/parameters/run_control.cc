@@ -4,6 +4,8 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
+
 namespace ringmotor
 {
   using namespace dealii;
@@ -40,7 +42,79 @@ namespace ringmotor
       return {write, read,
               edge + ", or places TOOTH:RADIUS separated by commas, such as 0:0.0342, 12.25:0.034"};
     }
+
+    Notation<HeldQuantity> quantity_name()
+    {
+      return selection<HeldQuantity>({{"speed", HeldQuantity::speed},
+                                      {"torque", HeldQuantity::torque},
+                                      {"friction loss", HeldQuantity::friction_loss},
+                                      {"stick fraction", HeldQuantity::stick_fraction},
+                                      {"teeth in contact", HeldQuantity::teeth_in_contact}});
+    }
+
+    /** Names, each with a target of its own where it has one, or the word that stands for all. */
+    Notation<std::vector<QuantityTarget>> quantity_list(const Notation<double> &target)
+    {
+      using Targets                     = std::vector<QuantityTarget>;
+      const std::string all             = "all";
+      const Notation<HeldQuantity> name = quantity_name();
+      const Targets everything{{HeldQuantity::speed, {}},
+                               {HeldQuantity::torque, {}},
+                               {HeldQuantity::friction_loss, {}},
+                               {HeldQuantity::stick_fraction, {}},
+                               {HeldQuantity::teeth_in_contact, {}}};
+      const auto write_list = [=](const Targets &targets)
+      {
+        std::string text;
+        for (const QuantityTarget &held : targets)
+          text += (text.empty() ? "" : ", ") + name.write(held.quantity) +
+                  (held.target ? ":" + target.write(*held.target) : "");
+        return text;
+      };
+      const auto write = [=](const Targets &targets)
+      { return write_list(targets) == write_list(everything) ? all : write_list(targets); };
+      const auto read = [=](const std::string &text) -> std::optional<Targets>
+      {
+        if (text == all)
+          return everything;
+        Targets targets;
+        for (const std::string &item : Utilities::split_string_list(text, ','))
+        {
+          const std::vector<std::string> parts = Utilities::split_string_list(item, ':');
+          const std::size_t n_colons           = std::count(item.begin(), item.end(), ':');
+          if (n_colons > 1 || parts.size() != 1 + n_colons || !name.read(parts[0]))
+            return {};
+          targets.push_back({*name.read(parts[0]), {}});
+          if (parts.size() == 2 && !(targets.back().target = target.read(parts[1])))
+            return {};
+          for (std::size_t other = 0; other + 1 < targets.size(); ++other)
+            if (targets[other].quantity == targets.back().quantity)
+              return {};
+        }
+        return targets.empty() ? std::nullopt : std::make_optional(targets);
+      };
+      return {write, read,
+              all + ", or some of " + write_list(everything) +
+                  ", each once and, if wanted, with a target of its own, such as speed, friction "
+                  "loss:0.1"};
+    }
   } // namespace
+
+  double Accuracy::strictest_target() const
+  {
+    double strictest = 1.;
+    for (const QuantityTarget &held : quantities)
+      strictest = std::min(strictest, target_of(held));
+    return strictest;
+  }
+
+  std::string Accuracy::names_of_quantities() const
+  {
+    std::string names;
+    for (const QuantityTarget &held : quantities)
+      names += (names.empty() ? "" : ", ") + quantity_name().write(held.quantity);
+    return names;
+  }
 
   void Accuracy::declare(ParameterHandler &prm)
   {
@@ -48,13 +122,17 @@ namespace ringmotor
         prm, "Target", target, number_within(1.e-8, 0.1, "a number from 1e-8 to 0.1"),
         "Admissible relative error of frequencies; Contact target may require a smaller one for a "
         "stator. Units: none.");
+    const Notation<double> of_contact = number_within(1.e-3, 0.5, "a number from 1e-3 to 0.5");
     add_entry(
-        prm, "Contact target", contact_target,
-        number_within(1.e-3, 0.5, "a number from 1e-3 to 0.5"),
-        "The same for speed and torque, relative to the no-load speed and the stall torque, or "
-        "to half the speed of the wave's crests and half the torque limit of sliding "
-        "friction, if larger; the program stator refines until the error of the wave is "
-        "at most a fifth of it. Units: none.");
+        prm, "Contact target", contact_target, of_contact,
+        "The same for the quantities below: for speed and torque relative to the no-load speed "
+        "and the stall torque, or to half the speed of the wave's crests and half the torque "
+        "limit of sliding friction, if larger; the program stator refines until the error of the "
+        "wave is at most a fifth of it. Units: none.");
+    add_entry(prm, "Quantities", quantities, quantity_list(of_contact),
+              "Which quantities of the operating points must meet Contact target; friction loss "
+              "and teeth in contact relative to their largest values, the stick fraction as it "
+              "is. All others also get error bars. Units: none.");
     add_entry(prm, "Time limit", time_limit, number_or("none", positive_number()),
               "Time after which the program contact stops; operating points found so far are kept, "
               "and --resume continues from there. Units: s.");

@@ -12,6 +12,7 @@
 #include <ringmotor/output/text.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/programs/interruption.h>
+#include <ringmotor/programs/price_forecast.h>
 #include <ringmotor/programs/run_program.h>
 #include <ringmotor/programs/run_results.h>
 #include <ringmotor/quantities/chosen_effects.h>
@@ -21,7 +22,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -31,8 +31,7 @@ namespace ringmotor
 
   namespace
   {
-    constexpr double rpm           = numbers::PI / 30.;
-    constexpr double worth_telling = 60.; ///< s that a step takes or took
+    constexpr double rpm = numbers::PI / 30.;
 
     /**
      * The program `contact`: presses the rotor on the teeth of the stator, which carry the wave
@@ -57,9 +56,6 @@ namespace ringmotor
       {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
       }
-      /** Reports what operating points cost if that is worth telling. */
-      void tell_price(const CondensedMotor &motor, const CurveSetting &setting,
-                      const unsigned int n_points);
       /** @throws ComputationError */
       void check_time_limit() const;
       void report();
@@ -83,15 +79,9 @@ namespace ringmotor
       const Parameters &parameters;    ///< no effect of the contact is `auto`
       std::optional<ContactKeep> keep; ///< of run(); a study measures the cost without it
       const std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
-      double seconds_per_effort = 0.; ///< at the last point, see effort_of()
+      PriceForecast prices{log};
       CurveSearch search;
     };
-
-    /** What the seconds of an operating point are assumed to be proportional to. */
-    double effort_of(const CondensedMotor &motor, const CurveSetting &setting)
-    {
-      return std::pow(motor.nodes.size() * setting.n_parts, 1.5);
-    }
 
     std::string setting_text(const CurveSearch::Rung &rung)
     {
@@ -121,7 +111,9 @@ namespace ringmotor
                   [this](const Parameters &of_points, const CondensedMotor &motor,
                          const CurveSetting &setting, const std::vector<PointRequest> &requests,
                          const std::vector<CurvePoint> &starts)
-                  { return find(of_points, motor, setting, requests, starts); }},
+                  { return find(of_points, motor, setting, requests, starts); },
+                  [this](const unsigned int level, const double of_motor, const double of_points)
+                  { prices.before_mesh(level, of_motor, of_points); }},
                  effects.left_out())
     {
       for (const std::string &warning : check_for_contact(parameters))
@@ -207,41 +199,15 @@ namespace ringmotor
                                                  const std::vector<CurvePoint> &starts)
     {
       const auto scope = phases.measure("operating points, " + setting.text());
-      tell_price(motor, setting, requests.size());
-      unsigned int n_found        = 0;
-      const double seconds_before = seconds();
-      double told_at              = seconds_before;
-      const auto after_point      = [&](const CurvePoint &point)
+      prices.before_points(motor, setting, requests.size());
+      const auto after_point = [&](const CurvePoint &point)
       {
-        ++n_found;
-        log.progress("operating points", std::min(1., n_found / (1. * requests.size())));
-        seconds_per_effort = point.seconds / effort_of(motor, setting);
+        prices.after_point(point);
         check_time_limit();
-        if (n_found >= requests.size() || seconds() < told_at + worth_telling)
-          return;
-        told_at = seconds();
-        log.line(std::to_string(n_found) + " of " + std::to_string(requests.size()) +
-                 " operating points found; the others may take about " +
-                 text((told_at - seconds_before) * (requests.size() - n_found) / n_found, 0) +
-                 " s");
       };
       return keep ? keep->points(of_points, motor, setting, requests, after_point, starts)
                   : find_points(of_points, motor, setting, requests, MPI_COMM_WORLD, after_point,
                                 nullptr, starts);
-    }
-
-    void ContactProgram::tell_price(const CondensedMotor &motor, const CurveSetting &setting,
-                                    const unsigned int n_points)
-    {
-      const double seconds = n_points * seconds_per_effort * effort_of(motor, setting);
-      if (seconds > worth_telling)
-        log.line(
-            "the next " + std::to_string(n_points) + " operating points on interface mesh " +
-            std::to_string(setting.level) + " have " +
-            std::to_string(motor.nodes.size() * motor.repeating().n_sectors() * setting.n_parts) +
-            " contact nodes each and may take about " + text(seconds, 0) +
-            " s; Accuracy/Time limit stops them, a larger Accuracy/Contact target makes them "
-            "cheaper");
     }
 
     void ContactProgram::check_time_limit() const
@@ -319,10 +285,11 @@ namespace ringmotor
         return;
       {
         const auto scope = phases.measure("output");
-        prepare_results(folder,
-                        "used\\.prm|torque_speed\\.csv|lip\\.csv|history\\.csv|contact\\.h5|"
-                        "summary\\.json|(contact|motor)\\.pvd|(contact|rotor|teeth)_[0-9]+\\.vtu");
+        prepare_results(
+            folder, "(used|fixed)\\.prm|torque_speed\\.csv|lip\\.csv|history\\.csv|contact\\.h5|"
+                    "summary\\.json|(contact|motor)\\.pvd|(contact|rotor|teeth)_[0-9]+\\.vtu");
         write_used_prm(folder + "used.prm", "contact", given);
+        write_used_prm(folder + "fixed.prm", "contact", search.frozen());
         write_torque_speed(folder + "torque_speed.csv", search.points());
         write_history(folder + "history.csv", search.motor(), search.points(),
                       !is_marched(parameters), parameters.output.history_points);
@@ -357,8 +324,9 @@ namespace ringmotor
       add_points(summary, search.points());
       summary.effects = effects.rows;
       if (parameters.accuracy.mode == AccuracyMode::adaptive)
-        summary.certificate.push_back({"largest relative error of speeds and torques",
-                                       search.worst_error(), parameters.accuracy.contact_target});
+        summary.certificate.push_back(
+            {"largest relative error of " + parameters.accuracy.names_of_quantities(),
+             search.worst_error(), parameters.accuracy.contact_target});
       return summary;
     }
   } // namespace

@@ -87,7 +87,7 @@ namespace ringmotor
 
   double wave_target(const Accuracy &accuracy)
   {
-    return 0.2 * accuracy.contact_target;
+    return 0.2 * accuracy.strictest_target();
   }
 
   BodyModes::BodyModes(const Parameters &all_parameters, MPI_Comm communicator)
@@ -142,7 +142,7 @@ namespace ringmotor
   {
     std::ostringstream entry;
     if (for_wave)
-      entry << "Accuracy/Contact target = " << parameters.accuracy.contact_target
+      entry << "Accuracy/Contact target = " << parameters.accuracy.strictest_target()
             << " (a fifth of it for the motor's wave)";
     else
       entry << "Accuracy/Target = " << parameters.accuracy.target;

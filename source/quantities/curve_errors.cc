@@ -1,11 +1,34 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/quantities/curve_search.h>
+#include <ringmotor/quantities/point_quantities.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace ringmotor
 {
+  namespace
+  {
+    double PointError::*member_of(const HeldQuantity quantity)
+    {
+      switch (quantity)
+      {
+      case HeldQuantity::speed:
+        return &PointError::speed;
+      case HeldQuantity::torque:
+        return &PointError::torque;
+      case HeldQuantity::friction_loss:
+        return &PointError::loss;
+      case HeldQuantity::stick_fraction:
+        return &PointError::stick_fraction;
+      case HeldQuantity::teeth_in_contact:
+        return &PointError::teeth_in_contact;
+      }
+      Assert(false, dealii::ExcInternalError());
+      return nullptr;
+    }
+  } // namespace
+
   PointError CurveSearch::mesh_error(const unsigned int request)
   {
     const CurvePoint &point          = point_of(steps.plain(reached_level), request);
@@ -115,13 +138,36 @@ namespace ringmotor
     return worst;
   }
 
+  double CurveSearch::scale_of(const HeldQuantity quantity) const
+  {
+    double largest                  = 0.;
+    double PointError::*const error = member_of(quantity);
+    for (const auto &[request, point] : known.at(steps.plain(reached_level)))
+      largest = std::max(largest, std::abs(quantity_with(error).value(point)));
+    switch (quantity)
+    {
+    case HeldQuantity::speed:
+      return std::max(largest, share_of_scales * motor().crest_speed());
+    case HeldQuantity::torque:
+      return std::max(std::abs(stall_torque), share_of_scales * borne_torque());
+    case HeldQuantity::friction_loss:
+    case HeldQuantity::teeth_in_contact:
+      return largest;
+    case HeldQuantity::stick_fraction:
+      return 1.;
+    }
+    Assert(false, dealii::ExcInternalError());
+    return 0.;
+  }
+
   double CurveSearch::relative(const PointError &error) const
   {
-    double fastest = share_of_scales * motor().crest_speed();
-    for (const auto &[request, point] : known.at(steps.plain(reached_level)))
-      fastest = std::max(fastest, std::abs(point.result.speed));
-    return std::max(error.torque /
-                        std::max(std::abs(stall_torque), share_of_scales * borne_torque()),
-                    error.speed > 0. ? error.speed / fastest : 0.);
+    const Accuracy &accuracy = parameters.accuracy;
+    double worst             = 0.;
+    for (const QuantityTarget &held : accuracy.quantities)
+      if (const double value = error.*member_of(held.quantity); value > 0.)
+        worst = std::max(worst, value / scale_of(held.quantity) * accuracy.contact_target /
+                                    accuracy.target_of(held));
+    return worst;
   }
 } // namespace ringmotor

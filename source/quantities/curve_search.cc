@@ -68,10 +68,10 @@ namespace ringmotor
   {
     const Accuracy &accuracy = parameters.accuracy;
     const bool is_fixed      = accuracy.mode == AccuracyMode::fixed;
-    if (!is_fixed && wave_error >= accuracy.contact_target)
+    if (!is_fixed && wave_error >= accuracy.strictest_target())
       throw ComputationError(
           "the relative error of the stator's wave is " + short_text(wave_error) +
-          ", but Accuracy/Contact target = " + short_text(accuracy.contact_target) +
+          ", but Accuracy/Contact target = " + short_text(accuracy.strictest_target()) +
           "; run the program stator with these parameters (and Accuracy/Mode = adaptive) first");
     reached_level = is_fixed ? accuracy.interface_refinement : 1;
     find_requests(steps.first_parts());
@@ -113,6 +113,8 @@ namespace ringmotor
 
   void CurveSearch::take_finer_meshes()
   {
+    sources.before_refinement(reached_level + 1, motor_seconds[reached_level],
+                              point_seconds(steps.plain(reached_level)));
     ++reached_level;
     motors.erase(motors.begin(), motors.lower_bound(compared_with(reached_level)));
   }
@@ -177,14 +179,23 @@ namespace ringmotor
       refuse(worst_error());
   }
 
+  Parameters CurveSearch::frozen() const
+  {
+    Parameters frozen =
+        with_parts_of_a_step(parameters, *std::max_element(n_parts.begin(), n_parts.end()));
+    frozen.accuracy.mode                 = AccuracyMode::fixed;
+    frozen.accuracy.interface_refinement = reached_level;
+    frozen.accuracy.rotor_modes          = modes_level;
+    return frozen;
+  }
+
   void CurveSearch::refuse(const double error) const
   {
-    throw ComputationError("speeds and torques are known to " + short_text(error) +
-                           " (relative) on the finest interface mesh, but Accuracy/Contact target "
-                           "= " +
-                           short_text(parameters.accuracy.contact_target) +
-                           "; choose a larger one" +
-                           (is_marched(parameters) ? ", or a smaller Time/Time step" : ""));
+    throw ComputationError(
+        "the relative error of " + parameters.accuracy.names_of_quantities() + " is still " +
+        short_text(error) + " on the finest interface mesh, but Accuracy/Contact target = " +
+        short_text(parameters.accuracy.contact_target) + "; choose a larger one" +
+        (is_marched(parameters) ? ", or a smaller Time/Time step" : ""));
   }
 
   const CondensedMotor &CurveSearch::motor_of(const unsigned int level)

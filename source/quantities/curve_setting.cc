@@ -54,7 +54,7 @@ namespace ringmotor
         return few;
       // Long steps make contact begin and end in jumps, on each mesh at other places: with 90 steps
       // speeds scatter by 0.4 %, with 180 by half of that.
-      const double wanted = 1.2 / parameters.accuracy.contact_target;
+      const double wanted = 1.2 / parameters.accuracy.strictest_target();
       return std::clamp(static_cast<unsigned int>(wanted), few, enough);
     }
   } // namespace

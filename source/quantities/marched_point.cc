@@ -125,7 +125,7 @@ namespace ringmotor
           asked(request.value), pattern{motor.n_waves, motor.n_teeth,
                                         motor_model(parameters).warp.n_waves},
           n_parts(repetition_of(pattern).n_parts),
-          tolerance(0.1 * parameters.accuracy.contact_target)
+          tolerance(0.1 * parameters.accuracy.strictest_target())
     {
       const Friction friction = motor_model(parameters).friction;
       const double mu         = std::max(friction.static_coefficient, friction.dynamic_coefficient);
@@ -142,10 +142,13 @@ namespace ringmotor
 
     PointError Settling::values_of(const MarchedSpan &span) const
     {
-      return {of_torque ? span.mean.speed : 0., of_torque ? 0. : span.mean.torque,
+      return {of_torque ? span.mean.speed : 0.,
+              of_torque ? 0. : span.mean.torque,
               span.mean.friction_loss(),
               power_per_loss_factor(energies_of(span), motor.angular_frequency) +
-                  span.mean.modal_damping};
+                  span.mean.modal_damping,
+              span.mean.stick_fraction,
+              span.mean.teeth_in_contact};
     }
 
     void Settling::calm(MarchedRun &run) const

@@ -33,11 +33,11 @@ namespace
   // motor: this list is a promise to the user, who may change them and still resume.
   const std::set<std::string> not_of_points{
       "Motor/Name", "Motor/Unusual values", "Loading/Control", "Loading/Values",
-      "Loading/Number of curve points", "Accuracy/Contact target", "Accuracy/Mode",
-      "Accuracy/Time limit", "Accuracy/Interface refinement", "Accuracy/Rotor modes",
-      "Output/Directory", "Output/VTU", "Output/Frames per period", "Output/Figures",
-      "Output/History points", "Modes/Body", "Modes/Nodal diameters", "Modes/Number of modes",
-      "Modes/Frequency target", "Materials/Stator metal/Loss factor",
+      "Loading/Number of curve points", "Accuracy/Contact target", "Accuracy/Quantities",
+      "Accuracy/Mode", "Accuracy/Time limit", "Accuracy/Interface refinement",
+      "Accuracy/Rotor modes", "Output/Directory", "Output/VTU", "Output/Frames per period",
+      "Output/Figures", "Output/History points", "Modes/Body", "Modes/Nodal diameters",
+      "Modes/Number of modes", "Modes/Frequency target", "Materials/Stator metal/Loss factor",
       "Materials/Piezoceramic/Loss factor", "Materials/Rotor metal/Loss factor",
       "Materials/Target plate/Loss factor", "Support/Felt thickness", "Support/Felt modulus",
       "Support/Felt loss factor", "Support/Felt inner radius", "Support/Felt outer radius",

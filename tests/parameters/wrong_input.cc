@@ -193,6 +193,11 @@ TEST(WrongInput, ValuesOutOfRange)
   for (const std::string places : {"0.0342", "0:", "0:34:1", "-1:0.0342", "0:0", "0:0.034 1:0.034"})
     expect_refused_override("Output/History points = " + places,
                             {"Output/History points", "outer edge", "TOOTH:RADIUS"});
+  for (const std::string list : {"", "losses", "speed, speed", "speed:", "speed:2", "all, speed",
+                                 "speed torque", "friction loss:0.1:0.2"})
+    expect_refused_override(
+        "Accuracy/Quantities = " + list,
+        {"Accuracy/Quantities", "all, or some of speed, torque", "friction loss:0.1"});
   expect_refused_override("Modes/Number of modes = 0", {"Modes/Number of modes", "from 1"});
   expect_refused_override("Modes/Frequency target = -1", {"Modes/Frequency target", "from 0"});
 }

@@ -18,17 +18,45 @@ namespace ringmotor
     fixed     ///< take degree and refinements as given
   };
 
+  /** A quantity of operating points whose error bar can be held below a target. */
+  enum class HeldQuantity
+  {
+    speed,
+    torque,
+    friction_loss,
+    stick_fraction,
+    teeth_in_contact
+  };
+
+  /** The admissible error of one of them. */
+  struct QuantityTarget
+  {
+    HeldQuantity quantity;
+    std::optional<double> target; ///< relative; none: Accuracy::contact_target
+  };
+
   /** How accurate the results must be, or how they are computed. */
   struct Accuracy
   {
-    double target         = 1.e-4;    ///< relative error of the results
-    double contact_target = 0.03;     ///< relative error of speeds and torques
+    double target         = 1.e-4; ///< relative error of the results
+    double contact_target = 0.03;  ///< relative error of #quantities
+    std::vector<QuantityTarget> quantities{{HeldQuantity::speed, {}}, {HeldQuantity::torque, {}}};
     std::optional<double> time_limit; ///< s, for a run of the program contact
     AccuracyMode mode                 = AccuracyMode::adaptive;
     unsigned int polynomial_degree    = 3; ///< mode fixed only
     unsigned int refinement           = 0; ///< of the body meshes, mode fixed only
     unsigned int interface_refinement = 0; ///< of the contact interface, mode fixed only
     unsigned int rotor_modes          = 2; ///< level of RotorVibration, mode fixed only
+
+    /** The target of one of #quantities. */
+    double target_of(const QuantityTarget &held) const
+    {
+      return held.target.value_or(contact_target);
+    }
+    /** The least target of all #quantities. */
+    double strictest_target() const;
+    /** The #quantities in words: "speed, torque". */
+    std::string names_of_quantities() const;
 
     /** Declares the entries; reading them changes the members. */
     void declare(dealii::ParameterHandler &prm);

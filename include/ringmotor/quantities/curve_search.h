@@ -31,6 +31,10 @@ namespace ringmotor
                                             const CurveSetting &, const std::vector<PointRequest> &,
                                             const std::vector<CurvePoint> &starts)>
           points;
+      /** Told before meshes are refined: the next level, and the seconds that the motor and the
+       * points took on the last one. */
+      std::function<void(unsigned int level, double motor_seconds, double point_seconds)>
+          before_refinement = [](const unsigned int, const double, const double) {};
     };
 
     /** @param wave_error relative, of the speed of the stator's surface
@@ -52,7 +56,11 @@ namespace ringmotor
     /** Whether the wave does not turn the rotor: within the target it stands still under a quarter
      * of the torque that friction can bear. This is then the last point of a curve. */
     bool rotor_sticks() const { return stalled.request.control == Control::torque; }
-    /** The largest error bar, relative to the fastest speed and to the stall torque. */
+    /** The parameters with the discretisation of find() as given settings, `Accuracy/Mode = fixed`:
+     * its meshes and modes, and for all points the shortest of their steps. */
+    Parameters frozen() const;
+    /** The largest error bar of the quantities that `Accuracy/Quantities` lists, relative to the
+     * largest of their values. */
     double worst_error() const;
 
     /** How much the result at the middle point would change, in rad/s for a given torque, else in
@@ -150,8 +158,12 @@ namespace ringmotor
     bool nearly_sticks() const;
     /** The torque (N m) that friction bears if all contact points slip the same way. */
     double borne_torque() const;
-    /** The error of a speed relative to the fastest one or, if larger, half that of the wave's
-     * crests; of a torque relative to that at stall or half of what friction bears. */
+    /** That to which errors of a quantity are related: the fastest speed or, if larger, half that
+     * of the wave's crests; the torque at stall or half of what friction bears; the largest loss
+     * and number of teeth; 1. */
+    double scale_of(const HeldQuantity quantity) const;
+    /** The largest relative error of the held quantities, those with a target of their own weighted
+     * so that `Contact target` is the limit of all. */
     double relative(const PointError &error) const;
 
     const Parameters &parameters;

@@ -35,9 +35,10 @@ namespace ringmotor
   struct PointError
   {
     double speed = 0., torque = 0., loss = 0.; ///< rad/s, N m, W
-    double rotor_power = 0.;                   ///< W, see power_per_loss_factor()
+    double rotor_power    = 0.;                ///< W, see power_per_loss_factor()
+    double stick_fraction = 0., teeth_in_contact = 0.;
 
-    static const std::array<double PointError::*, 4> members;
+    static const std::array<double PointError::*, 6> members;
 
     PointError &operator*=(const double factor)
     {
@@ -60,8 +61,9 @@ namespace ringmotor
     }
   };
 
-  inline constexpr std::array<double PointError::*, 4> PointError::members{
-      {&PointError::speed, &PointError::torque, &PointError::loss, &PointError::rotor_power}};
+  inline constexpr std::array<double PointError::*, 6> PointError::members{
+      {&PointError::speed, &PointError::torque, &PointError::loss, &PointError::rotor_power,
+       &PointError::stick_fraction, &PointError::teeth_in_contact}};
 
   /** The error bars of an operating point by their causes. */
   struct PointErrors

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/output/text.h>
+#include <ringmotor/programs/price_forecast.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ringmotor
+{
+  namespace
+  {
+    constexpr double worth_telling = 10.; ///< s
+  }
+
+  void PriceForecast::before_mesh(const unsigned int level, const double motor_seconds,
+                                  const double point_seconds)
+  {
+    // From one mesh of the sequence to the next, mainly by the growing interface.
+    constexpr double of_seconds = 4., of_memory = 2.5, gigabyte = 1e3; // MB
+    log.line("refining: interface mesh " + std::to_string(level) + " may take about " +
+             text(of_seconds * motor_seconds, 1) + " s to condense, " +
+             text(of_seconds * point_seconds, 1) + " s for its operating points, and " +
+             text(of_memory * peak_memory_MB() / gigabyte, 1) + " GB of memory");
+  }
+
+  void PriceForecast::before_points(const CondensedMotor &motor, const CurveSetting &setting,
+                                    const unsigned int n_points)
+  {
+    effort  = std::pow(motor.nodes.size() * setting.n_parts, 1.5);
+    n_asked = n_points;
+    n_found = 0;
+    begin = told         = Clock::now();
+    const double seconds = n_points * seconds_per_effort * effort;
+    if (seconds > worth_telling)
+      log.line(
+          "the next " + std::to_string(n_points) + " operating points on interface mesh " +
+          std::to_string(setting.level) + " have " +
+          std::to_string(motor.nodes.size() * motor.repeating().n_sectors() * setting.n_parts) +
+          " contact nodes each and may take about " + text(seconds, 0) +
+          " s; Accuracy/Time limit stops them, a larger Accuracy/Contact target makes them "
+          "cheaper");
+  }
+
+  void PriceForecast::after_point(const CurvePoint &point)
+  {
+    ++n_found;
+    log.progress("operating points", std::min(1., n_found / (1. * n_asked)));
+    seconds_per_effort = point.seconds / effort;
+    if (n_found >= n_asked || seconds_since(told) < worth_telling)
+      return;
+    told = Clock::now();
+    log.line(std::to_string(n_found) + " of " + std::to_string(n_asked) +
+             " operating points found; the others may take about " +
+             text(seconds_since(begin) * (n_asked - n_found) / n_found, 0) + " s");
+  }
+} // namespace ringmotor
