@@ -13,7 +13,7 @@ GROWTH = 0.25  # of the cells, per distance from a corner
 CELLS_PER_WIDTH = 9  # of the ring, far from the corners
 CELLS_PER_QUARTER = 9  # of a wave, along theta
 # Stator
-GRADING = 3  # the power with which rings of cells shrink towards the slot root: errors at the root and far away decrease alike
+GRADING = 3  # power of the rings of cells around the slot root, so that errors there decrease as those far away
 FACTOR = 2.5  # of the sizes of neighbouring quadrilaterals, about
 CLOSE = 1e-9  # m or radians: nodes this close to a line or a face are on it
 
@@ -123,10 +123,13 @@ class Stator:
     def half_pitch(self):
         return math.pi / self.n_teeth
 
-    def mesh(self, n_cells):
+    def mesh(self, n_cells, is_graded_radially):
         """The sector of one tooth, between the middles of two slots, with n_cells along each side of the
-        quadrilaterals of its section and twice as many from the inner to the outer side, thinner near both."""
-        stations = [0.5 * (1. - math.cos(0.5 * i * math.pi / n_cells)) for i in range(2 * n_cells + 1)]
+        quadrilaterals of its section and twice as many from the inner to the outer side: of equal lengths, or
+        thinner near both sides, where the slots end."""
+        stations = numpy.linspace(0., 1., 2 * n_cells + 1)
+        if is_graded_radially:
+            stations = 0.5 * (1. - numpy.cos(math.pi * stations))
         return extruded(self._section(n_cells), stations, self._place)
 
     def _place(self, s, z, rho):
