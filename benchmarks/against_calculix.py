@@ -6,25 +6,25 @@ usage: benchmarks/against_calculix.py [FILE.prm ...] [--body rotor | stator | bo
                                       [--waves 7 14] [--sizes 0.08 0.04 0.02] [--target 3e-4]
                                       [--cells 1 2 3] [--targets 1e-2 1e-3 3e-4 1e-4 3e-5] [--last 12] [--repeat 3]
 
-Rotor (--waves, --sizes, --target): CalculiX (Debian package calculix-ccx) gets a mesh of quadratic bricks (C3D20) over a
-quarter of a wave: symmetric at theta = 0, antisymmetric at pi/(2n). Its spectrum holds modes of n, 3n, 5n, ... waves; those
-of n waves are told by the displacement along circles, and compared in ascending order. Cells at the two re-entrant corners
-where the flange leaves the ring have the size given by --sizes and grow from there. Frequencies converge as h^1.089, twice
-the exponent of the stress singularity at a corner of 270 degrees of metal; they are extrapolated from the last two sizes.
-Their uncertainty is half of this step, and a share for the cells far from the corners, which are the same on all meshes.
-Both models have a solid flange and no radial bars: those of ringmotor hold a band of the surface, CalculiX would need
-springs at nodes.
+Rotor (--waves, --sizes, --target): CalculiX (Debian package calculix-ccx) gets a mesh of quadratic bricks (C3D20) over
+a quarter of a wave: symmetric at theta = 0, antisymmetric at pi/(2n). Its spectrum holds modes of n, 3n, 5n, ...
+waves; those of n waves are told by the displacement along circles, and compared in ascending order. Cells at the two
+re-entrant corners where the flange leaves the ring have the size given by --sizes and grow from there. Frequencies
+converge as h^1.089, twice the exponent of the stress singularity at a corner of 270 degrees of metal; they are
+extrapolated from the last two sizes. Their uncertainty is half of this step, and a share for the cells far from the
+corners, which are the same on all meshes. Both models have a solid flange and no radial bars: those of ringmotor hold
+a band of the surface, CalculiX would need springs at nodes.
 
-Stator (--cells, --targets, --last, --repeat): both programs find the two lowest elastic modes, of the motor's wave alone and
-of 0 to --last nodal diameters, on the sector of one tooth. CalculiX has no half sector: its *CYCLIC SYMMETRY MODEL couples
-two copies of the whole one. Cells shrink towards the slot root with the third power of the distance, so that all errors
-decrease as the fourth power of the number of cells (--cells along each side of the quadrilaterals of the section). With the
-fully integrated C3D20 all frequencies decrease to their limits; those of the last two meshes are extrapolated, with half
-of the step as their uncertainty. C3D20R (reduced integration) costs the same and has a smaller error, but of either sign.
-It does not run on the finest mesh for all nodal diameters, to save time. The cost at equal true error takes the better of
-both. True errors are the largest of all modes of a run, relative to the mean of CalculiX's
-limit and of what elements of degree 6 give in ringmotor, weighted by the inverse squares of their uncertainties. Both
-programs run on one thread.
+Stator (--cells, --targets, --last, --repeat): both programs find the two lowest elastic modes, of the motor's wave
+alone and of 0 to --last nodal diameters, on the sector of one tooth. CalculiX has no half sector: its *CYCLIC SYMMETRY
+MODEL couples two copies of the whole one. Rings of cells around the slot root have sizes in proportion to 1, 8, 27, ...,
+so that all errors decrease as the fourth power of the number of cells (--cells along each side of the quadrilaterals
+of the section). With the fully integrated C3D20 all frequencies decrease to their limits; those of the last two meshes
+are extrapolated, with half of the step as their uncertainty. C3D20R (reduced integration) costs the same and has a
+smaller error, but of either sign. It does not run on the finest mesh for all nodal diameters, to save time. The cost
+at equal true error takes the better of both. True errors are the largest of all modes of a run, relative to the mean
+of CalculiX's limit and of what elements of degree 6 give in ringmotor, weighted by the inverse squares of their
+uncertainties. Both programs run on one thread.
 """
 import argparse
 import datetime
@@ -53,8 +53,8 @@ CORNER_EXPONENT = 2. * 0.544484  # root of sin(3 pi/2 x) = x, the symmetric sing
 # hardly depend on the corners by at most 3.3e-5, 1.6 times as many along theta by 2e-6.
 FAR_CELLS = 4e-5
 SMOOTH_EXPONENT = 4.  # of quadratic elements where cells shrink fast enough towards the corners
-# Whether cells get thinner near the inner and the outer side of the stator: between 2 and 3 cells C3D20 then converges with
-# an exponent of 3.7 instead of 2.9, whereas C3D20R has twice the error in the in-plane mode.
+# Whether cells get thinner near the inner and the outer side of the stator: between 2 and 3 cells C3D20 then converges
+# with an exponent of 3.7 instead of 2.9, whereas C3D20R has twice the error in the in-plane mode.
 ELEMENTS = {"C3D20": True, "C3D20R": False}
 BEST = {"Accuracy/Mode": "fixed", "Accuracy/Polynomial degree": "6", "Accuracy/Refinement": "3"}
 RIGID = 10.  # Hz: motions of the free sector as a rigid body are below
@@ -218,7 +218,8 @@ class StatorComparison:
             run = run_calculix(mesh, self.stator.materials, self.stator.cards(mesh, diameters, N_MODES["stator"]),
                                pathlib.Path(scratch), element)
         modes = by_diameter((n, frequency) for n, frequency in run.modes if frequency > RIGID)
-        return {n: frequencies[::2][:N_MODES["stator"]] for n, frequencies in modes.items()}, 3 * len(mesh.places), run.cost
+        modes = {n: frequencies[::2][:N_MODES["stator"]] for n, frequencies in modes.items()}  # each is found twice
+        return modes, 3 * len(mesh.places), run.cost
 
     def lines(self):
         sizes = [1. / n_cells for n_cells in self.options.cells]
@@ -258,8 +259,8 @@ class StatorComparison:
                     row += [f"{cost[2]}{cost[i]:.{digits}f}" if cost else "-" for cost in (ours, theirs)]
                     row.append(f"{theirs[i] / ours[i]:.2g}" if ours and theirs else "-")
                 rows.append(row)
-        return table(["n", "true error", "ringmotor, s", "CalculiX, s", "ratio", "ringmotor, MB", "CalculiX, MB", "ratio"],
-                     rows)
+        return table(["n", "true error", "ringmotor, s", "CalculiX, s", "ratio", "ringmotor, MB", "CalculiX, MB",
+                      "ratio"], rows)
 
 
 def cost_at(error, cases, true_modes):
@@ -316,6 +317,8 @@ def main():
             parser.error(f"{name} needs two or more, in order")
     if min(options.waves + options.cells) < 1:
         parser.error("--waves and --cells need numbers from 1")
+    if options.markdown and options.body == "both":
+        parser.error("--markdown needs --body rotor or --body stator: their tables are in different documents")
     check_installed()
     path = program("stator", options.programs)
     for body, comment, make_lines in (("rotor", "benchmarks/against_calculix.py", rotor_lines),

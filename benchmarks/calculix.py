@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""CalculiX (Debian package calculix-ccx) for the benchmarks: meshes of quadratic bricks, input, runs and frequencies."""
+"""CalculiX (Debian package calculix-ccx) for the benchmarks: meshes of quadratic bricks, input, runs, frequencies."""
 import math
 import shutil
 import sys
