@@ -188,7 +188,7 @@ class StatorComparison:
                  for target in self.options.targets]
         for element in ELEMENTS:
             is_left_out = element == "C3D20R" and diameters == self.all_diameters  # on the finest mesh
-            cases += [self._case(element, f"{n_cells} cells", diameters,
+            cases += [self._case(element, f"cells {n_cells}", diameters,
                                  lambda element=element, n_cells=n_cells: self._calculix(element, n_cells, diameters))
                       for n_cells in (self.options.cells[:-1] if is_left_out else self.options.cells)]
         return cases
@@ -234,7 +234,8 @@ class StatorComparison:
             frequencies.append([n, mode["family"], f"{ours:.2f} +- {mode['error']:.2f}",
                                 f"{limit:.2f} +- {uncertainty:.2f}", f"{ours / limit - 1.:+.1e}",
                                 f"{abs(ours - limit) / (mode['error'] + uncertainty):.2f}"])
-        return [f"Of `{self.motor.name}`, on one core of {processor()}, {datetime.date.today().isoformat()}.", "",
+        return [f"`{self.motor.name}`, one core of a machine with {processor()}, {datetime.date.today().isoformat()}; "
+                f"medians of {self.options.repeat} runs for n = {shown(self.wave_alone)}:", "",
                 *self._costs(true_modes), "", *self._runs(true_modes), "",
                 *table(["n", "mode", "ringmotor, Hz", "CalculiX, Hz", "difference", "over both uncertainties"],
                        frequencies)]
