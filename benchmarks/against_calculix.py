@@ -17,14 +17,14 @@ a band of the surface, CalculiX would need springs at nodes.
 
 Stator (--cells, --targets, --last, --repeat): both programs find the two lowest elastic modes, of the motor's wave
 alone and of 0 to --last nodal diameters, on the sector of one tooth. CalculiX has no half sector: its *CYCLIC SYMMETRY
-MODEL couples two copies of the whole one. Rings of cells around the slot root have sizes in proportion to 1, 8, 27, ...,
-so that all errors decrease as the fourth power of the number of cells (--cells along each side of the quadrilaterals
-of the section). With the fully integrated C3D20 all frequencies decrease to their limits; those of the last two meshes
-are extrapolated, with half of the step as their uncertainty. C3D20R (reduced integration) costs the same and has a
-smaller error, but of either sign. It does not run on the finest mesh for all nodal diameters, to save time. The cost
-at equal true error takes the better of both. True errors are the largest of all modes of a run, relative to the mean
-of CalculiX's limit and of what elements of degree 6 give in ringmotor, weighted by the inverse squares of their
-uncertainties. Both programs run on one thread.
+MODEL couples two copies of the whole one. Rings of cells around the slot root have sizes in proportion to 1, 8, 27,
+..., so that all errors decrease as the fourth power of the number of cells (--cells along each side of the
+quadrilaterals of the section). With the fully integrated C3D20 all frequencies decrease to their limits; those of the
+last two meshes are extrapolated, with half of the step as their uncertainty. C3D20R (reduced integration) costs the
+same and has a smaller error, but of either sign. It does not run on the finest mesh for all nodal diameters, to save
+time. The cost at equal true error takes the better of both. True errors are the largest of all modes of a run,
+relative to the mean of CalculiX's limit and of what elements of degree 6 give in ringmotor, weighted by the inverse
+squares of their uncertainties. Both programs run on one thread.
 """
 import argparse
 import datetime
