@@ -27,6 +27,23 @@ namespace ringmotor
       Assert(false, dealii::ExcInternalError());
       return nullptr;
     }
+
+    /** How finely numbers that are counted are resolved: a tooth touches for whole steps, and a
+     * contact node sticks or slips as a whole. Two discretisations often count the same. */
+    PointError resolution(const CurvePoint &point, const CondensedMotor &motor)
+    {
+      PointError step;
+      step.teeth_in_contact = static_cast<double>(motor.n_teeth) / motor.n_waves *
+                              point.fields.time_step / motor.period();
+      double largest = 0., whole = 0.;
+      for (const PointVector &force : point.fields.force)
+      {
+        largest = std::max(largest, force[0]);
+        whole += force[0];
+      }
+      step.stick_fraction = whole > 0. ? largest / whole : 0.;
+      return step;
+    }
   } // namespace
 
   PointError CurveSearch::mesh_error(const unsigned int request)
@@ -70,6 +87,10 @@ namespace ringmotor
     // First order, C / n with n steps per pitch: C follows from two values of n.
     errors.time = change(point, point_of(other, request));
     errors.time *= other.n_steps() / std::abs(other.n_steps() - own.n_steps());
+    const PointError counted = resolution(point, motor());
+    for (double PointError::*const quantity :
+         {&PointError::teeth_in_contact, &PointError::stick_fraction})
+      errors.time.*quantity = std::max(errors.time.*quantity, counted.*quantity);
     if (motor().has_rotor_modes())
     {
       // The error falls with the third power of the highest frequency; that of the meshes is

@@ -141,6 +141,39 @@ TEST(CurveErrorBars, OfMeshesFollowTheLastChange)
   EXPECT_NEAR(mesh_bar({{0.2, -0.1, 0.03, -0.01}}, 0.025, 2), 1.25 * 0.13, 1e-12);
 }
 
+TEST(CurveErrorBars, AreAtLeastWhatCountingResolves)
+{
+  // Teeth and sticking nodes are counted, here alike on all meshes and with all steps: a contact of
+  // a tooth is known to a step, the share of force on nodes that stick to that of one node.
+  Parameters parameters;
+  parameters.loading.values          = {3.};
+  parameters.loading.control         = Control::torque;
+  parameters.initial_deformation     = {};
+  parameters.accuracy.contact_target = 0.5;
+  CurveSearch::Sources sources       = made_up_sources(0.2, 0.1);
+  sources.points = [points = sources.points](const Parameters &all, const CondensedMotor &motor,
+                                             const CurveSetting &setting,
+                                             const std::vector<PointRequest> &requests,
+                                             const std::vector<CurvePoint> &starts)
+  {
+    std::vector<CurvePoint> found = points(all, motor, setting, requests, starts);
+    if (setting.n_parts == 1) // would have to be transferred from mesh to mesh
+      return found;
+    for (CurvePoint &point : found)
+      for (const double pressure : {3., 1., 0., 4.})
+      {
+        point.fields.force.emplace_back();
+        point.fields.force.back()[0] = pressure;
+      }
+    return found;
+  };
+  CurveSearch search(parameters, 1e-3, period, sources);
+  search.find();
+  const PointError bars = search.points().front().errors.total();
+  EXPECT_NEAR(bars.stick_fraction, 0.5, 1e-12);
+  EXPECT_NEAR(bars.teeth_in_contact, 90. / 7. * 1e-7 / period, 1e-12);
+}
+
 TEST(CurveErrorBars, HaveTheAveragingWindowOfTheMeshThatIsShown)
 {
   Parameters parameters;
