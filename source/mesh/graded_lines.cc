@@ -19,11 +19,12 @@ namespace ringmotor
     return lines;
   }
 
-  std::vector<double> squared_lines(const double length, const unsigned int n_cells)
+  std::vector<double> lines_from_edge(const double length, const unsigned int n_cells,
+                                      const double ratio)
   {
-    std::vector<double> lines;
-    for (unsigned int i = 0; i <= n_cells; ++i)
-      lines.push_back(length * i * i / (n_cells * n_cells));
+    std::vector<double> lines{0.};
+    for (unsigned int i = 1; i <= n_cells; ++i)
+      lines.push_back(ratio == 1. ? length * i / n_cells : length * std::pow(ratio, n_cells - i));
     return lines;
   }
 

@@ -292,17 +292,19 @@ namespace ringmotor
       const double inner = std::max(lip_inner, stator.tip_inner_radius),
                    outer = std::min(lip_outer, stator.tip_outer_radius);
       std::vector<double> radii;
-      for (const double distance : squared_lines(outer - inner, grading.n_across))
+      for (const double distance : lines_from_edge(outer - inner, grading.n_across, grading.ratio))
         radii.insert(radii.begin(), outer - distance);
       if (inner > stator.tip_inner_radius)
       {
-        const std::vector<double> distances = squared_lines(inner - stator.tip_inner_radius, 2);
+        const std::vector<double> distances =
+            lines_from_edge(inner - stator.tip_inner_radius, 2, grading.ratio);
         for (unsigned int i = 1; i < distances.size(); ++i)
           radii.insert(radii.begin(), inner - distances[i]);
       }
       if (outer < stator.tip_outer_radius)
       {
-        const std::vector<double> distances = squared_lines(stator.tip_outer_radius - outer, 2);
+        const std::vector<double> distances = lines_from_edge(
+            stator.tip_outer_radius - outer, std::max(2u, grading.n_across), grading.ratio);
         for (unsigned int i = 1; i < distances.size(); ++i)
           radii.push_back(outer + distances[i]);
       }
@@ -321,9 +323,10 @@ namespace ringmotor
     const double top              = stator.base_thickness + stator.tooth_height;
     const std::vector<double> rho = lines_across(stator, lip_inner, lip_outer, grading);
     std::vector<double> side, up;
-    for (const double distance : squared_lines(1., grading.n_around))
+    for (const double distance : lines_from_edge(1., grading.n_around, grading.ratio))
       side.insert(side.begin(), 1. - distance);
-    for (const double distance : squared_lines(stator.tooth_height, grading.n_across + 1))
+    for (const double distance :
+         lines_from_edge(stator.tooth_height, grading.n_across + 1, grading.ratio))
       up.insert(up.begin(), top - distance);
 
     SectorMesh mesh;
