@@ -19,11 +19,12 @@ namespace ringmotor
     return lines;
   }
 
-  std::vector<double> squared_lines(const double length, const unsigned int n_cells)
+  std::vector<double> power_lines(const double length, const unsigned int n_cells,
+                                  const double exponent)
   {
     std::vector<double> lines;
     for (unsigned int i = 0; i <= n_cells; ++i)
-      lines.push_back(length * i * i / (n_cells * n_cells));
+      lines.push_back(length * std::pow(i, exponent) / std::pow(n_cells, exponent));
     return lines;
   }
 

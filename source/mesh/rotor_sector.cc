@@ -41,7 +41,7 @@ namespace ringmotor
                              const EdgeCells &cells, const InterfaceGrading &lip)
     {
       for (const double distance :
-           squared_lines(rotor.lip_outer_radius - rotor.lip_inner_radius, lip.n_across))
+           power_lines(rotor.lip_outer_radius - rotor.lip_inner_radius, lip.n_across, lip.exponent))
         lines.push_back(rotor.lip_outer_radius - distance);
       if (lip.n_across == 1)
       {
@@ -53,7 +53,7 @@ namespace ringmotor
       const double middle = 0.5 * (rotor.lip_outer_radius + rotor.ring_inner_radius);
       append_lines(lines, rotor.ring_inner_radius, middle, cells);
       const std::vector<double> distances =
-          squared_lines(middle - rotor.lip_outer_radius, lip.n_across);
+          power_lines(middle - rotor.lip_outer_radius, lip.n_across, lip.exponent);
       for (unsigned int i = 1; i + 1 < distances.size(); ++i)
         lines.push_back(rotor.lip_outer_radius + distances[i]);
     }
@@ -123,7 +123,7 @@ namespace ringmotor
       const unsigned int n_lip = std::max(grading.n_lip, lip.n_across), n_span = grading.n_span;
       std::vector<double> radii;
       for (const double distance :
-           squared_lines(rotor.lip_outer_radius - rotor.lip_inner_radius, n_lip))
+           power_lines(rotor.lip_outer_radius - rotor.lip_inner_radius, n_lip, lip.exponent))
         radii.insert(radii.begin(), rotor.lip_outer_radius - distance);
       for (unsigned int i = 1; i <= n_span; ++i)
         radii.push_back(rotor.lip_outer_radius +
@@ -184,7 +184,8 @@ namespace ringmotor
       append_lines(z_lines, rotor.flange_lower_face, rotor.ring_lower_face, cells);
       if (rotor.flange_element == ElementKind::solid && lip.n_across > 1)
       {
-        for (const double distance : squared_lines(rotor.flange_thickness, lip.n_across + 1))
+        for (const double distance :
+             power_lines(rotor.flange_thickness, lip.n_across + 1, lip.exponent))
           z_lines.push_back(rotor.flange_lower_face + distance);
       }
       else
