@@ -204,7 +204,7 @@ namespace ringmotor
     public:
       Collection(const Parameters &parameters, const StudiedMotor &motor)
           : motor(motor), is_fixed(parameters.accuracy.mode == AccuracyMode::fixed),
-            finest_level(is_fixed ? std::max(1u, parameters.accuracy.interface_refinement)
+            finest_level(is_fixed ? parameters.accuracy.interface_refinement
                                   : ContactDiscretisation::finest_level -
                                         (motor_model(parameters).has_inertia() ? 1 : 0)),
             common(common_setting(parameters, motor.period))
@@ -260,7 +260,7 @@ namespace ringmotor
       void add_those_of_the_paper()
       {
         const ContactDiscretisation coarse{1, {1, 1}, {1, 1}, {}, 0.};
-        const ContactSetting fine = best(std::max(1u, finest_level - 1));
+        const ContactSetting fine = best(finest_level > 1 ? finest_level - 1 : finest_level);
         const unsigned int n_along =
             fine.discretisation.degree * fine.discretisation.tooth.n_around;
         const auto mesh = [&](ContactSetting &setting) { setting.discretisation = coarse; };
@@ -356,7 +356,11 @@ namespace ringmotor
     if (is_marched(parameters))
       common.n_steps = period / parameters.time.time_step * parameters.time.n_snapshots;
     if (parameters.accuracy.mode == AccuracyMode::fixed)
+    {
       common.modes_level = parameters.accuracy.rotor_modes;
+      if (parameters.accuracy.interface_refinement == 0)
+        common.discretisation = ContactDiscretisation::level(0);
+    }
     return common;
   }
 

@@ -32,7 +32,7 @@ namespace ringmotor
   };
 
   /** The setting that all others of a study are compared with in a single knob: interface mesh 1
-   * with moderate steps. */
+   * (with `Accuracy/Mode = fixed`, none finer than requested) with moderate steps. */
   ContactSetting common_setting(const Parameters &parameters, const double period);
 
   /**
