@@ -80,7 +80,7 @@ def legend_entries(rows, styles):
     knobs = {row["knob"] for row in rows}
     entries = [(handle(marker, color, ms=5), knob) for knob, (color, marker) in styles.items()]
     if COMMON in knobs:
-        entries.insert(0, (handle("s", "black", ms=6), f"{COMMON}: mesh 1"))
+        entries.insert(0, (handle("s", "black", ms=6), COMMON))
     if any(row["other_model"] == "1" for row in rows):
         entries.append((handle("o", GREY, mfc="white", ms=5), "hollow: another model"))
     if PAPER in knobs:
