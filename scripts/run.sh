@@ -4,8 +4,8 @@
 # false) and prints a one-page summary. Options are those of the programs.
 # Usage: scripts/run.sh FILE.prm [--set 'Section/Entry = value']... [--output DIR] [--check] [--study] [--resume]
 # With --check: looks at the parameters, and nothing else. With --study: what accuracy costs of stator and of contact,
-# tables and figures, and nothing else. With --resume, contact takes over what an interrupted run has found; the others
-# are computed again, which gives the same. With Modes/Body = rotor or tooth: the modes of that body alone.
+# tables and figures, and nothing else. With --resume, contact and studies take over what an interrupted run has found;
+# the rest is computed again, which gives the same. With Modes/Body = rotor or tooth: the modes of that body alone.
 set -euo pipefail
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
 bin=$root/build/bin
@@ -38,10 +38,6 @@ for option in "$@"; do
     *) options+=("$option") ;;
   esac
 done
-if [[ $mode == study ]] && $is_resumed; then
-  echo "run.sh: --resume cannot be combined with --study, which computes everything anew; omit one of them" >&2
-  exit 1
-fi
 resume=()
 ! $is_resumed || resume=(--resume)
 
@@ -51,7 +47,7 @@ results=${checked##* to } # where those of stator would be
 if [[ $results != */stator/ ]]; then # of the rotor or a tooth, which have no figures
   case $mode in
     check) echo "$checked" ;;
-    study) exec "$bin/stator" "${options[@]}" --study ;;
+    study) exec "$bin/stator" "${options[@]}" --study "${resume[@]}" ;;
     run) exec "$bin/stator" "${options[@]}" ;;
   esac
   exit
@@ -64,9 +60,9 @@ if [[ $mode == check ]]; then
 fi
 
 if [[ $mode == study ]]; then
-  "$bin/stator" "${options[@]}" --study
+  "$bin/stator" "${options[@]}" --study "${resume[@]}"
   "$bin/stator" "${options[@]}" # contact needs a wave, which a study leaves none of
-  "$bin/contact" "${options[@]}" --study
+  "$bin/contact" "${options[@]}" --study "${resume[@]}"
   exec "$root/scripts/study_figure.py" "$case_folder"
 fi
 

@@ -46,24 +46,32 @@ namespace ringmotor
         const double half_tooth = numbers::PI * stator.base_inner_radius / n_teeth - half_slot;
         const double first =
             std::min({half_slot, half_tooth, stator.tooth_height, stator.base_thickness});
-        // Towards the tooth's centre s falls from 1 to 0, towards the cut it rises to 2.
-        const auto s_lines = [&](const double width, const double sign)
+        const auto lines_from_root = [&](const double length, unsigned int EvenCells::*const n_even)
         {
-          std::vector<double> lines = graded_lines(width, first);
+          return grading.even ? lines_from_edge(length, *grading.even.*n_even, 1.)
+                              : graded_lines(length, first);
+        };
+        // Towards the tooth's centre s falls from 1 to 0, towards the cut it rises to 2.
+        const auto s_lines =
+            [&](const double width, const double sign, unsigned int EvenCells::*const n_even)
+        {
+          std::vector<double> lines = lines_from_root(width, n_even);
           for (double &line : lines)
             line = 1. + sign * line / width;
           return lines;
         };
-        const auto z_lines = [&](const double height, const double sign)
+        const auto z_lines =
+            [&](const double height, const double sign, unsigned int EvenCells::*const n_even)
         {
-          std::vector<double> lines = graded_lines(height, first);
+          std::vector<double> lines = lines_from_root(height, n_even);
           for (double &line : lines)
             line = stator.base_thickness + sign * line;
           return lines;
         };
-        const std::vector<double> tooth = s_lines(half_tooth, -1.), slot = s_lines(half_slot, 1.),
-                                  above = z_lines(stator.tooth_height, 1.),
-                                  below = z_lines(stator.base_thickness, -1.);
+        const std::vector<double> tooth = s_lines(half_tooth, -1., &EvenCells::n_tooth),
+                                  slot  = s_lines(half_slot, 1., &EvenCells::n_slot),
+                                  above = z_lines(stator.tooth_height, 1., &EvenCells::n_above),
+                                  below = z_lines(stator.base_thickness, -1., &EvenCells::n_below);
         add_quadrant(tooth, above, ids::tooth);
         if (parts == Parts::tooth)
           return;
@@ -155,9 +163,12 @@ namespace ringmotor
       std::vector<CellData<2>> cells;
     };
 
-    /** Cells get thinner towards the inner and outer sides, where the slots end freely. */
-    std::vector<double> radial_lines(const unsigned int n_cells)
+    /** Cells get thinner towards the inner and outer sides, where the slots end freely, unless they
+     * are to be even. */
+    std::vector<double> radial_lines(const unsigned int n_cells, const bool are_even)
     {
+      if (are_even)
+        return lines_from_edge(1., n_cells, 1.);
       std::vector<double> lines;
       for (unsigned int i = 0; i <= n_cells; ++i)
         lines.push_back(0.5 * (1. - std::cos(i * numbers::PI / n_cells)));
@@ -256,7 +267,8 @@ namespace ringmotor
       mesh.has_cuts      = parts == Parts::all;
 
       Triangulation<3> &triangulation = *mesh.triangulation;
-      GridGenerator::extrude_triangulation(section, radial_lines(grading.n_radial), triangulation);
+      GridGenerator::extrude_triangulation(
+          section, radial_lines(grading.n_radial, grading.even.has_value()), triangulation);
       GridTools::transform([](const Point<3> &x) { return Point<3>(x[2], x[0], x[1]); },
                            triangulation);
       set_boundary_ids(triangulation, form, stator, parts);

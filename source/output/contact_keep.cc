@@ -6,7 +6,6 @@
 #include <ringmotor/output/text.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/parameters/fingerprint.h>
-#include <ringmotor/version.h>
 
 #include <filesystem>
 #include <iomanip>
@@ -20,15 +19,6 @@ namespace ringmotor
 
   namespace
   {
-    /** Version and revision do not show later changes or how the program was compiled. */
-    std::string this_build()
-    {
-      const fs::path program = "/proc/self/exe";
-      return std::string("ringmotor ") + version + " (" + git_revision + "), executable of " +
-             std::to_string(fs::file_size(program)) + " bytes, linked at " +
-             std::to_string(fs::last_write_time(program).time_since_epoch().count()) + "\n";
-    }
-
     /** Bytes of all files below a folder, zero if there is no such folder. */
     std::uintmax_t size_of(const fs::path &folder)
     {

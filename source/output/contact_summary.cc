@@ -65,14 +65,4 @@ namespace ringmotor
          imbalance, OperatingPoint::largest_imbalance,
          "choose a larger Time/Snapshots, which makes steps shorter"});
   }
-
-  void write_contact_study(const std::string &path, const std::vector<CurveSearch::Rung> &rungs)
-  {
-    CsvTable table({"interface_mesh", "points_per_tooth", "dofs", "steps_per_period", "seconds",
-                    "seconds_with_error_bar", "largest_relative_error", "distance_from_best"});
-    for (const CurveSearch::Rung &rung : rungs)
-      table.add_row({rung.setting.level, rung.n_nodes, rung.n_dofs, rung.n_steps, rung.seconds,
-                     rung.seconds_with_error_bar, rung.largest_error, rung.distance});
-    table.write(path);
-  }
 } // namespace ringmotor

@@ -2,7 +2,9 @@
 #include <ringmotor/output/files.h>
 #include <ringmotor/output/kept_file.h>
 #include <ringmotor/parameters/fingerprint.h>
+#include <ringmotor/version.h>
 
+#include <filesystem>
 #include <fstream>
 
 namespace ringmotor
@@ -18,6 +20,16 @@ namespace ringmotor
       return std::to_string(key.size()) + "\n" + key;
     }
   } // namespace
+
+  std::string this_build()
+  {
+    // Version and revision do not show later changes or how the program was compiled.
+    const std::filesystem::path program = "/proc/self/exe";
+    return std::string("ringmotor ") + version + " (" + git_revision + "), executable of " +
+           std::to_string(std::filesystem::file_size(program)) + " bytes, linked at " +
+           std::to_string(std::filesystem::last_write_time(program).time_since_epoch().count()) +
+           "\n";
+  }
 
   void write_kept_file(const std::string &path, const std::string &key, const std::string &bytes)
   {

@@ -147,19 +147,4 @@ namespace ringmotor
       write_wave(file, sector, *wave);
     file.save(path);
   }
-
-  void write_study(const std::string &path, const std::vector<StudyRow> &rows)
-  {
-    const auto best = std::min_element(rows.begin(), rows.end(),
-                                       [](const StudyRow &a, const StudyRow &b)
-                                       { return a.frequency.error < b.frequency.error; });
-    CsvTable table({"degree", "refinement", "dofs", "seconds", "frequency_Hz", "error_Hz",
-                    "distance_from_best", "largest_relative_error"});
-    for (const StudyRow &row : rows)
-      table.add_row({row.degree, row.refinement, row.n_dofs, row.seconds, row.frequency.value,
-                     row.frequency.error,
-                     std::abs(row.frequency.value / best->frequency.value - 1.),
-                     row.largest_error});
-    table.write(path);
-  }
 } // namespace ringmotor

@@ -8,14 +8,15 @@
 #include <ringmotor/output/files.h>
 #include <ringmotor/output/log.h>
 #include <ringmotor/output/modes_file.h>
-#include <ringmotor/output/study.h>
 #include <ringmotor/output/text.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/programs/interruption.h>
 #include <ringmotor/programs/price_forecast.h>
 #include <ringmotor/programs/run_program.h>
 #include <ringmotor/programs/run_results.h>
+#include <ringmotor/programs/run_study.h>
 #include <ringmotor/quantities/chosen_effects.h>
+#include <ringmotor/quantities/contact_study.h>
 #include <ringmotor/quantities/curve_search.h>
 
 #include <deal.II/base/mpi.h>
@@ -43,7 +44,8 @@ namespace ringmotor
       explicit ContactProgram(const Parameters &parameters);
       /** @param resumes whether operating points that an earlier run has found are reused */
       void run(const bool resumes);
-      void study();
+      /** @param resumes whether settings that an earlier study has computed are reused */
+      void study(const bool resumes);
 
     private:
       CondensedMotor condense(const unsigned int level, const unsigned int modes_level);
@@ -77,17 +79,11 @@ namespace ringmotor
       const StatorWave wave;
       ChosenEffects effects;
       const Parameters &parameters;    ///< no effect of the contact is `auto`
-      std::optional<ContactKeep> keep; ///< of run(); a study measures the cost without it
+      std::optional<ContactKeep> keep; ///< of run()
       const std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
       PriceForecast prices{log};
       CurveSearch search;
     };
-
-    std::string setting_text(const CurveSearch::Rung &rung)
-    {
-      return "interface mesh " + std::to_string(rung.setting.level) + ", " +
-             std::to_string(rung.n_steps) + " steps per period";
-    }
 
     /** @throws UserError if steps are so long that the contact of a tooth can be missed */
     void check_time_step(const Parameters &parameters, const StatorWave &wave)
@@ -154,23 +150,10 @@ namespace ringmotor
       keep->report();
     }
 
-    void ContactProgram::study()
+    void ContactProgram::study(const bool resumes)
     {
-      const std::vector<CurveSearch::Rung> rungs = search.climb(
-          [&](const CurveSearch::Rung &rung)
-          {
-            log.line(setting_text(rung) + ": largest relative error " +
-                     scientific(rung.largest_error) + ", " + text(rung.seconds, 2) + " s, " +
-                     text(rung.seconds_with_error_bar, 2) + " s with its error bar");
-          });
-      for (const double tolerance : {1e-1, 5e-2, 2e-2, 1e-2, 5e-3, 2e-3})
-        log.line(describe_cheapest(rungs, tolerance, setting_text));
-      if (is_root_rank)
-      {
-        write_used_prm(folder + "study.prm", "contact", given);
-        write_contact_study(folder + "study.csv", rungs);
-      }
-      log.line("study in " + folder + "study.csv");
+      ContactStudy study(parameters, wave, effects.vibration());
+      run_study(folder, "contact", given, study, resumes, log, [this] { check_time_limit(); });
     }
 
     CondensedMotor ContactProgram::condense(const unsigned int level,
@@ -185,7 +168,7 @@ namespace ringmotor
       std::optional<unsigned int> of_rotor;
       if (motor_model(parameters).rotor_needs_modes())
         of_rotor = modes_level;
-      CondensedMotor motor = keep ? keep->motor(parameters, level, of_rotor, condense) : condense();
+      CondensedMotor motor = keep->motor(parameters, level, of_rotor, condense);
       log.line("interface mesh " + std::to_string(level) + ": " +
                std::to_string(motor.nodes.size()) + " contact nodes per tooth, " +
                std::to_string(motor.n_dofs) + " dofs condensed");
@@ -205,9 +188,7 @@ namespace ringmotor
         prices.after_point(point);
         check_time_limit();
       };
-      return keep ? keep->points(of_points, motor, setting, requests, after_point, starts)
-                  : find_points(of_points, motor, setting, requests, MPI_COMM_WORLD, after_point,
-                                nullptr, starts);
+      return keep->points(of_points, motor, setting, requests, after_point, starts);
     }
 
     void ContactProgram::check_time_limit() const
@@ -345,7 +326,8 @@ int main(int argc, char **argv)
                         check_effects(parameters, EffectStage::contact);
                       },
                       [](const Parameters &parameters) { ContactProgram(parameters).run(false); },
-                      [](const Parameters &parameters) { ContactProgram(parameters).study(); },
+                      [](const Parameters &parameters, const bool resumes)
+                      { ContactProgram(parameters).study(resumes); },
                       [](const Parameters &parameters) { ContactProgram(parameters).run(true); },
                       [](const Parameters &parameters)
                       { ContactKeep::clear(results_folder("contact", parameters)); }});

@@ -46,14 +46,15 @@ namespace ringmotor
     /** The options of a program, as shown in its usage. */
     std::string options_of(const Program &program)
     {
-      return std::string(" [--output DIR] [--check]") + (program.study ? " [--study]" : "") +
+      return std::string(" [--output DIR] [--check]") +
+             (program.study ? " [--study [--resume]]" : "") +
              (program.resume ? " [--resume]" : "") + (program.clear ? " [--clear]" : "");
     }
 
     void check_options(const CommandLine &line, const Program &program)
     {
       const std::vector<std::tuple<std::string, bool, bool>> works{
-          {"--resume", line.resume, static_cast<bool>(program.resume)},
+          {"--resume", line.resume && !line.study, static_cast<bool>(program.resume)},
           {"--study", line.study, static_cast<bool>(program.study)},
           {"--clear", line.clear, static_cast<bool>(program.clear)},
           {"--check", line.check, true}};
@@ -143,8 +144,10 @@ namespace ringmotor
                 << "\n# --check checks the parameters and computes nothing.";
       if (program.study)
         std::cout
-            << "\n# --study measures the cost of accuracy: a series of settings, each with its "
-               "errors and seconds.";
+            << "\n# --study measures the cost of accuracy: many settings of the discretisation, "
+               "each "
+               "with its\n# distance from the best one and its seconds; with --resume it goes on "
+               "after an interruption.";
       if (program.resume)
         std::cout << "\n# --resume continues after an interruption: finished operating points are "
                      "not computed again.";
@@ -153,6 +156,13 @@ namespace ringmotor
       std::cout << "\n# A parameter file looks like this; the values are those of the reference "
                    "motor.\n\n";
       print_parameters(std::cout, Parameters());
+    }
+
+    Work work_of(const CommandLine &line, const Program &program)
+    {
+      if (line.study)
+        return [&](const Parameters &parameters) { program.study(parameters, line.resume); };
+      return line.resume ? program.resume : line.clear ? program.clear : program.run;
     }
 
     /** Does the work in the folder of the case, which nobody else uses meanwhile.
@@ -185,12 +195,7 @@ namespace ringmotor
       const Parameters parameters = read_parameters(line.file, line.overrides);
       program.check(parameters);
       if (!line.check)
-        work_in_folder(program,
-                       line.study    ? program.study
-                       : line.resume ? program.resume
-                       : line.clear  ? program.clear
-                                     : program.run,
-                       parameters, noted_in);
+        work_in_folder(program, work_of(line, program), parameters, noted_in);
       else if (is_first_rank())
         std::cout << program.name << ": the parameters are valid; results would be written to "
                   << results_folder(program.name, parameters) << std::endl;

@@ -2,14 +2,15 @@
 #include <ringmotor/output/files.h>
 #include <ringmotor/output/log.h>
 #include <ringmotor/output/stator_files.h>
-#include <ringmotor/output/study.h>
 #include <ringmotor/output/summary.h>
 #include <ringmotor/output/text.h>
 #include <ringmotor/output/vtu.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/programs/run_program.h>
 #include <ringmotor/programs/run_results.h>
+#include <ringmotor/programs/run_study.h>
 #include <ringmotor/quantities/body_modes.h>
+#include <ringmotor/quantities/body_study.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -35,7 +36,8 @@ namespace ringmotor
     public:
       explicit StatorProgram(const Parameters &parameters);
       void run();
-      void study();
+      /** @param resumes whether settings that an earlier study has computed are reused */
+      void study(const bool resumes);
 
     private:
       void after_pass(const Pass &pass);
@@ -97,31 +99,10 @@ namespace ringmotor
       write_results();
     }
 
-    void StatorProgram::study()
+    void StatorProgram::study(const bool resumes)
     {
-      if (is_root_rank)
-        prepare_directory(folder);
-      std::vector<StudyRow> rows;
-      body.climb(
-          [&](const Pass &pass)
-          {
-            after_pass(pass);
-            rows.push_back({pass.degree, pass.level, pass.n_dofs, pass.seconds, shown().frequency,
-                            body.search().worst_relative_error()});
-          });
-      for (const double tolerance : {1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5})
-        log.line(describe_cheapest(rows, tolerance,
-                                   [](const StudyRow &row)
-                                   {
-                                     return "degree " + std::to_string(row.degree) +
-                                            ", refinement " + std::to_string(row.refinement);
-                                   }));
-      if (is_root_rank)
-      {
-        write_used_prm(folder + "study.prm", "stator", parameters);
-        write_study(folder + "study.csv", rows);
-      }
-      log.line("study in " + folder + "study.csv");
+      BodyStudy study(parameters, MPI_COMM_WORLD);
+      run_study(folder, "stator", parameters, study, resumes, log);
     }
 
     const FoundMode &StatorProgram::shown() const
@@ -314,5 +295,6 @@ int main(int argc, char **argv)
                           check_effects(parameters, EffectStage::stator);
                       },
                       [](const Parameters &parameters) { StatorProgram(parameters).run(); },
-                      [](const Parameters &parameters) { StatorProgram(parameters).study(); }});
+                      [](const Parameters &parameters, const bool resumes)
+                      { StatorProgram(parameters).study(resumes); }});
 }

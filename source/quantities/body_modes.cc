@@ -46,31 +46,26 @@ namespace ringmotor
      * shape_estimate(). */
     constexpr double wave_to_frequency_error = 3.;
 
-    struct Discretisation
-    {
-      unsigned int degree, level;
-    };
-
     /** The first pass: cheap, it locates the modes and shows how hard they are to resolve. */
-    constexpr Discretisation scout{2, 0};
+    constexpr unsigned int scout_degree = 2, scout_level = 0;
     /** Largest relative error bar of the reference stator's modes of seven waves in that pass. */
     constexpr double error_of_scout = 2.5e-3;
 
     /** The cheapest discretisation with which the modes of bodies like the reference motor's reach
      * a target immediately, or nearly so. */
-    Discretisation fit_for(const Body body, const double target)
+    BodyDiscretisation fit_for(const Body body, const double target)
     {
       if (body == Body::rotor)
-        return target >= 5.3e-4   ? Discretisation{3, 0}
-               : target >= 3.3e-4 ? Discretisation{3, 1}
-                                  : Discretisation{4, 0};
-      return target >= 3e-3     ? Discretisation{2, 1}
-             : target >= 3.8e-4 ? Discretisation{3, 1}
-             : target >= 3.2e-4 ? Discretisation{3, 2}
-             : target >= 1.9e-4 ? Discretisation{3, 3}
-             : target >= 9.7e-5 ? Discretisation{4, 1}
-             : target >= 5.9e-5 ? Discretisation{4, 2}
-                                : Discretisation{4, 3};
+        return target >= 5.3e-4   ? BodyDiscretisation{3, 0}
+               : target >= 3.3e-4 ? BodyDiscretisation{3, 1}
+                                  : BodyDiscretisation{4, 0};
+      return target >= 3e-3     ? BodyDiscretisation{2, 1}
+             : target >= 3.8e-4 ? BodyDiscretisation{3, 1}
+             : target >= 3.2e-4 ? BodyDiscretisation{3, 2}
+             : target >= 1.9e-4 ? BodyDiscretisation{3, 3}
+             : target >= 9.7e-5 ? BodyDiscretisation{4, 1}
+             : target >= 5.9e-5 ? BodyDiscretisation{4, 2}
+                                : BodyDiscretisation{4, 3};
     }
   } // namespace
 
@@ -105,26 +100,23 @@ namespace ringmotor
     if (parameters.accuracy.mode == AccuracyMode::fixed)
     {
       const unsigned int degree = parameters.accuracy.polynomial_degree;
-      make_mesh(0);
-      compute_pass(std::max(scout.degree, degree - 1), after_pass);
-      make_mesh(parameters.accuracy.refinement);
-      compute_pass(degree, after_pass);
+      after_pass(compute({std::max(scout_degree, degree - 1), scout_level}));
+      after_pass(compute({degree, parameters.accuracy.refinement}));
       return;
     }
 
-    make_mesh(scout.level);
-    compute_pass(scout.degree, after_pass);
+    after_pass(compute({scout_degree, scout_level}));
     const Accuracy &accuracy = parameters.accuracy;
     const double by_wave     = wave() ? wave_target(accuracy) / wave_to_frequency_error : 1.;
     aim_at(by_wave < accuracy.target);
     // Errors scale as (h k)^(2p), k a wave number: what is q times harder for degree 2 is q^2 times
     // harder for degree 4.
     const double difficulty = std::pow(mode_search.worst_relative_error() / error_of_scout, 2);
-    const Discretisation discretisation = fit_for(
+    const BodyDiscretisation discretisation = fit_for(
         parameters.modes.body, std::min(accuracy.target, by_wave) / std::max(1., difficulty));
     if (is_generated())
-      make_mesh(discretisation.level);
-    compute_pass(discretisation.degree, after_pass);
+      make_mesh(discretisation);
+    after_pass(compute_pass(discretisation.degree));
     const auto excess = [&]() { return mode_search.worst_relative_error() / accuracy.target; };
     const auto excess_of_wave = [&]()
     { return wave() ? wave()->relative_error() / wave_target(accuracy) : 0.; };
@@ -134,7 +126,7 @@ namespace ringmotor
       if (n_passes == most_passes || mode_search.sector().n_dofs() > most_dofs)
         give_up();
       mode_search.refine(mesh);
-      compute_pass(discretisation.degree, after_pass);
+      after_pass(compute_pass(discretisation.degree));
     }
   }
 
@@ -149,28 +141,14 @@ namespace ringmotor
     refined_for = entry.str();
   }
 
-  void BodyModes::climb(const std::function<void(const Pass &)> &after_pass)
-  {
-    choose_effects();
-    // Each level of a mesh that was read has eight times the cells of the one before.
-    for (const auto &[degree, n_levels] : {std::make_pair(2u, is_generated() ? 5u : 2u),
-                                           std::make_pair(3u, is_generated() ? 5u : 1u),
-                                           std::make_pair(4u, is_generated() ? 4u : 1u)})
-      for (unsigned int next = 0; next < n_levels; ++next)
-      {
-        make_mesh(next);
-        compute_pass(degree, after_pass);
-      }
-  }
-
   bool BodyModes::is_generated() const
   {
     return parameters.modes.body != Body::stator || parameters.stator.mesh_file.empty();
   }
 
-  void BodyModes::make_mesh(const unsigned int new_level)
+  void BodyModes::make_mesh(const BodyDiscretisation &discretisation)
   {
-    level                      = new_level;
+    level                      = discretisation.level;
     const unsigned int n_teeth = parameters.motor.n_teeth;
     if (parameters.modes.body == Body::rotor)
       mesh = make_rotor_sector(parameters.rotor, n_teeth, SectorForm::half,
@@ -178,20 +156,22 @@ namespace ringmotor
     else if (parameters.modes.body == Body::tooth)
       mesh = make_tooth(parameters.stator, n_teeth, SectorGrading::level(level), communicator);
     else
-      mesh = stator_mesh(level, motor_model(parameters));
+      mesh = stator_mesh(discretisation, motor_model(parameters));
   }
 
-  SectorMesh BodyModes::stator_mesh(const unsigned int of_level, const MotorModel &model) const
+  SectorMesh BodyModes::stator_mesh(const BodyDiscretisation &discretisation,
+                                    const MotorModel &model) const
   {
     const unsigned int n_teeth = parameters.motor.n_teeth;
     if (!is_generated())
     {
       SectorMesh stator = read_sector(parameters.stator.mesh_file, n_teeth, communicator);
-      stator.triangulation->refine_global(of_level);
+      stator.triangulation->refine_global(discretisation.level);
       return stator;
     }
-    SectorMesh stator = make_stator_sector(parameters.stator, n_teeth, SectorForm::half,
-                                           SectorGrading::level(of_level), communicator);
+    SectorMesh stator = make_stator_sector(
+        parameters.stator, n_teeth, SectorForm::half,
+        discretisation.grading.value_or(SectorGrading::level(discretisation.level)), communicator);
     add_to_stator(model, stator);
     return stator;
   }
@@ -207,10 +187,10 @@ namespace ringmotor
     if (parameters.modes.body != Body::stator ||
         std::none_of(all.begin(), all.end(), has_to_choose))
       return;
-    SectorMesh bare = stator_mesh(scout.level, MotorModel());
+    SectorMesh bare = stator_mesh({scout_degree, scout_level}, MotorModel());
     ModeSearch search(material_table(parameters.materials, parameters.modes.body),
                       request_for(parameters));
-    search.compute(bare, scout.degree);
+    search.compute(bare, scout_degree);
     choices_by(search, parameters);
   }
 
@@ -243,16 +223,27 @@ namespace ringmotor
     return rows;
   }
 
-  void BodyModes::compute_pass(const unsigned int degree,
-                               const std::function<void(const Pass &)> &after_pass)
+  void BodyModes::locate()
+  {
+    choose_effects();
+    compute({scout_degree, scout_level});
+  }
+
+  Pass BodyModes::compute(const BodyDiscretisation &discretisation)
+  {
+    make_mesh(discretisation);
+    return compute_pass(discretisation.degree);
+  }
+
+  Pass BodyModes::compute_pass(const unsigned int degree)
   {
     const auto begin = std::chrono::steady_clock::now();
     mode_search.compute(mesh, degree);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
     if (parameters.modes.body == Body::stator)
       motor_wave.add_pass(mode_search);
-    after_pass({++n_passes, degree, level, mesh.n_cells(), mode_search.sector().n_dofs(),
-                seconds.count()});
+    return {++n_passes,     degree, level, mesh.n_cells(), mode_search.sector().n_dofs(),
+            seconds.count()};
   }
 
   void BodyModes::give_up() const

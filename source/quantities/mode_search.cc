@@ -28,7 +28,9 @@ namespace ringmotor
     std::vector<const SectorMotion *> motions;
     for (const Mode &mode : modes)
       motions.push_back(&mode.motion);
-    std::vector<std::vector<double>> indicators = sheet_indicators(*model, sheets, motions);
+    std::vector<std::vector<double>> indicators =
+        degree > 1 ? sheet_indicators(*model, sheets, motions)
+                   : std::vector(modes.size(), std::vector(sheets.n_sheets(), 0.));
     for (unsigned int i = 0; i < modes.size(); ++i)
       for (double &indicator : indicators[i])
         indicator /= modes[i].eigenvalue;

@@ -340,24 +340,52 @@ class Paper(WithContact):
 
 
 class Study(WithContact):
-    def test_shows_what_accuracy_costs(self):
-        done = run(CONTACT, QUICK, "--output", self.case, "--study",
-                   *settings("Loading/Values = 0.05", "Accuracy/Mode = fixed", "Accuracy/Interface refinement = 1"))
+    def study(self, *options):
+        done = run(CONTACT, QUICK, "--output", self.case, "--study", *options,
+                   *settings("Loading/Values = 0.05", "Friction/Law = coulomb", "Rotor/Flange element = shell",
+                             "Accuracy/Mode = fixed", "Accuracy/Interface refinement = 0"))
         self.assertEqual(done.returncode, 0, done.stderr)
-        rows = [{key: float(value) for key, value in row.items()}
-                for row in rows_of(self.case / "contact" / "study.csv")]
-        self.assertEqual([row["steps_per_period"] for row in rows], [90, 180])
+        return done.stdout, rows_of(self.case / "contact" / "study.csv")
+
+    def test_shows_what_accuracy_costs_and_goes_on_after_an_interruption(self):
+        said, rows = self.study()
+        knobs = [row["knob"] for row in rows]
+        for knob in ("common setting", "interface mesh", "degree", "flange", "contact", "steps per period", "as in the paper"):
+            self.assertIn(knob, knobs)
+        self.assertEqual((knobs[-1], rows[-1]["distance_speed"]), ("best setting", "0"))
+        self.assertNotIn("distance_torque", rows[0])  # it is given
         for row in rows:
-            self.assertGreater(row["seconds_with_error_bar"], row["seconds"])
-            # A setting is as far from the best one as both bars let it be.
-            self.assertLessEqual(row["distance_from_best"],
-                                 row["largest_relative_error"] + rows[-1]["largest_relative_error"])
-        line = next(line for line in done.stdout.splitlines() if "cheapest for 5.0e-02" in line)
-        best = min((row for row in rows if row["largest_relative_error"] <= 5e-2), key=lambda row: row["seconds"])
-        self.assertIn(f"interface mesh {best['interface_mesh']:.0f}, {best['steps_per_period']:.0f} steps", line)
+            self.assertLessEqual(int(row["degree"]), 2)
+            self.assertEqual(row["other_model"] == "1", row["knob"] == "flange")
+
+        def distance(knob, value):
+            return next(float(row["distance_speed"]) for row in rows if (row["knob"], row["value"]) == (knob, value))
+        self.assertGreater(distance("degree", "1"), 2 * distance("common setting", ""))
+        self.assertGreater(distance("as in the paper", ""), distance("as in the paper", "its springs alone"))
+        # The cheapest setting for a tolerance: none that reaches it took less.
+        line = next(line for line in said.splitlines() if "cheapest for speed to 1.0e-02" in line)
+        best = min((row for row in rows[:-1] if row["distance_speed"] and float(row["distance_speed"]) <= 1e-2),
+                   key=lambda row: float(row["seconds"]))
+        self.assertIn(f": {best['knob']} {best['value']}".rstrip() + ",", line)
+        self.assertIn("speed", best["pareto_front"])
         figure = run(ROOT / "scripts" / "study_figure.py", self.case)
         self.assertEqual(figure.returncode, 0, figure.stderr)
         self.assertTrue((self.case / "figures" / "contact_study.png").exists())
+
+        # As if the run had been killed: two rows are missing, one is damaged.
+        kept = sorted((self.case / "contact" / "kept" / "study").iterdir())
+        self.assertEqual(len(kept), len(rows))
+        for path in kept[:2]:
+            path.unlink()
+        kept[2].write_bytes(kept[2].read_bytes()[:-1])
+        said, resumed = self.study("--resume")
+        self.assertIn("1 kept settings were damaged: computed anew", said)
+        self.assertIn(f"resumed: {len(rows) - 3} settings were available; 3 were computed", said)
+        for before, after in zip(rows, resumed):
+            for column in before:
+                if column not in ("seconds", "pareto_front"):
+                    self.assertEqual(after[column], before[column], column)
+        self.assertEqual(sum(a["seconds"] != b["seconds"] for a, b in zip(rows, resumed)), 3)
 
 
 if __name__ == "__main__":

@@ -98,7 +98,7 @@ class Resume(WithWave):
 
     def test_options_that_do_not_go_together(self):
         for program, options, said in ((STATOR, ["--resume"], "--resume is not available for the program stator"),
-                                       (CONTACT, ["--resume", "--study"], "--resume cannot be combined with --study")):
+                                       (CONTACT, ["--resume", "--check"], "--resume cannot be combined with --check")):
             done = run(program, QUICK, *options, "--output", self.case)
             self.assertEqual(done.returncode, 1)
             self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)

@@ -5,8 +5,17 @@
 #include <ringmotor/mesh/sector_mesh.h>
 #include <ringmotor/parameters/motor.h>
 
+#include <optional>
+
 namespace ringmotor
 {
+  /** Numbers of even cells of the stator's half sector. */
+  struct EvenCells
+  {
+    unsigned int n_tooth, n_slot;  ///< along the half tooth and the half slot
+    unsigned int n_above, n_below; ///< along the height of the tooth and that of the base
+  };
+
   /**
    * How finely the stator's sector is meshed. The slot root is a re-entrant edge: the error there
    * depends less on the number of cells than on their geometric grading towards it.
@@ -16,6 +25,8 @@ namespace ringmotor
     unsigned int n_layers = 0; ///< layers of cells around the slot root, within half a slot's width
     unsigned int n_radial = 2; ///< cells from the inner to the outer side
     double ratio          = 0.2; ///< inner over outer distance of each layer from the root
+    /** All cells are even, also from the inner to the outer side, if there is a value. */
+    std::optional<EvenCells> even = {};
 
     /** The gradings 0, 1, 2, ... of a sequence in which the errors of all directions stay
      * balanced. */

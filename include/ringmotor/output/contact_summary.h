@@ -14,7 +14,4 @@ namespace ringmotor
 
   /** Adds the quantities of operating points and the certificates of their solutions. */
   void add_points(Summary &summary, const std::vector<CurvePoint> &points);
-
-  /** `study.csv` of the program `contact`: settings, what they cost and how accurate they are. */
-  void write_contact_study(const std::string &path, const std::vector<CurveSearch::Rung> &rungs);
 } // namespace ringmotor

@@ -19,6 +19,9 @@ namespace ringmotor
     std::string problem; ///< why there are none, "is damaged"; empty if there is no file
   };
 
+  /** Identifies the executable that is running, for keys of what only it may reuse. */
+  std::string this_build();
+
   /**
    * Keeps the result of a computation for a later run, all or nothing. @p key is a text of all that
    * the result depends on; reading the file requires the same key.

@@ -23,20 +23,4 @@ namespace ringmotor
   void write_modes_h5(const std::string &path, const Parameters &parameters,
                       const CyclicSector &sector, const std::vector<FoundMode> &modes,
                       const WaveResult *wave);
-
-  /** One setting of a study: what it costs and how accurate it is. */
-  struct StudyRow
-  {
-    unsigned int degree, refinement; ///< Accuracy/Polynomial degree and Accuracy/Refinement
-    unsigned int n_dofs;
-    double seconds;       ///< wall clock
-    Estimate frequency;   ///< of the motor's wave or, without it, of the first mode; Hz
-    double largest_error; ///< relative error bar, the largest of all modes
-  };
-
-  /**
-   * Writes a study as CSV, with the relative distance of each frequency from that of the row with
-   * the smallest error bar.
-   */
-  void write_study(const std::string &path, const std::vector<StudyRow> &rows);
 } // namespace ringmotor

@@ -20,9 +20,10 @@ namespace ringmotor
     std::string name, purpose;
     /** What checks the parameters for contradictions, and what does the work. */
     std::function<void(const Parameters &)> check, run;
-    /** The options `--study`, `--resume`, `--clear`; those of a program that has none are refused.
-     */
-    std::function<void(const Parameters &)> study = {}, resume = {}, clear = {};
+    /** The option `--study`, alone or with `--resume`. */
+    std::function<void(const Parameters &, bool resumes)> study = {};
+    /** The options `--resume` and `--clear`. Options that a program does not have are refused. */
+    std::function<void(const Parameters &)> resume = {}, clear = {};
   };
 
   /**

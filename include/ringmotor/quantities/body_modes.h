@@ -1,16 +1,25 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/mesh/stator_sector.h>
 #include <ringmotor/motor/effect.h>
 #include <ringmotor/parameters/parameters.h>
 #include <ringmotor/quantities/motor_wave.h>
 
 #include <functional>
+#include <optional>
 
 namespace ringmotor
 {
   /** The materials of the parts of a body. */
   MaterialTable material_table(const Materials &materials, const Body body);
+
+  /** A mesh of a body and the degree of its elements. */
+  struct BodyDiscretisation
+  {
+    unsigned int degree, level;                ///< level of the mesh, as Accuracy/Refinement
+    std::optional<SectorGrading> grading = {}; ///< of a generated stator, instead of the level
+  };
 
   /** One computation on the way to the requested accuracy. */
   struct Pass
@@ -45,11 +54,16 @@ namespace ringmotor
      */
     void find(const std::function<void(const Pass &)> &after_pass);
 
-    /**
-     * Computes them on a ladder of meshes and degrees, regardless of the requested accuracy;
-     * @p after_pass as in find().
-     */
-    void climb(const std::function<void(const Pass &)> &after_pass);
+    /** Decides on effects, and locates the modes on a coarse mesh. Other discretisations then
+     * compute them at once. */
+    void locate();
+
+    /** Computes them, once located, on a mesh regardless of the requested accuracy; search() then
+     * holds the results. */
+    Pass compute(const BodyDiscretisation &discretisation);
+
+    /** Whether the mesh is generated from dimensions, not read from a file. */
+    bool is_generated() const;
 
     const ModeSearch &search() const { return mode_search; }
 
@@ -66,17 +80,16 @@ namespace ringmotor
     std::vector<EffectRow> effects() const;
 
   private:
-    bool is_generated() const;
-    void make_mesh(const unsigned int new_level);
-    /** The stator on a refinement level with what @p model adds to it. */
-    SectorMesh stator_mesh(const unsigned int of_level, const MotorModel &model) const;
+    void make_mesh(const BodyDiscretisation &discretisation);
+    /** The stator with what @p model adds to it. */
+    SectorMesh stator_mesh(const BodyDiscretisation &discretisation, const MotorModel &model) const;
     /** Decides on effects set to `auto` from the modes of a coarse mesh without them.
      * Collective. */
     void choose_effects();
     /** How much effects change the modes of @p search. */
     std::vector<EffectRow> choices_by(const ModeSearch &search, Parameters &chosen) const;
-    void compute_pass(const unsigned int degree,
-                      const std::function<void(const Pass &)> &after_pass);
+    /** The modes on the present mesh. */
+    Pass compute_pass(const unsigned int degree);
     void aim_at(const bool for_wave);
     [[noreturn]] void give_up() const;
 

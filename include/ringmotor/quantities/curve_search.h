@@ -73,22 +73,6 @@ namespace ringmotor
     };
     StaticFrictionEffect static_friction_effect();
 
-    /** A setting of a study, computed with all points. */
-    struct Rung
-    {
-      CurveSetting setting;
-      unsigned int n_nodes, n_dofs;
-      unsigned int n_steps;          ///< in a period
-      double largest_error;          ///< relative, see worst_error()
-      double distance;               ///< largest relative change to the last setting
-      double seconds;                ///< of the motor and all its points
-      double seconds_with_error_bar; ///< including points for the error bars
-    };
-    /** Computes a ladder of settings, the finest mesh last: all interface meshes or, `Accuracy/Mode
-     * = fixed`, those up to `Accuracy/Interface refinement`, each but the finest also with half the
-     * time step. @p after_rung is called after each, when its distance is not known yet. */
-    std::vector<Rung> climb(const std::function<void(const Rung &)> &after_rung);
-
   private:
     /** A rotor pressed so hard that it barely moves has neither a speed nor a torque to which
      * errors could be related. They are then related to this fraction of the speed of the wave's
@@ -138,7 +122,6 @@ namespace ringmotor
     /** Divides the step of a point into more parts. */
     void shorten_step(const unsigned int request, const unsigned int parts);
     void refine();
-    Rung rung_of(const CurveSetting &setting);
     /** Processor seconds of the points of a setting. */
     double point_seconds(const CurveSetting &setting);
     void find_requests(const unsigned int n_parts);

@@ -31,6 +31,8 @@ namespace ringmotor
     /**
      * Computes all requested modes on @p mesh with elements of @p degree. The first call, on a
      * coarse mesh, also locates them in the spectrum. The mesh must outlive the use of sector().
+     * With linear elements, which have no part of highest degree to judge the error by, error bars
+     * are zero: they serve comparisons only.
      * @throws ComputationError if the spectrum cannot be proven complete.
      */
     void compute(const SectorMesh &mesh, const unsigned int degree);
