@@ -32,7 +32,7 @@ MOTORS = {
     "wave of 1 um": (CANON, {"Wave/Amplitude": "1e-6"})}
 BASE = {**PAPERS_MODEL, **OUTPUT_OFF, "Effects/Static friction excess": "off", "Effects/Initial deformation": "off",
         "Friction/Static coefficient": "0.4", "Friction/Dynamic coefficient": "0.4"}
-TARGETS = ("0.03", "0.01")
+TARGETS = ("0.03", "0.01", "0.003")
 TRUTH = {"Accuracy/Mode": "fixed", "Accuracy/Interface refinement": "4", "Time/Snapshots": "8"}
 SHARES = (0., 0.25, 0.5, 0.75, 0.9)  # of the stall torque
 # Columns of values and of their error bars.
@@ -104,7 +104,7 @@ def draw(every, path):
     import drawing
     import numpy
     figure, axes = drawing.plt.subplots(figsize=(6.2, 3.4), layout="constrained")
-    for (target, found), color in zip(every.items(), (drawing.BLUE, drawing.ORANGE)):
+    for (target, found), color in zip(every.items(), (drawing.BLUE, drawing.ORANGE, drawing.GREEN)):
         axes.step(numpy.sort(found), 100. * (numpy.arange(len(found)) + 1.) / len(found), where="post", color=color,
                   label=f"target {target}, {len(found)} quantities")
     axes.axvline(1., color=drawing.GREY, lw=0.8)

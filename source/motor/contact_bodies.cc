@@ -70,13 +70,13 @@ namespace ringmotor
 
   ContactDiscretisation ContactDiscretisation::level(const unsigned int level)
   {
-    const InterfaceGrading coarse{1, 1}, fine{2, 1};
+    const InterfaceGrading coarse{1, 1}, fine{2, 1}, finer{3, 1}, finest{3, 2};
     static const std::array<ContactDiscretisation, finest_level + 1> levels{
         {{2, coarse, coarse, {0.5, 0.3, 0.6}},
          {2, fine, fine, {0.25, 0.3, 0.6}},
          {3, fine, fine, {0.1, 0.1, 0.8}},
-         {3, {3, 2}, {3, 1}, {0.05, 0.1, 0.8}},
-         {4, {3, 2}, {3, 2}, {0.02, 0.1, 0.8}}}};
+         {3, finer, finer, {0.05, 0.1, 0.8}},
+         {3, finest, finest, {0.02, 0.1, 0.8}}}};
     return levels.at(level);
   }
 

@@ -63,10 +63,10 @@ namespace ringmotor
         error.speed = std::max(error.speed, floor_of_speed * motor().crest_speed());
       return error;
     }
-    // From level 1 on, each step of the sequence divides errors by about three, and by less near
-    // stall: what remains is about half the last change, in the worst case all of it, and the last
-    // change is a third of the one before unless it happens to be small.
-    constexpr double margin = 1.25, ratio = 3.;
+    // From level 1 on, each step of the sequence divides errors by about four: what remains is a
+    // third of the last change, in the worst case half of it, or half of what the last change is
+    // expected to be from the one before, unless it happens to be small.
+    constexpr double margin = 0.5, ratio = 4.;
     error *= margin;
     const auto before = known.find(steps.plain(coarser_level - 1));
     if (before == known.end() || before->second.count(request) == 0)
@@ -124,7 +124,10 @@ namespace ringmotor
   CurveSetting CurveSearch::compared_step(const unsigned int request) const
   {
     const CurveSetting plain = steps.plain(reached_level);
-    return plain == CurveSetting{reached_level, n_parts[request]} ? plain.halved() : plain;
+    if (!(plain == CurveSetting{reached_level, n_parts[request]}))
+      return plain;
+    // Longer steps are cheap, but where a step is undivided they may miss the contact of a tooth.
+    return plain.n_parts % 2 == 0 ? plain.doubled() : plain.halved();
   }
 
   CurveSetting CurveSearch::coarse_modes() const

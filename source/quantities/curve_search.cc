@@ -248,8 +248,7 @@ namespace ringmotor
     std::vector<CurvePoint> starts;
     if (is_marched(parameters))
       return starts;
-    const CurveSetting plain = steps.plain(setting.level);
-    if (!(setting == plain)) // short steps and other waves
+    if (!(setting == steps.longest(setting.level)))
     {
       for (const unsigned int request : wanted)
         starts.push_back(point_with_longer_steps(setting, request));
@@ -257,7 +256,7 @@ namespace ringmotor
     }
     for (const auto &[level, motor] : motors)
     {
-      const auto points = known.find(steps.plain(level));
+      const auto points = known.find(steps.longest(level));
       if (level == setting.level || points == known.end() ||
           std::any_of(wanted.begin(), wanted.end(),
                       [&](const unsigned int i) { return points->second.count(i) == 0; }))
@@ -278,11 +277,14 @@ namespace ringmotor
   const CurvePoint &CurveSearch::point_with_longer_steps(const CurveSetting &setting,
                                                          const unsigned int request)
   {
+    const CurveSetting plain = steps.plain(setting.level);
+    if (setting.has_changed_motor())
+      return point_of(plain, request);
     for (unsigned int parts = setting.n_parts - 1; parts > 1; --parts)
       if (const auto points = known.find({setting.level, parts});
           points != known.end() && points->second.count(request) > 0)
         return points->second.at(request);
-    return point_of(steps.plain(setting.level), request);
+    return point_of(setting.n_parts % 2 == 0 ? setting.doubled() : plain, request);
   }
 
   void CurveSearch::find_requests(const unsigned int n_parts_to_start_with)

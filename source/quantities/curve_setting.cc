@@ -33,6 +33,16 @@ namespace ringmotor
     return halved;
   }
 
+  CurveSetting CurveSetting::doubled() const
+  {
+    CurveSetting doubled = *this;
+    if (n_parts % 2 == 0)
+      doubled.n_parts /= 2;
+    else
+      doubled.n_joined *= 2;
+    return doubled;
+  }
+
   namespace
   {
     /** Teeth after which the motion repeats. */
@@ -86,6 +96,14 @@ namespace ringmotor
     return plain;
   }
 
+  CurveSetting StepChoice::longest(const unsigned int level) const
+  {
+    CurveSetting longest = plain(level);
+    while (longest.n_parts % 2 == 0)
+      longest = longest.doubled();
+    return longest;
+  }
+
   unsigned int StepChoice::first_parts() const
   {
     if (is_marched)
@@ -93,6 +111,8 @@ namespace ringmotor
     if (is_fixed)
       return n_snapshots;
     const CurveSetting plain_steps = plain(0);
+    if (plain_steps.n_parts % 2 == 0) // twice as long ones show the error
+      return std::max(plain_steps.n_parts, n_snapshots);
     return std::max({plain_steps.n_joined > 1 ? 1 : plain_steps.n_parts + 1,
                      parts_for(2 * few_steps), n_snapshots});
   }

@@ -23,16 +23,16 @@ namespace ringmotor
   {
     unsigned int degree = 2;
     InterfaceGrading tooth{2, 1};
-    InterfaceGrading lip{2, 2};
+    InterfaceGrading lip{2, 1};
     RotorGrading rotor;
     double lip_turn = 0.; ///< rad, of the lip's mesh against that of the teeth
 
     static constexpr unsigned int finest_level = 4;
     /**
-     * Discretisations 0 to #finest_level, of increasing accuracy. From 1 on each step divides the
-     * errors of speeds by about three: contact is smooth between the edges of the lip and the
-     * borders of contact, so that the degree rises, and cells shrink towards the lip's outer edge
-     * and the singular edges where flange and ring meet.
+     * Discretisations 0 to #finest_level, of increasing accuracy. The bodies touch in a band a few
+     * micrometres wide at the lip's outer edge: layers of cells shrink towards it and towards the
+     * sides of the teeth, one more at each step or a higher degree instead, and towards the
+     * singular edges where flange and ring meet, so that every step shows the errors of both.
      */
     static ContactDiscretisation level(const unsigned int level);
   };

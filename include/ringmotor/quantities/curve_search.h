@@ -98,7 +98,8 @@ namespace ringmotor
     /** Known points from which others can be started: with longer steps, or on another mesh. */
     std::vector<CurvePoint> starts_for(const CurveSetting &setting,
                                        const std::vector<unsigned int> &wanted);
-    /** The known one with the shortest steps that are longer than those of a setting. */
+    /** The known one with the shortest steps that are longer than those of a setting, or one with
+     * steps of twice the length; with those of plain() for a changed motor. */
     const CurvePoint &point_with_longer_steps(const CurveSetting &setting,
                                               const unsigned int request);
     /** Finds points with few steps on the reached level and on that with which it is compared. */

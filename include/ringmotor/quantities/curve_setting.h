@@ -58,6 +58,9 @@ namespace ringmotor
 
     /** The same with steps of half the length. */
     CurveSetting halved() const;
+    /** The same with steps of twice the length; time samples must be even in number, or a single
+     * one. */
+    CurveSetting doubled() const;
   };
 
   /** The choice of steps for one motor. */
@@ -71,8 +74,12 @@ namespace ringmotor
      * all meshes, and no more than necessary. */
     CurveSetting plain(const unsigned int level) const;
 
+    /** The setting with which the search for points begins on a mesh, from those of another mesh:
+     * plain() or a multiple of its steps. A search is short from a state with longer steps. */
+    CurveSetting longest(const unsigned int level) const;
+
     /** The initial CurveSetting::n_parts: `Time/Snapshots` of the steady state, or more if steps
-     * must be shorter than those of plain() and not too long. */
+     * must not be too long, and then those of plain() or shorter ones. */
     unsigned int first_parts() const;
 
     /** The largest CurveSetting::n_parts that is tried. */
