@@ -70,7 +70,7 @@ namespace ringmotor
 
   ContactDiscretisation ContactDiscretisation::level(const unsigned int level)
   {
-    const InterfaceGrading coarse{1, 1}, fine{2, 1}, finer{3, 1}, finest{3, 2};
+    const InterfaceGrading coarse{1, 1}, fine{2, 1}, finer{2, 2}, finest{3, 2};
     static const std::array<ContactDiscretisation, finest_level + 1> levels{
         {{2, coarse, coarse, {0.5, 0.3, 0.6}},
          {2, fine, fine, {0.25, 0.3, 0.6}},

@@ -64,10 +64,14 @@ namespace ringmotor
       return error;
     }
     // From level 1 on, each step of the sequence divides errors by about four: what remains is a
-    // third of the last change, in the worst case half of it, or half of what the last change is
-    // expected to be from the one before, unless it happens to be small.
-    constexpr double margin = 0.5, ratio = 4.;
+    // third of the last change, seldom three quarters of it, and the last change is a quarter of
+    // the one before unless it happens to be small. With inertia impacts scatter on every mesh.
+    const double margin = has_inertia ? 1.25 : 0.75, ratio = has_inertia ? 3. : 4.;
+    constexpr double of_counted = 1.5; // counted numbers do not converge regularly
     error *= margin;
+    for (double PointError::*const counted :
+         {&PointError::teeth_in_contact, &PointError::stick_fraction})
+      error.*counted *= of_counted / margin;
     const auto before = known.find(steps.plain(coarser_level - 1));
     if (before == known.end() || before->second.count(request) == 0)
       return error;

@@ -133,12 +133,12 @@ TEST(CurveErrorBars, OfMeshesFollowTheLastChange)
   };
   const std::array<double, 4> regular{{0.36, 0.12, 0.04, 0.01}};
   EXPECT_NEAR(mesh_bar(regular, 0.1, 1), 2. * 0.24, 1e-12);
-  EXPECT_NEAR(mesh_bar(regular, 0.02, 2), 1.25 * 0.08, 1e-12);
-  EXPECT_NEAR(mesh_bar(regular, 0.006, 3), 1.25 * 0.03, 1e-12);
-  // A last change that happens to be small is not trusted: a third of the one before.
-  EXPECT_NEAR(mesh_bar({{0.36, 0.12, 0.12, 0.}}, 0.02, 2), 1.25 * 0.08, 1e-12);
+  EXPECT_NEAR(mesh_bar(regular, 0.02, 2), 0.75 * 0.08, 1e-12);
+  EXPECT_NEAR(mesh_bar(regular, 0.004, 3), 0.75 * 0.03, 1e-12);
+  // A last change that happens to be small is not trusted: a quarter of the one before.
+  EXPECT_NEAR(mesh_bar({{0.36, 0.12, 0.12, 0.}}, 0.02, 2), 0.75 * 0.06, 1e-12);
   // Values that swing about their limit
-  EXPECT_NEAR(mesh_bar({{0.2, -0.1, 0.03, -0.01}}, 0.025, 2), 1.25 * 0.13, 1e-12);
+  EXPECT_NEAR(mesh_bar({{0.2, -0.1, 0.03, -0.01}}, 0.025, 2), 0.75 * 0.13, 1e-12);
 }
 
 TEST(CurveErrorBars, AreAtLeastWhatCountingResolves)
@@ -286,7 +286,7 @@ TEST(CurveErrorBars, AreHeldForTheListedQuantities)
   const HeldQuantity speed = HeldQuantity::speed, loss = HeldQuantity::friction_loss;
   EXPECT_EQ(level_for({{speed, {}}}, 0.04), 1u);
   EXPECT_EQ(level_for({{loss, {}}}, 0.06), 2u);
-  EXPECT_EQ(level_for({{speed, {}}, {loss, 0.03}}, 0.1), 3u);
+  EXPECT_EQ(level_for({{speed, {}}, {loss, 0.02}}, 0.1), 3u);
   EXPECT_EQ(level_for({{speed, {}}, {loss, 0.06}}, 0.04), 2u);
   EXPECT_EQ(level_for({{loss, 0.3}, {speed, {}}}, 0.04), 1u);
 }

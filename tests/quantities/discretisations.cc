@@ -57,7 +57,7 @@ TEST(DiscretisationsLong, DivideTheErrorsOfTheOnesBefore)
   for (unsigned int level = 0; level < on.size(); ++level)
     on[level] = find(parameters, wave, level);
   for (unsigned int level = 1; level < on.size(); ++level)
-    EXPECT_GT(on[level].n_dofs, 1.5 * on[level - 1].n_dofs) << level;
+    EXPECT_GT(on[level].n_dofs, on[level - 1].n_dofs) << level;
   for (unsigned int i = 0; i < 2; ++i)
   {
     const auto distance =

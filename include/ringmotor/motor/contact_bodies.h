@@ -31,8 +31,9 @@ namespace ringmotor
     /**
      * Discretisations 0 to #finest_level, of increasing accuracy. The bodies touch in a band a few
      * micrometres wide at the lip's outer edge: layers of cells shrink towards it and towards the
-     * sides of the teeth, one more at each step or a higher degree instead, and towards the
-     * singular edges where flange and ring meet, so that every step shows the errors of both.
+     * sides of the teeth. In turn a layer across the lip, the degree, a layer around the tooth and
+     * one more across the lip are added; cells also shrink towards the singular edges where flange
+     * and ring meet, so that each step shows their error, too.
      */
     static ContactDiscretisation level(const unsigned int level);
   };
