@@ -74,7 +74,7 @@ TEST(ContactSettings, AreAllDifferentAndEndWithTheBest)
     texts.insert(setting.text());
   EXPECT_EQ(texts.size(), settings.size());
   EXPECT_EQ(settings.back().knob, "best setting");
-  EXPECT_EQ(settings.back().discretisation.degree, 4u);
+  EXPECT_EQ(settings.back().discretisation.lip.n_across, 3u);
   for (const ContactSetting &setting : settings)
   {
     EXPECT_EQ(setting.is_other_model, setting.knob == "flange");
@@ -91,7 +91,7 @@ TEST(ContactSettings, StayWithinAGivenDiscretisation)
   {
     EXPECT_LE(setting.discretisation.degree, 2u);
     EXPECT_LE(setting.discretisation.lip.n_across, 2u);
-    EXPECT_GE(setting.discretisation.rotor.first, 0.5);
+    EXPECT_GE(setting.discretisation.rotor.first, 0.25);
   }
 }
 
@@ -109,7 +109,7 @@ TEST(ContactSettings, GiveAPeriodEnoughSteps)
   EXPECT_EQ(steps_of(parameters, period, 30.).n_joined, 2u);
 }
 
-TEST(ContactStudy, ComesCloserToAFinerMeshWithEachDegree)
+TEST(ContactStudy, ComesCloserToAFinerMeshWithCellsAndDegree)
 {
   Parameters parameters                    = reference_motor();
   parameters.rotor.flange_element          = ElementKind::shell;
@@ -121,17 +121,17 @@ TEST(ContactStudy, ComesCloserToAFinerMeshWithEachDegree)
   ContactStudy study(parameters, wave, vibration);
   std::map<std::string, StudyRow> rows;
   for (const ContactSetting &setting : study.settings())
-    for (const std::string name :
-         {"common setting ", "degree 1", "degree 3", "interface mesh 2, 180 steps"})
+    for (const std::string name : {"common setting ", "interface mesh 0, 180 steps", "degree 3",
+                                   "interface mesh 2, 180 steps"})
       if (setting.knob + " " + setting.value == name)
         rows[name] = study.compute(setting);
   ASSERT_EQ(rows.size(), 4u);
   const WorkPrecision compared =
-      study.compare({rows["degree 1"], rows["common setting "], rows["degree 3"],
+      study.compare({rows["interface mesh 0, 180 steps"], rows["common setting "], rows["degree 3"],
                      rows["interface mesh 2, 180 steps"]});
   ASSERT_EQ(compared.quantities().front().name, "speed");
-  for (const unsigned int degree : {1u, 2u, 3u})
-    record("distance_degree_" + std::to_string(degree), *compared.distance(degree - 1, 0));
-  EXPECT_LT(*compared.distance(1, 0), 0.5 * *compared.distance(0, 0));
+  for (const unsigned int row : {0u, 1u, 2u})
+    record("distance_" + std::to_string(row), *compared.distance(row, 0));
+  EXPECT_LT(*compared.distance(1, 0), *compared.distance(0, 0));
   EXPECT_LT(*compared.distance(2, 0), 0.5 * *compared.distance(1, 0));
 }

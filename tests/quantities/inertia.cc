@@ -277,6 +277,11 @@ TEST_F(VibratingMotor, PowerBalancesWhileItSettles)
 TEST_F(VibratingMotor, IsFoundWhereNewtonsMethodFails)
 {
   // From no load to stall in one step. The path must not matter: the state is that found from rest.
+  // On these cells, at the top of the tooth thicker than those of the sequence, the step is too
+  // far.
+  ContactDiscretisation discretisation = ContactDiscretisation::level(0);
+  discretisation.tooth.ratio           = 0.25;
+  const CondensedMotor motor = condense_motor(parameters, stator_wave(parameters), discretisation);
   const PointRequest no_load{Control::torque, 0.}, stall{Control::speed, 0.};
   OperatingPointFinder finder(parameters, motor);
   finder.find(no_load);
