@@ -37,13 +37,13 @@ ROWS = (
     stator("frequency of the wave", ("1e-2", "1e-3", "1e-4")) +
     stator("two frequencies each, 0 to 12 waves", ("1e-3",), **{"Modes/Nodal diameters": "0-12"}) +
     stator("two frequencies of the rotor, 7 waves", ("1e-2", "1e-3"), **{"Modes/Body": "rotor"}) +
-    contact("speed and torque, without inertia", ("0.1", "0.03", "0.01", "0.005")) +
+    contact("speed and torque, without inertia", ("0.1", "0.03", "0.01", "0.003")) +
     contact("the same, flange solid", ("0.03", "0.01"), **SOLID) +
     contact("speed, torque and friction loss, without inertia", ("0.1", "0.03", "0.01"),
             **{"Accuracy/Quantities": "speed, torque, friction loss"}) +
-    contact("all quantities, without inertia", ("0.1", "0.03"), **{"Accuracy/Quantities": "all"}) +
-    contact("speed and torque, effects auto (with inertia)", ("0.1", "0.05"), **AUTO) +
-    contact("speed and torque, 60 mm motor, effects auto", ("0.03", "0.01", "0.005"), motor=RING60))
+    contact("all quantities, without inertia", ("0.1",), **{"Accuracy/Quantities": "all"}) +
+    contact("speed and torque, effects auto (with inertia)", ("0.1",), **AUTO) +
+    contact("speed and torque, 60 mm motor", ("0.03", "0.01"), motor=RING60))
 
 
 def run(row, folder, n_ranks, most_seconds):

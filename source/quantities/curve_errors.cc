@@ -3,6 +3,7 @@
 #include <ringmotor/quantities/point_quantities.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace ringmotor
@@ -44,6 +45,23 @@ namespace ringmotor
       step.stick_fraction = whole > 0. ? largest / whole : 0.;
       return step;
     }
+    /** What meshes of a level were found to be off by where they agree with the next coarser one by
+     * chance, see accuracy_and_cost.md: the coarsest ones are far from the regime of convergence,
+     * only from level 3 on a change shows the division around the teeth, and the share of sticking
+     * nodes changes with every layer of cells. */
+    PointError least_mesh_error(const unsigned int level, const CurvePoint &point,
+                                const double crest_speed)
+    {
+      constexpr std::array<double, ContactDiscretisation::finest_level + 1> of_speed{
+          {5e-3, 5e-3, 2.5e-3, 0., 0.}},
+          of_loss{{2e-2, 2e-2, 1e-2, 0., 0.}};
+      PointError least;
+      least.loss = of_loss[level] * point.result.friction_loss();
+      if (point.request.control == Control::torque)
+        least.speed = of_speed[level] * crest_speed;
+      least.stick_fraction = 0.06;
+      return least;
+    }
   } // namespace
 
   PointError CurveSearch::mesh_error(const unsigned int request)
@@ -52,32 +70,22 @@ namespace ringmotor
     const unsigned int coarser_level = compared_with(reached_level);
     const CurvePoint &coarser        = point_of(steps.plain(coarser_level), request);
     PointError error                 = change(coarser, point);
-    if (coarser_level == 0 || coarser_level > reached_level)
-    {
-      // These meshes are far from the regime of convergence, and agree by chance at some points:
-      // the floors are what such values were found to be off by, see accuracy_and_cost.md.
-      constexpr double margin = 2., floor_of_speed = 5e-3, floor_of_loss = 2e-2;
-      error *= margin;
-      error.loss = std::max(error.loss, floor_of_loss * point.result.friction_loss());
-      if (point.request.control == Control::torque)
-        error.speed = std::max(error.speed, floor_of_speed * motor().crest_speed());
-      return error;
-    }
+    const bool is_coarse             = coarser_level == 0 || coarser_level > reached_level;
     // From level 1 on, each step of the sequence divides errors by about four: what remains is a
     // third of the last change, seldom three quarters of it, and the last change is a quarter of
     // the one before unless it happens to be small. With inertia impacts scatter on every mesh.
-    const double margin = has_inertia ? 1.25 : 0.75, ratio = has_inertia ? 3. : 4.;
-    constexpr double of_counted = 1.5; // counted numbers do not converge regularly
+    const double margin = is_coarse ? 2. : has_inertia ? 1.25 : 0.75, ratio = has_inertia ? 3. : 4.;
     error *= margin;
-    for (double PointError::*const counted :
-         {&PointError::teeth_in_contact, &PointError::stick_fraction})
-      error.*counted *= of_counted / margin;
-    const auto before = known.find(steps.plain(coarser_level - 1));
-    if (before == known.end() || before->second.count(request) == 0)
-      return error;
-    const PointError one_before = change(before->second.at(request), coarser);
+    const auto before = is_coarse ? known.end() : known.find(steps.plain(coarser_level - 1));
+    if (before != known.end() && before->second.count(request) > 0)
+    {
+      const PointError one_before = change(before->second.at(request), coarser);
+      for (double PointError::*const quantity : PointError::members)
+        error.*quantity = std::max(error.*quantity, margin * one_before.*quantity / ratio);
+    }
+    const PointError least = least_mesh_error(reached_level, point, motor().crest_speed());
     for (double PointError::*const quantity : PointError::members)
-      error.*quantity = std::max(error.*quantity, margin * one_before.*quantity / ratio);
+      error.*quantity = std::max(error.*quantity, least.*quantity);
     return error;
   }
 

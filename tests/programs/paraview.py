@@ -117,7 +117,7 @@ class Pictures(WithFolder):
         cls.addClassCleanup(shutil.rmtree, cls.case)
         for program in (STATOR, CONTACT, LOSSES):
             done = run(program, QUICK, "--output", cls.case, "--set", "Loading/Values = 0, 0.08", "--set",
-                       "Accuracy/Mode = fixed", "--set", "Time/Snapshots = 3")
+                       "Accuracy/Mode = fixed", "--set", "Time/Snapshots = 4")
             assert done.returncode == 0, done.stderr
 
     def draw(self, *programs, options=()):

@@ -71,7 +71,7 @@ class WithMotor(unittest.TestCase):
             WithMotor.kept = tempfile.TemporaryDirectory()
             for program in (STATOR, CONTACT, LOSSES):
                 done = run(program, QUICK, "--output", cls.kept.name, "--set", f"Motor/Name = {MOTOR}", "--set",
-                           "Output/VTU = false", "--set", "Accuracy/Mode = fixed", "--set", "Time/Snapshots = 3")
+                           "Output/VTU = false", "--set", "Accuracy/Mode = fixed", "--set", "Time/Snapshots = 4")
                 assert done.returncode == 0, done.stderr
         cls.case = pathlib.Path(tempfile.mkdtemp())
         shutil.copytree(cls.kept.name, cls.case, dirs_exist_ok=True)

@@ -169,7 +169,7 @@ TEST(CurveErrorBars, AreAtLeastWhatCountingResolves)
   };
   CurveSearch search(parameters, 1e-3, period, sources);
   search.find();
-  const PointError bars = search.points().front().errors.total();
+  const PointError bars = search.points().front().errors.time;
   EXPECT_NEAR(bars.stick_fraction, 0.5, 1e-12);
   EXPECT_NEAR(bars.teeth_in_contact, 90. / 7. * 1e-7 / period, 1e-12);
 }
