@@ -159,3 +159,10 @@ TEST(RotorSector, ShrinksItsCellsTowardsTheFlangesEdges)
     EXPECT_NEAR(nearest, 0.5 * rotor.flange_thickness * std::pow(0.3, level), 1e-12);
   }
 }
+
+TEST(LinesFromEdge, AreAGeometricSequenceOrEven)
+{
+  EXPECT_EQ(lines_from_edge(2., 3, 0.5), (std::vector<double>{0., 0.5, 1., 2.}));
+  EXPECT_EQ(lines_from_edge(2., 4, 1.), (std::vector<double>{0., 0.5, 1., 1.5, 2.}));
+  EXPECT_EQ(lines_from_edge(2., 1, 0.15), (std::vector<double>{0., 2.}));
+}

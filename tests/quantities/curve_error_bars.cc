@@ -310,3 +310,24 @@ TEST(CurveErrorBars, LeadToSettingsThatCanBeFrozen)
   for (unsigned int i = 0; i < search.points().size(); ++i)
     EXPECT_EQ(again.points()[i].result.speed, search.points()[i].result.speed) << i;
 }
+
+TEST(StepChoice, BeginsWithLongStepsAndComparesWithThoseOfTwiceTheLength)
+{
+  // Ninety different teeth: ninety undivided steps in a period; a target of 1 % asks for 120.
+  Parameters parameters;
+  parameters.initial_deformation = {};
+  const auto choice              = [&](const double target)
+  {
+    parameters.accuracy.contact_target = target;
+    return StepChoice(parameters, period);
+  };
+  EXPECT_EQ(choice(0.01).plain(3), (CurveSetting{3, 2}));
+  EXPECT_EQ(choice(0.01).longest(3), (CurveSetting{3, 1}));
+  EXPECT_EQ(choice(0.01).first_parts(), 2u);
+  EXPECT_EQ(choice(0.01).plain(3).doubled(), (CurveSetting{3, 1}));
+  EXPECT_EQ(choice(0.003).plain(1), (CurveSetting{1, 4}));
+  EXPECT_EQ(choice(0.003).longest(1), (CurveSetting{1, 1}));
+  EXPECT_EQ(choice(0.1).plain(1), (CurveSetting{1, 1, 2}));
+  EXPECT_EQ(choice(0.1).longest(1), choice(0.1).plain(1));
+  EXPECT_EQ(choice(0.1).first_parts(), 1u);
+}
