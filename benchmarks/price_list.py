@@ -20,6 +20,7 @@ sys.dont_write_bytecode = True
 from motor_run import OUTPUT_OFF, table, write_markdown  # noqa: E402
 from timed_run import MOTOR, PAPERS_MODEL, ROOT, arguments, limited_run, program  # noqa: E402
 
+ONE_COEFFICIENT = {"Friction/Law": "coulomb", "Friction/Static coefficient": "0.40"}
 RING60 = ROOT / "prm" / "ring60.prm"
 AUTO = {entry: "auto" for entry in PAPERS_MODEL if entry.startswith("Effects/")}
 SOLID = {"Rotor/Flange element": "solid"}
@@ -38,6 +39,7 @@ ROWS = (
     stator("two frequencies each, 0 to 12 waves", ("1e-3",), **{"Modes/Nodal diameters": "0-12"}) +
     stator("two frequencies of the rotor, 7 waves", ("1e-2", "1e-3"), **{"Modes/Body": "rotor"}) +
     contact("speed and torque, without inertia", ("0.1", "0.03", "0.01", "0.003")) +
+    contact("the same, one coefficient of friction", ("0.01", "0.003"), **ONE_COEFFICIENT) +
     contact("the same, flange solid", ("0.03", "0.01"), **SOLID) +
     contact("speed, torque and friction loss, without inertia", ("0.1", "0.03", "0.01"),
             **{"Accuracy/Quantities": "speed, torque, friction loss"}) +
