@@ -179,16 +179,6 @@ namespace ringmotor
       refuse(worst_error());
   }
 
-  Parameters CurveSearch::frozen() const
-  {
-    Parameters frozen =
-        with_parts_of_a_step(parameters, *std::max_element(n_parts.begin(), n_parts.end()));
-    frozen.accuracy.mode                 = AccuracyMode::fixed;
-    frozen.accuracy.interface_refinement = reached_level;
-    frozen.accuracy.rotor_modes          = modes_level;
-    return frozen;
-  }
-
   void CurveSearch::refuse(const double error) const
   {
     throw ComputationError(

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/quantities/curve_search.h>
 
+#include <algorithm>
+
 namespace ringmotor
 {
   double CurveSearch::point_seconds(const CurveSetting &setting)
@@ -9,6 +11,16 @@ namespace ringmotor
     for (const auto &[request, point] : known[setting])
       seconds += point.seconds;
     return seconds;
+  }
+
+  Parameters CurveSearch::frozen() const
+  {
+    Parameters frozen =
+        with_parts_of_a_step(parameters, *std::max_element(n_parts.begin(), n_parts.end()));
+    frozen.accuracy.mode                 = AccuracyMode::fixed;
+    frozen.accuracy.interface_refinement = reached_level;
+    frozen.accuracy.rotor_modes          = modes_level;
+    return frozen;
   }
 
   CurveSearch::StaticFrictionEffect CurveSearch::static_friction_effect()
