@@ -45,6 +45,7 @@ namespace ringmotor
       step.stick_fraction = whole > 0. ? largest / whole : 0.;
       return step;
     }
+
     /** What meshes of a level were found to be off by where they agree with the next coarser one by
      * chance, see accuracy_and_cost.md: the coarsest ones are far from the regime of convergence,
      * only from level 3 on a change shows the division around the teeth, and the share of sticking
@@ -61,6 +62,13 @@ namespace ringmotor
         least.speed = of_speed[level] * crest_speed;
       least.stick_fraction = 0.06;
       return least;
+    }
+
+    /** Raises each error to at least that of @p least. */
+    void raise(PointError &error, const PointError &least)
+    {
+      for (double PointError::*const quantity : PointError::members)
+        error.*quantity = std::max(error.*quantity, least.*quantity);
     }
   } // namespace
 
@@ -79,13 +87,11 @@ namespace ringmotor
     const auto before = is_coarse ? known.end() : known.find(steps.plain(coarser_level - 1));
     if (before != known.end() && before->second.count(request) > 0)
     {
-      const PointError one_before = change(before->second.at(request), coarser);
-      for (double PointError::*const quantity : PointError::members)
-        error.*quantity = std::max(error.*quantity, margin * one_before.*quantity / ratio);
+      PointError expected = change(before->second.at(request), coarser);
+      expected *= margin / ratio;
+      raise(error, expected);
     }
-    const PointError least = least_mesh_error(reached_level, point, motor().crest_speed());
-    for (double PointError::*const quantity : PointError::members)
-      error.*quantity = std::max(error.*quantity, least.*quantity);
+    raise(error, least_mesh_error(reached_level, point, motor().crest_speed()));
     return error;
   }
 
@@ -99,10 +105,7 @@ namespace ringmotor
     // First order, C / n with n steps per pitch: C follows from two values of n.
     errors.time = change(point, point_of(other, request));
     errors.time *= other.n_steps() / std::abs(other.n_steps() - own.n_steps());
-    const PointError counted = resolution(point, motor());
-    for (double PointError::*const quantity :
-         {&PointError::teeth_in_contact, &PointError::stick_fraction})
-      errors.time.*quantity = std::max(errors.time.*quantity, counted.*quantity);
+    raise(errors.time, resolution(point, motor()));
     if (motor().has_rotor_modes())
     {
       // The error falls with the third power of the highest frequency; that of the meshes is
