@@ -51,7 +51,9 @@ namespace
 
     explicit Rotor(const RotorGeometry &geometry)
         : geometry(geometry),
-          mesh(make_rotor_sector(geometry, n_teeth, SectorForm::half, {}, MPI_COMM_WORLD, {2, 1})),
+          // Even cells: what two solvers differ by is roundoff, which small cells magnify.
+          mesh(make_rotor_sector(geometry, n_teeth, SectorForm::half, {}, MPI_COMM_WORLD,
+                                 {2, 1, 1.})),
           sector(mesh, {{ids::rotor, aluminium}, {ids::lip_shell, aluminium}}, 2),
           lip(geometry.flange_element == ElementKind::solid
                   ? solid_surface(sector, ids::lip)
@@ -267,42 +269,72 @@ TEST(Condensation, FollowsItsSupportsAsARigidBody)
     }
 }
 
+namespace
+{
+  /** A rotor on soft bars that tilts, and its tilting stiffness over that of a rigid ring,
+   * pi R k h^2/12. */
+  struct TiltOnBars
+  {
+    Rotor rotor;
+    SupportMotion tilt;
+    double angle;     ///< which gives the ring's top a unit mean rise
+    double stiffness; ///< relative
+
+    TiltOnBars(const ElementKind flange, const double bar_stiffness)
+        : rotor(on_bars(flange, bar_stiffness))
+    {
+      const RotorGeometry &geometry = rotor.geometry;
+      const Condensation condensation(rotor.sector, rotor.forms, {}, rotor.supports, 0.);
+      tilt = condensation.support_motion(1, {0}, 0);
+
+      // Unit mean of the rise phi r exp(-i theta) over the ring's top
+      const double half = M_PI / n_teeth;
+      const auto moment = [&](const int power)
+      {
+        return (std::pow(geometry.ring_outer_radius, power) -
+                std::pow(geometry.ring_inner_radius, power)) /
+               power;
+      };
+      angle = moment(2) / moment(3) / (std::sin(half) / half);
+
+      const double rigid = M_PI * geometry.ring_inner_radius * bar_stiffness *
+                           std::pow(geometry.radial_bar_height, 2) / 12.;
+      stiffness = n_teeth * tilt.stiffness / (rigid * angle * angle);
+    }
+
+    static RotorGeometry on_bars(const ElementKind flange, const double bar_stiffness)
+    {
+      RotorGeometry geometry     = rotor_with(flange, bar_stiffness);
+      geometry.radial_bar_height = 1.5e-3;
+      return geometry;
+    }
+  };
+} // namespace
+
 TEST(Condensation, TiltsARotorAgainstItsBars)
 {
   for (const ElementKind flange : {ElementKind::solid, ElementKind::shell})
   {
-    RotorGeometry geometry     = rotor_with(flange, 1e6);
-    geometry.radial_bar_height = 1.5e-3;
-    const Rotor rotor(geometry);
-    const Condensation condensation(rotor.sector, rotor.forms, {}, rotor.supports, 0.);
-    const SupportMotion tilt = condensation.support_motion(1, {0}, 0);
+    const TiltOnBars soft(flange, 1e7), stiff(flange, 1e8);
+    // The ring's own compliance in series is proportional to the stiffness of the bars, and removed
+    // by extrapolation. Bars so soft that it can be neglected vanish in the roundoff of the ring.
+    EXPECT_NEAR((10. / soft.stiffness - 1. / stiff.stiffness) / 9., 1., 3e-5);
 
-    // Unit mean of the rise phi r exp(-i theta) over the ring's top
-    const double half = M_PI / n_teeth;
-    const auto moment = [&](const int power)
-    {
-      return (std::pow(geometry.ring_outer_radius, power) -
-              std::pow(geometry.ring_inner_radius, power)) /
-             power;
-    };
-    const double angle     = moment(2) / moment(3) / (std::sin(half) / half);
-    const double stiffness = M_PI * geometry.ring_inner_radius * geometry.radial_bar_stiffness *
-                             std::pow(geometry.radial_bar_height, 2) / 12.;
-    EXPECT_NEAR(n_teeth * tilt.stiffness / (stiffness * angle * angle), 1., 1e-4);
-
-    const double bars_middle = geometry.ring_upper_face - 0.5 * geometry.radial_bar_height;
-    const double arm         = geometry.flange_lower_face - bars_middle;
-    const unsigned int n     = rotor.forms.size();
+    const Rotor &rotor            = soft.rotor;
+    const RotorGeometry &geometry = rotor.geometry;
+    const double bars_middle      = geometry.ring_upper_face - 0.5 * geometry.radial_bar_height;
+    const double arm              = geometry.flange_lower_face - bars_middle;
+    const unsigned int n          = rotor.forms.size();
     for (unsigned int i = 0; i < n; ++i)
     {
       // u = phi (x e_z - (z - z_bars) e_x), and the same about the other axis, -i times that
       const Point<2> &place  = rotor.lip.nodes[i / 3].place;
-      const Complex wave     = std::polar(angle, -place[1]);
+      const Complex wave     = std::polar(soft.angle, -place[1]);
       const Complex expected = i % 3 == 0   ? place[0] * wave
                                : i % 3 == 1 ? Complex(0., -arm) * wave
                                             : -arm * wave;
-      EXPECT_NEAR(tilt.interface[i], expected.real(), 1e-3);
-      EXPECT_NEAR(tilt.interface[n + i], expected.imag(), 1e-3);
+      EXPECT_NEAR(soft.tilt.interface[i], expected.real(), 1e-3);
+      EXPECT_NEAR(soft.tilt.interface[n + i], expected.imag(), 1e-3);
     }
   }
 }
