@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/motor/inertia_scheme.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ringmotor
@@ -61,15 +62,27 @@ namespace ringmotor
   Complex InertiaScheme::response(const Complex &z, const double dt, const double frequency,
                                   const double damping) const
   {
-    return 1. / ((1. - alpha + alpha / z) * acceleration(z, dt) + damping * velocity(z, dt) +
-                 frequency * frequency);
+    const Complex inertia =
+        (1. - alpha + alpha / z) * acceleration(z, dt) + damping * velocity(z, dt);
+    return 1. / (mass_factor(dt, frequency) * inertia + frequency * frequency);
+  }
+
+  double InertiaScheme::mass_factor(const double dt, const double frequency) const
+  {
+    constexpr double longest = 2., shortest = 1e-5; // rad in a step; then the factor is 1
+    const double phase = std::min(frequency * dt, longest);
+    if (phase < shortest)
+      return 1.;
+    const Complex z = std::polar(1., phase);
+    return -std::pow(phase / dt, 2) / ((1. - alpha + alpha / z) * acceleration(z, dt)).real();
   }
 
   double InertiaScheme::response_in_step(const double dt, const double frequency,
                                          const double damping) const
   {
     return beta * dt * dt /
-           (1. - alpha + gamma * dt * damping + beta * dt * dt * frequency * frequency);
+           (mass_factor(dt, frequency) * (1. - alpha + gamma * dt * damping) +
+            beta * dt * dt * frequency * frequency);
   }
 
   ModalState without_force(const InertiaScheme &scheme, const ModalState &begin, const double dt,
@@ -78,7 +91,8 @@ namespace ringmotor
     ModalState end{begin.displacement + dt * begin.velocity +
                        dt * dt * (0.5 - scheme.beta) * begin.acceleration,
                    begin.velocity + dt * (1. - scheme.gamma) * begin.acceleration, 0.};
-    const Complex force = -scheme.alpha * begin.acceleration - damping * end.velocity -
+    const Complex force = -scheme.mass_factor(dt, frequency) *
+                              (scheme.alpha * begin.acceleration + damping * end.velocity) -
                           frequency * frequency * end.displacement;
     add_force(scheme, force, dt, frequency, damping, end);
     return end;
@@ -87,7 +101,8 @@ namespace ringmotor
   void add_force(const InertiaScheme &scheme, const Complex &force, const double dt,
                  const double frequency, const double damping, ModalState &end)
   {
-    const Complex acceleration = force / (1. - scheme.alpha + scheme.gamma * dt * damping +
+    const Complex acceleration = force / (scheme.mass_factor(dt, frequency) *
+                                              (1. - scheme.alpha + scheme.gamma * dt * damping) +
                                           scheme.beta * dt * dt * frequency * frequency);
     end.acceleration += acceleration;
     end.velocity += scheme.gamma * dt * acceleration;

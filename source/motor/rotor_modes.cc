@@ -57,9 +57,19 @@ namespace ringmotor
 
   ContactDiscretisation LipModes::discretisation(const unsigned int level)
   {
+    // Impacts excite resonances no wider than the loss factor, so frequencies have to be accurate.
+    // On the flange modes of the reference motor, whose error is due to the singular edges where
+    // flange and ring meet, it falls to less than 40 % from level to level.
     ContactDiscretisation discretisation;
     discretisation.lip   = {1, 1}; // modes move the lip smoothly
     discretisation.rotor = RotorGrading::level(level);
+    if (level >= RotorVibration::usual_level)
+    {
+      discretisation.degree        = level + 1;
+      discretisation.rotor.first   = 0.15;
+      discretisation.rotor.ratio   = 0.15;
+      discretisation.rotor.longest = 1.2;
+    }
     return discretisation;
   }
 

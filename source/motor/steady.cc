@@ -146,6 +146,12 @@ namespace ringmotor
                            law_of(friction).remedy());
   }
 
+  SteadyDriver::Start SteadyDriver::start_at(const OperatingState &state)
+  {
+    return {state.solution.state, state.solution.motion, travelled(*state.contact, state.solution),
+            state.contact->speed(state.solution.state)};
+  }
+
   SteadyDriver::Start SteadyDriver::by_coefficients(const RingContact &contact, Start from,
                                                     RowSolver &solver,
                                                     unsigned int &n_iterations) const
@@ -184,9 +190,7 @@ namespace ringmotor
                         with_speed.speed};
     if (!load.torque && !dynamics)
       return pressed;
-    const OperatingState state = find(with_speed, pressed, nullptr);
-    const Start start{state.solution.state, state.solution.motion,
-                      travelled(*state.contact, state.solution), with_speed.speed};
+    const Start start = start_at(find(with_speed, pressed, nullptr));
     return dynamics ? by_damping(with_speed, start) : start;
   }
 
@@ -203,13 +207,22 @@ namespace ringmotor
     // converge.
     stages.push_back({last.loss_factor, mean(dissipative, last.scheme), last.is_hysteretic});
     for (const RingDynamics &stage : stages)
-    {
-      const OperatingState state =
-          find(load, from, std::make_shared<const SteadyDynamics>(motor, step, stage));
-      from = {state.solution.state, state.solution.motion,
-              travelled(*state.contact, state.solution), load.speed};
-    }
+      from = start_at(find(load, from, std::make_shared<const SteadyDynamics>(motor, step, stage)));
     return from;
+  }
+
+  OperatingState SteadyDriver::find_through(const RotorLoad &load, Start start,
+                                            const unsigned int n_stages) const
+  {
+    for (unsigned int stage = n_stages; stage > 0; --stage)
+    {
+      RingDynamics damped = motor.dynamics;
+      damped.loss_factor *= std::pow(3., stage);
+      start =
+          start_at(find(load, start, std::make_shared<const SteadyDynamics>(motor, step, damped),
+                        Fallback::none));
+    }
+    return find(load, start, dynamics, Fallback::none);
   }
 
   OperatingState SteadyDriver::find_or_damp(const RotorLoad &load, const Start &from) const
@@ -217,25 +230,29 @@ namespace ringmotor
     if (!dynamics)
       return find(load, from);
     std::string tried;
-    try
-    {
-      return find(load, from, dynamics, Fallback::none);
-    }
-    catch (const ComputationError &error)
-    {
-      tried = error.what();
-    }
+    for (const unsigned int n_stages : {0u, 2u}) // at once; if not, most often from the second
+      try
+      {
+        OperatingState state = find_through(load, from, n_stages);
+        if (n_stages > 0)
+          state.solution.how =
+              tried + "; with a little more damping that is reduced in stages it did";
+        return state;
+      }
+      catch (const ComputationError &error)
+      {
+        if (n_stages == 0)
+          tried = error.what();
+      }
     OperatingState state = find(load, by_damping(load, from));
-    state.solution.how   = tried + "; with damping that is reduced in stages it did";
+    state.solution.how   = tried + "; with strong damping that is reduced in stages it did";
     return state;
   }
 
   OperatingState SteadyDriver::at(const RotorLoad &load)
   {
     const OperatingState state = next ? find_or_damp(load, *next) : find(load, from_rest(load));
-    next                       = Start{state.solution.state, state.solution.motion,
-                 travelled(*state.contact, state.solution),
-                 state.contact->speed(state.solution.state)};
+    next                       = start_at(state);
     return state;
   }
 

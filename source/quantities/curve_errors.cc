@@ -95,6 +95,19 @@ namespace ringmotor
     return error;
   }
 
+  namespace
+  {
+    /** The share of the dissipation of a scheme in its change to dissipating_otherwise(). */
+    double share_of_change(const InertiaScheme &scheme)
+    {
+      constexpr double margin = 2., phase = 0.1; // rad in a step
+      const auto dissipation = [&](const InertiaScheme &of)
+      { return (1. / of.response(std::polar(1., phase), phase, 1., 0.)).imag(); };
+      const double own = dissipation(scheme), other = dissipation(scheme.dissipating_otherwise());
+      return std::min(1., margin * own / std::abs(other - own));
+    }
+  } // namespace
+
   PointErrors CurveSearch::errors_of(const unsigned int request)
   {
     const CurveSetting own{reached_level, n_parts[request]}, other = compared_step(request),
@@ -116,9 +129,10 @@ namespace ringmotor
     }
     if (has_inertia)
     {
-      // It decreases with the step: quadratically for a mode, at least linearly for impacts.
+      // The dissipation decreases with the third power of the step; quadratically, to be safe.
       errors.scheme = change(point_of(plain, request), point_of(other_scheme(), request));
-      errors.scheme *= plain.n_steps() / own.n_steps();
+      errors.scheme *=
+          share_of_change(motor().dynamics.scheme) * std::pow(plain.n_steps() / own.n_steps(), 2);
     }
     errors.wave = change(point_of(plain, request), point_of(changed_wave(), request));
     // What a window given by the user misses does not depend on the steps.

@@ -156,12 +156,13 @@ namespace ringmotor
     for (unsigned int i = 0; i < requests.size(); ++i)
     {
       const PointErrors &errors = results[i].errors;
+      const double of_step      = std::max(relative(errors.time), relative(errors.scheme));
       if (relative(errors.total()) <= parameters.accuracy.contact_target)
         continue;
-      if (relative(errors.modes) > std::max(relative(errors.time), relative(errors.mesh)) &&
+      if (relative(errors.modes) > std::max(of_step, relative(errors.mesh)) &&
           modes_level < RotorVibration::finest_level)
         needs_modes = true;
-      else if (relative(errors.time) > relative(errors.mesh) && n_parts[i] < steps.most_parts())
+      else if (of_step > relative(errors.mesh) && n_parts[i] < steps.most_parts())
       {
         shorten_step(i, 2 * n_parts[i]);
         shortened = true;

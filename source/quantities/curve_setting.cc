@@ -57,14 +57,15 @@ namespace ringmotor
      * fraction of the target. */
     unsigned int steps_to_compare_with(const Parameters &parameters)
     {
-      // With inertia, bodies vibrate several times in a period.
-      const unsigned int few        = motor_model(parameters).has_inertia() ? 80 : 40;
+      // With inertia, bodies vibrate many times in a period.
+      const bool has_inertia        = motor_model(parameters).has_inertia();
+      const unsigned int few        = has_inertia ? 80 : 40;
       constexpr unsigned int enough = 360;
       if (parameters.accuracy.mode == AccuracyMode::fixed)
         return few;
       // Long steps make contact begin and end in jumps, on each mesh at other places: with 90 steps
-      // speeds scatter by 0.4 %, with 180 by half of that.
-      const double wanted = 1.2 / parameters.accuracy.strictest_target();
+      // speeds scatter by 0.4 %, with 180 by half of that; several times as much with inertia.
+      const double wanted = (has_inertia ? 9. : 1.2) / parameters.accuracy.strictest_target();
       return std::clamp(static_cast<unsigned int>(wanted), few, enough);
     }
   } // namespace

@@ -57,10 +57,15 @@ namespace ringmotor
     OperatingState find(const RotorLoad &load, Start start,
                         std::shared_ptr<const SteadyDynamics> with_inertia,
                         const Fallback fallback = Fallback::proximal_points) const;
-    /** From a nearby state; with inertia, if Newton's method alone does not converge from it,
-     * through states with decreasing damping: there the proximal point algorithm takes long, and
-     * may fail. */
-    OperatingState find_or_damp(const RotorLoad &load, const Start &start) const;
+    /** The state as the start of the search for another one. */
+    static Start start_at(const OperatingState &state);
+    /** From a nearby state by Newton's method alone, through states with inertia and 3^n, ..., 9, 3
+     * times the loss factor. */
+    OperatingState find_through(const RotorLoad &load, Start start,
+                                const unsigned int n_stages) const;
+    /** From a nearby state; with inertia through as few such stages as lead to the state, because
+     * there may be several, and strong damping may lead to another one; at last by_damping(). */
+    OperatingState find_or_damp(const RotorLoad &load, const Start &from) const;
     /** From another state, possibly without inertia, through states with inertia and decreasing
      * damping. */
     Start by_damping(const RotorLoad &load, Start start) const;
