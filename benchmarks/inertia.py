@@ -26,7 +26,7 @@ BASE = {**OUTPUT_OFF, "Effects/Rotor inertia": "on", "Effects/Damping": "on",
 FIXED = {"Accuracy/Mode": "fixed", "Accuracy/Interface refinement": "1", "Time/Snapshots": "4"}
 # Name, entries, and whether the setting is at least as fine as the common one.
 ROWS = [("common setting: 360 steps, spectral radius 0.8, modes to 12 times 30 kHz, interface mesh 1", {}, True)]
-ROWS += [(f"{90 * number} steps", {"Time/Snapshots": str(number)}, number > 4) for number in (1, 2, 8)]
+ROWS += [(f"{90 * number} steps", {"Time/Snapshots": str(number)}, number > 4) for number in (2, 3, 8, 12)]
 ROWS += [(f"spectral radius {radius}", {"Time/Spectral radius": str(radius)}, True) for radius in (0.5, 0.9)]
 ROWS += [(f"modes to {multiple} times 30 kHz", {"Accuracy/Rotor modes": str(level)}, level > 2)
          for level, multiple in ((1, 8.5), (3, 17))]
