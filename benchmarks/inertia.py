@@ -21,7 +21,7 @@ from timed_run import MOTOR, ROOT  # noqa: E402
 
 TORQUES = (0., 0.05, 0.1, 0.13)  # N m
 BASE = {**OUTPUT_OFF, "Effects/Rotor inertia": "on", "Effects/Damping": "on",
-        "Effects/Static friction excess": "off", "Friction/Dynamic coefficient": "0.4",
+        "Effects/Static friction excess": "off", "Friction/Dynamic coefficient": "0.4", "Time/Spectral radius": "0.8",
         "Loading/Values": ", ".join(map(str, TORQUES))}
 FIXED = {"Accuracy/Mode": "fixed", "Accuracy/Interface refinement": "1", "Time/Snapshots": "4"}
 # Name, entries, and whether the setting is at least as fine as the common one.

@@ -100,13 +100,15 @@ TEST(Reading, CanonRingFileIsTheReferenceMotor)
 
 TEST(Reading, CanonRingFileAgreesWithTheDefaults)
 {
-  // Except for the effects, which that file leaves to the programs, and the contact target.
+  // Except for the effects, which that file leaves to the programs, and the contact target with
+  // the dissipation that suits it.
   const Parameters defaults;
   Parameters parameters              = read_parameters(source_folder + "/prm/canon_ring.prm");
   parameters.motor.name              = defaults.motor.name;
   parameters.output.directory        = defaults.output.directory;
   parameters.effects                 = defaults.effects;
   parameters.accuracy.contact_target = defaults.accuracy.contact_target;
+  parameters.time.spectral_radius    = defaults.time.spectral_radius;
   EXPECT_EQ(printed(parameters), complete_text());
 }
 
