@@ -159,6 +159,9 @@ namespace ringmotor
       const double of_step      = std::max(relative(errors.time), relative(errors.scheme));
       if (relative(errors.total()) <= parameters.accuracy.contact_target)
         continue;
+      if (relative(errors.modes) > parameters.accuracy.contact_target &&
+          modes_level == RotorVibration::finest_level)
+        refuse(worst_error(), "with the most accurate modes of the rotor");
       if (relative(errors.modes) > std::max(of_step, relative(errors.mesh)) &&
           modes_level < RotorVibration::finest_level)
         needs_modes = true;
@@ -180,13 +183,13 @@ namespace ringmotor
       refuse(worst_error());
   }
 
-  void CurveSearch::refuse(const double error) const
+  void CurveSearch::refuse(const double error, const std::string &where) const
   {
     throw ComputationError(
         "the relative error of " + parameters.accuracy.names_of_quantities() + " is still " +
-        short_text(error) + " on the finest interface mesh, but Accuracy/Contact target = " +
-        short_text(parameters.accuracy.contact_target) + "; choose a larger one" +
-        (is_marched(parameters) ? ", or a smaller Time/Time step" : ""));
+        short_text(error) + " " + where +
+        ", but Accuracy/Contact target = " + short_text(parameters.accuracy.contact_target) +
+        "; choose a larger one" + (is_marched(parameters) ? ", or a smaller Time/Time step" : ""));
   }
 
   const CondensedMotor &CurveSearch::motor_of(const unsigned int level)

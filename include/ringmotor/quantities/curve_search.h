@@ -117,7 +117,8 @@ namespace ringmotor
     /** Takes modes of the next level; all points must then be computed again. */
     void take_finer_modes();
     /** Reports that only @p error, not the target, can be reached. @throws ComputationError */
-    [[noreturn]] void refuse(const double error) const;
+    [[noreturn]] void refuse(const double error,
+                             const std::string &where = "on the finest interface mesh") const;
     /** Whether powers balance at all points; shortens the steps where they do not. */
     bool powers_balance();
     /** Divides the step of a point into more parts. */
