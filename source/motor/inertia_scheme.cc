@@ -59,11 +59,19 @@ namespace ringmotor
     return (z - 1.) * (z - 1.) / by_acceleration(*this, z, dt);
   }
 
+  namespace
+  {
+    /** The acceleration in the equation of motion by displacement (1/s^2), see acceleration(). */
+    Complex weighted_acceleration(const InertiaScheme &scheme, const Complex &z, const double dt)
+    {
+      return (1. - scheme.alpha + scheme.alpha / z) * scheme.acceleration(z, dt);
+    }
+  } // namespace
+
   Complex InertiaScheme::response(const Complex &z, const double dt, const double frequency,
                                   const double damping) const
   {
-    const Complex inertia =
-        (1. - alpha + alpha / z) * acceleration(z, dt) + damping * velocity(z, dt);
+    const Complex inertia = weighted_acceleration(*this, z, dt) + damping * velocity(z, dt);
     return 1. / (mass_factor(dt, frequency) * inertia + frequency * frequency);
   }
 
@@ -74,7 +82,7 @@ namespace ringmotor
     if (phase < shortest)
       return 1.;
     const Complex z = std::polar(1., phase);
-    return -std::pow(phase / dt, 2) / ((1. - alpha + alpha / z) * acceleration(z, dt)).real();
+    return -std::pow(phase / dt, 2) / weighted_acceleration(*this, z, dt).real();
   }
 
   double InertiaScheme::response_in_step(const double dt, const double frequency,
@@ -101,11 +109,10 @@ namespace ringmotor
   void add_force(const InertiaScheme &scheme, const Complex &force, const double dt,
                  const double frequency, const double damping, ModalState &end)
   {
-    const Complex acceleration = force / (scheme.mass_factor(dt, frequency) *
-                                              (1. - scheme.alpha + scheme.gamma * dt * damping) +
-                                          scheme.beta * dt * dt * frequency * frequency);
+    const Complex displacement = force * scheme.response_in_step(dt, frequency, damping),
+                  acceleration = displacement / (scheme.beta * dt * dt);
     end.acceleration += acceleration;
     end.velocity += scheme.gamma * dt * acceleration;
-    end.displacement += scheme.beta * dt * dt * acceleration;
+    end.displacement += displacement;
   }
 } // namespace ringmotor

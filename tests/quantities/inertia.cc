@@ -44,12 +44,11 @@ TEST(InertiaScheme, CrossesAResonanceAsTheoryDoes)
   const InertiaScheme scheme = InertiaScheme::second_order(0.8);
   for (const double of_force : {0.3, 0.9, 1., 1.1, 3.})
   {
-    const double coarse = error_with(scheme, of_force, 100),
-                 fine   = error_with(scheme, of_force, 200);
-    EXPECT_LT(fine, 0.01) << of_force;
-    // Second order away from the mode; third, by dissipation, near it.
-    EXPECT_GT(std::log2(coarse / fine), 1.6) << of_force;
-    EXPECT_LT(std::log2(coarse / fine), 3.1) << of_force;
+    // Short steps: with longer ones dissipation, of third order, matters at the resonance.
+    const double coarse = error_with(scheme, of_force, 400),
+                 fine   = error_with(scheme, of_force, 800);
+    EXPECT_LT(fine, 1e-4) << of_force;
+    EXPECT_NEAR(std::log2(coarse / fine), 2., 0.1) << of_force;
   }
   EXPECT_NEAR(std::log2(error_with(InertiaScheme::newmark(0.6), 1., 200) /
                         error_with(InertiaScheme::newmark(0.6), 1., 400)),
