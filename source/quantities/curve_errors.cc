@@ -46,6 +46,17 @@ namespace ringmotor
       return step;
     }
 
+    /** Given shares of the speed of the crests (rad/s), if a torque is given, and of the loss. */
+    PointError shares(const CurvePoint &point, const double crest_speed, const double of_speed,
+                      const double of_loss)
+    {
+      PointError error;
+      error.loss = of_loss * point.result.friction_loss();
+      if (point.request.control == Control::torque)
+        error.speed = of_speed * crest_speed;
+      return error;
+    }
+
     /** What meshes of a level were found to be off by where they agree with the next coarser one by
      * chance, see accuracy_and_cost.md: the coarsest ones are far from the regime of convergence,
      * only from level 3 on a change shows the division around the teeth, and the share of sticking
@@ -56,10 +67,7 @@ namespace ringmotor
       constexpr std::array<double, ContactDiscretisation::finest_level + 1> of_speed{
           {5e-3, 5e-3, 2.5e-3, 0., 0.}},
           of_loss{{2e-2, 2e-2, 1e-2, 0., 0.}};
-      PointError least;
-      least.loss = of_loss[level] * point.result.friction_loss();
-      if (point.request.control == Control::torque)
-        least.speed = of_speed[level] * crest_speed;
+      PointError least     = shares(point, crest_speed, of_speed[level], of_loss[level]);
       least.stick_fraction = 0.06;
       return least;
     }
@@ -72,11 +80,7 @@ namespace ringmotor
       constexpr double of_speed = 0.015, of_loss = 0.02, with_loss_factor = 1e-3;
       const double sharpness =
           with_loss_factor / std::max(with_loss_factor, motor.dynamics.loss_factor);
-      PointError least;
-      least.loss = of_loss * sharpness * point.result.friction_loss();
-      if (point.request.control == Control::torque)
-        least.speed = of_speed * sharpness * motor.crest_speed();
-      return least;
+      return shares(point, motor.crest_speed(), sharpness * of_speed, sharpness * of_loss);
     }
 
     /** Raises each error to at least that of @p least. */
@@ -141,7 +145,8 @@ namespace ringmotor
       constexpr double of_change = 0.6;
       errors.modes = change(point_of(plain, request), point_of(coarse_modes(), request));
       errors.modes *= of_change;
-      raise(errors.modes, least_modes_error(point, motor()));
+      if (!motor().dynamics.is_hysteretic)
+        raise(errors.modes, least_modes_error(point, motor()));
     }
     if (has_inertia)
     {
