@@ -2,10 +2,12 @@
 #include <ringmotor/motor/motor_model.h>
 #include <ringmotor/motor/rotor_modes.h>
 #include <ringmotor/structure/modes.h>
+#include <ringmotor/structure/response_modes.h>
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <limits>
+#include <map>
 
 namespace ringmotor
 {
@@ -15,18 +17,50 @@ namespace ringmotor
   {
     using Complex = std::complex<double>;
 
-    /** Nodal diameters of the harmonics of the wave; all if the rotor moves as a whole. */
-    std::set<unsigned int> nodal_diameters(const Motor &motor, const unsigned int n_harmonics,
-                                           const bool moves_as_whole)
+    /** The harmonics of the wave by their nodal diameter, without those in which the rotor moves as
+     * a whole. */
+    std::map<unsigned int, std::vector<unsigned int>> harmonics(const Motor &motor,
+                                                                const unsigned int n_harmonics)
     {
-      std::set<unsigned int> diameters;
-      for (unsigned int k = 0; moves_as_whole && 2 * k <= motor.n_teeth; ++k)
-        diameters.insert(k);
+      std::map<unsigned int, std::vector<unsigned int>> by_diameter;
       for (unsigned int m = 1; m <= n_harmonics; ++m)
-        diameters.insert(nodal_diameter_of_harmonic(motor, m));
-      diameters.erase(0);
-      diameters.erase(1);
-      return diameters;
+        if (const unsigned int k = nodal_diameter_of_harmonic(motor, m); k > 1)
+          by_diameter[k].push_back(m);
+      return by_diameter;
+    }
+
+    /** Loads on a half sector's lip with the symmetry of its motions, that span smooth forces on
+     * the teeth: polynomials across the lip and around it that vanish between the teeth. */
+    std::vector<std::vector<double>> lip_loads(const RotorBody &body, const unsigned int k)
+    {
+      constexpr unsigned int degree_across = 1, degree_around = 4;
+      double inner = std::numeric_limits<double>::max(), outer = 0., end = 0.;
+      for (const SurfaceNode &node : body.lip.nodes)
+      {
+        inner = std::min(inner, node.place[0]);
+        outer = std::max(outer, node.place[0]);
+        end   = std::max(end, node.place[1]);
+      }
+      std::vector<std::vector<double>> loads;
+      for (const unsigned int component : {0u, 1u, 2u})
+        for (unsigned int i = 0; i <= degree_across; ++i)
+          for (unsigned int j = 0; j <= degree_around; ++j)
+          {
+            // U(-theta) = S conj(U(theta)), where S reverses the component along -theta
+            const unsigned int part = (component == 1 ? j + 1 : j) % 2;
+            std::array<Vector<double>, 2> fields{
+                {Vector<double>(body.sector.n_dofs()), Vector<double>(body.sector.n_dofs())}};
+            for (const SurfaceNode &node : body.lip.nodes)
+            {
+              const double across = (node.place[0] - inner) / (outer - inner),
+                           around = node.place[1] / end,
+                           force  = std::pow(across, i) * std::pow(around, j) * (1. - around * around);
+              for (const auto &[dof, coefficient] : node.displacement[component])
+                fields[part][dof] += force * coefficient;
+            }
+            loads.push_back(body.sector.loads_of(k, fields));
+          }
+      return loads;
     }
   } // namespace
 
@@ -73,7 +107,7 @@ namespace ringmotor
     return discretisation;
   }
 
-  LipModes::LipModes(const Parameters &parameters, const unsigned int level, const double up_to,
+  LipModes::LipModes(const Parameters &parameters, const unsigned int level, const double frequency,
                      const unsigned int n_harmonics)
       : n_teeth(parameters.motor.n_teeth), modes(n_teeth / 2 + 1)
   {
@@ -81,12 +115,30 @@ namespace ringmotor
     lip                                         = body.whole_lip;
     const std::vector<LinearForm> displacements = displacement_forms(body.lip);
     const MotorModel model                      = motor_model(parameters);
-    ModeSolver solver(body.sector);
-    for (const unsigned int k :
-         nodal_diameters(parameters.motor, n_harmonics, model.rotor_moves_as_whole))
-      for (const Mode &mode : solver.below(k, std::pow(up_to, 2)))
-        modes[k].push_back(
+    const auto take                             = [&](const std::vector<Mode> &of_diameter)
+    {
+      for (const Mode &mode : of_diameter)
+        modes[mode.nodal_diameter].push_back(
             {std::sqrt(mode.eigenvalue), on_surface(body.sector, displacements, mode)});
+    };
+    if (model.rotor_moves_as_whole)
+    {
+      const double up_to = 2. / 3. * n_harmonics * frequency;
+      ModeSolver solver(body.sector);
+      for (unsigned int k = 2; k < modes.size(); ++k)
+        take(solver.below(k, std::pow(up_to, 2)));
+    }
+    else
+    {
+      ResponseModes responses(body.sector);
+      for (const auto &[k, of_diameter] : harmonics(parameters.motor, n_harmonics))
+      {
+        std::vector<double> frequencies;
+        for (const unsigned int harmonic : of_diameter)
+          frequencies.push_back(harmonic * frequency);
+        take(responses.at(k, lip_loads(body, k), frequencies));
+      }
+    }
     if (!model.rotor_gives_way_along)
       for (auto &of_diameter : modes)
         for (LipMode &mode : of_diameter)
@@ -119,13 +171,10 @@ namespace ringmotor
 
   const LipModes &RotorVibration::level(const unsigned int level) const
   {
-    // The truncation error of the modes decreases with the third power of the highest frequency, to
-    // a third from level to level.
-    constexpr std::array<double, finest_level + 1> up_to{{6., 8.5, 12., 17.}};
-    constexpr std::array<unsigned int, finest_level + 1> n_harmonics{{9, 13, 19, 27}};
+    constexpr std::array<unsigned int, finest_level + 1> n_harmonics{{9, 13, 20, 30}};
     if (!levels[level])
-      levels[level] = std::make_shared<const LipModes>(parameters, level, up_to[level] * frequency,
-                                                       n_harmonics[level]);
+      levels[level] =
+          std::make_shared<const LipModes>(parameters, level, frequency, n_harmonics[level]);
     return *levels[level];
   }
 } // namespace ringmotor

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/rotor_modes.h>
 #include <ringmotor/quantities/curve_search.h>
 #include <ringmotor/quantities/point_quantities.h>
 
@@ -72,15 +73,18 @@ namespace ringmotor
       return least;
     }
 
-    /** Modes beyond the highest level: resonances of high harmonics, the sharper, the smaller the
-     * loss factor. Found on the reference motor with modes to 24 instead of 17 times the wave's
-     * frequency. */
+    /** What the harmonics of the wave beyond those of a level of RotorVibration change, see
+     * accuracy_and_cost.md; less where damping limits their resonances. */
     PointError least_modes_error(const CurvePoint &point, const CondensedMotor &motor)
     {
-      constexpr double of_speed = 0.015, of_loss = 0.02, with_loss_factor = 1e-3;
+      constexpr std::array<double, RotorVibration::finest_level + 1> of_speed{
+          {1e-2, 1e-2, 8e-3, 4e-3}},
+          of_loss{{5e-2, 3e-2, 1.5e-2, 7e-3}};
+      constexpr double with_loss_factor = 1e-3;
       const double sharpness =
           with_loss_factor / std::max(with_loss_factor, motor.dynamics.loss_factor);
-      return shares(point, motor.crest_speed(), sharpness * of_speed, sharpness * of_loss);
+      return shares(point, motor.crest_speed(), sharpness * of_speed[motor.modes_level],
+                    sharpness * of_loss[motor.modes_level]);
     }
 
     /** Raises each error to at least that of @p least. */
@@ -140,8 +144,8 @@ namespace ringmotor
     raise(errors.time, resolution(point, motor()));
     if (motor().has_rotor_modes())
     {
-      // The error falls with the third power of the highest frequency; that of the meshes is
-      // halved.
+      // From level to level the errors of the meshes are halved, those of the harmonics left out
+      // decrease with the square of their number.
       constexpr double of_change = 0.6;
       errors.modes = change(point_of(plain, request), point_of(coarse_modes(), request));
       errors.modes *= of_change;

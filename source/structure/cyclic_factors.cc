@@ -130,45 +130,54 @@ namespace ringmotor
     return count;
   }
 
-  void CyclicFactors::solve(std::vector<double> &unknowns)
+  void CyclicFactors::solve(std::vector<double> &right_hand_sides)
   {
     if (together)
     {
-      together->solve(unknowns);
+      together->solve(right_hand_sides);
       return;
     }
+    const std::size_t n_unknowns = sector.n_unknowns(), n_on_cut = cut_unknowns.size(),
+                      n_sides = right_hand_sides.size() / n_unknowns;
     std::vector<double> of_cut;
-    for (const unsigned int unknown : cut_unknowns)
-      of_cut.push_back(unknowns[unknown]);
+    for (std::size_t side = 0; side < n_sides; ++side)
+      for (const unsigned int unknown : cut_unknowns)
+        of_cut.push_back(right_hand_sides[side * n_unknowns + unknown]);
 
     for (const SparsePart &sparse : sparse_parts)
     {
       const CyclicSector::RealField &like = sector.field(sparse.parts[0]);
-      std::vector<double> loads(sparse.parts.size() * like.size, 0.);
-      for (unsigned int i = 0; i < sparse.parts.size(); ++i)
-        for (const auto &[number, unknown] : sector.field(sparse.parts[i]).inner)
-          loads[i * like.size + number] = unknowns[unknown];
+      const std::size_t n_parts           = sparse.parts.size();
+      std::vector<double> loads(n_sides * n_parts * like.size, 0.);
+      for (std::size_t block = 0; block < n_sides * n_parts; ++block)
+        for (const auto &[number, unknown] : sector.field(sparse.parts[block % n_parts]).inner)
+          loads[block * like.size + number] =
+              right_hand_sides[block / n_parts * n_unknowns + unknown];
       const std::vector<double> reduced = sparse.factors->condense(loads);
-      for (unsigned int i = 0; i < sparse.parts.size(); ++i)
-        for (const CyclicSector::Tie &tie : ties[sparse.parts[i]])
-          of_cut[cut_place[tie.unknown]] +=
-              tie.factor * reduced[i * like.cut.size() + tie.position];
+      for (std::size_t block = 0; block < n_sides * n_parts; ++block)
+        for (const CyclicSector::Tie &tie : ties[sparse.parts[block % n_parts]])
+          of_cut[block / n_parts * n_on_cut + cut_place[tie.unknown]] +=
+              tie.factor * reduced[block * like.cut.size() + tie.position];
     }
     cut.solve(of_cut);
 
     for (const SparsePart &sparse : sparse_parts)
     {
       const CyclicSector::RealField &like = sector.field(sparse.parts[0]);
-      std::vector<double> on_cut(sparse.parts.size() * like.cut.size(), 0.);
-      for (unsigned int i = 0; i < sparse.parts.size(); ++i)
-        for (const CyclicSector::Tie &tie : ties[sparse.parts[i]])
-          on_cut[i * like.cut.size() + tie.position] += tie.factor * of_cut[cut_place[tie.unknown]];
+      const std::size_t n_parts           = sparse.parts.size();
+      std::vector<double> on_cut(n_sides * n_parts * like.cut.size(), 0.);
+      for (std::size_t block = 0; block < n_sides * n_parts; ++block)
+        for (const CyclicSector::Tie &tie : ties[sparse.parts[block % n_parts]])
+          on_cut[block * like.cut.size() + tie.position] +=
+              tie.factor * of_cut[block / n_parts * n_on_cut + cut_place[tie.unknown]];
       const std::vector<double> solution = sparse.factors->expand(std::move(on_cut));
-      for (unsigned int i = 0; i < sparse.parts.size(); ++i)
-        for (const auto &[number, unknown] : sector.field(sparse.parts[i]).inner)
-          unknowns[unknown] = solution[i * like.size + number];
+      for (std::size_t block = 0; block < n_sides * n_parts; ++block)
+        for (const auto &[number, unknown] : sector.field(sparse.parts[block % n_parts]).inner)
+          right_hand_sides[block / n_parts * n_unknowns + unknown] =
+              solution[block * like.size + number];
     }
-    for (std::size_t i = 0; i < cut_unknowns.size(); ++i)
-      unknowns[cut_unknowns[i]] = of_cut[i];
+    for (std::size_t side = 0; side < n_sides; ++side)
+      for (std::size_t i = 0; i < n_on_cut; ++i)
+        right_hand_sides[side * n_unknowns + cut_unknowns[i]] = of_cut[side * n_on_cut + i];
   }
 } // namespace ringmotor

@@ -91,13 +91,13 @@ namespace ringmotor
     return static_cast<unsigned int>(mumps->information(12));
   }
 
-  void SparseLDLT::solve(std::vector<double> &right_hand_side)
+  void SparseLDLT::solve(std::vector<double> &sides)
   {
-    mumps->data.nrhs = 1;
+    mumps->data.nrhs = static_cast<int>(sides.size() / mumps->data.n);
     mumps->data.lrhs = mumps->data.n;
-    mumps->data.rhs  = right_hand_side.data();
+    mumps->data.rhs  = sides.data();
     run(3, "solution");
-    broadcast(right_hand_side);
+    broadcast(sides);
   }
 
   std::vector<double> SparseLDLT::condense(const std::vector<double> &all_right_hand_sides)

@@ -61,30 +61,31 @@ TEST(RotorModes, MakeUpTheDynamicCompliance)
   };
   const RingCompliance at_rest = ring_of(body.condensed(), true);
   const double drive           = 2. * M_PI * 30e3;
-  const RingModes modes = LipModes(parameters, 0, 30. * drive, 4).at(tooth.whole_top.surface, 0.);
-  for (const unsigned int m : {1u, 2u, 3u})
+  const RingModes modes = LipModes(parameters, 0, drive, 9).at(tooth.whole_top.surface, 0.);
+  for (const unsigned int m : {1u, 2u, 3u, 6u, 9u})
   {
+    const unsigned int k = nodal_diameter_of_harmonic(parameters.motor, m);
     const Condensation shifted(body.sector, displacement_forms(body.lip), {}, {},
                                std::pow(m * drive, 2));
     const RingCompliance vibrating = ring_of(shifted, false);
     for (const unsigned int component : {0u, 1u, 2u})
     {
-      const std::vector<Complex> expected = response(vibrating, 7 * m, component),
-                                 rest     = response(at_rest, 7 * m, component);
+      const std::vector<Complex> expected = response(vibrating, k, component),
+                                 rest     = response(at_rest, k, component);
       double largest                      = 0.;
       for (const Complex &motion : expected)
         largest = std::max(largest, std::abs(motion));
       for (unsigned int i = 0; i < expected.size(); ++i)
       {
         Complex found = rest[i];
-        for (const RingMode &mode : modes[7 * m])
+        for (const RingMode &mode : modes[k])
         {
           const double square = std::pow(mode.angular_frequency, 2);
           found += mode.motion[i / 3][i % 3] *
                    std::conj(mode.motion[component / 3][component % 3]) *
                    (1. / (square - std::pow(m * drive, 2)) - 1. / square);
         }
-        EXPECT_LT(std::abs(found - expected[i]), 2e-3 * largest) << m << " " << i;
+        EXPECT_LT(std::abs(found - expected[i]), (m < 6 ? 1e-4 : 1e-3) * largest) << m << " " << i;
       }
     }
   }
@@ -135,7 +136,7 @@ TEST(LipAmplification, IsThatOfTheShiftedStiffness)
   // The same pressure on the rotor with stiffness K - Omega^2 M, without modes.
   const Parameters parameters = reference_motor();
   const double drive          = 2. * M_PI * 30e3;
-  const LipModes modes(parameters, 1, 30. * drive, 3);
+  const LipModes modes(parameters, 1, drive, 3);
   const LipAmplification amplification(parameters, modes, 1, 3);
   const RotorBody body(parameters, LipModes::discretisation(1));
   const auto work = [&](const unsigned int k, const double frequency)
@@ -168,6 +169,6 @@ TEST(LipAmplification, IsThatOfTheShiftedStiffness)
   {
     EXPECT_EQ(amplification.nodal_diameter(m), 7 * m);
     const double expected = work(7 * m, m * drive) / work(7 * m, 1.);
-    EXPECT_NEAR(amplification.at(m, m * drive), expected, 0.01 * std::abs(expected)) << m;
+    EXPECT_NEAR(amplification.at(m, m * drive), expected, 1e-4 * std::abs(expected)) << m;
   }
 }

@@ -29,9 +29,9 @@ namespace ringmotor
   class LipModes
   {
   public:
-    /** @param level of the mesh; @param up_to rad/s, highest frequency; @param n_harmonics of the
-     * wave that may matter */
-    LipModes(const Parameters &parameters, const unsigned int level, const double up_to,
+    /** @param level of the mesh; @param frequency rad/s, of the wave; @param n_harmonics of the wave
+     * that may matter */
+    LipModes(const Parameters &parameters, const unsigned int level, const double frequency,
              const unsigned int n_harmonics);
 
     /** The rotor's discretisation for its modes at a level. */

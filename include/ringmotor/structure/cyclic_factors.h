@@ -34,8 +34,9 @@ namespace ringmotor
     /** Number of negative eigenvalues of the matrix, written in real numbers. */
     unsigned int n_negative() const;
 
-    /** Replaces @p unknowns, a right-hand side, by the solution (on all ranks). */
-    void solve(std::vector<double> &unknowns);
+    /** Replaces right-hand sides, one or several one after the other, by the solutions (on all
+     * ranks). Several together take a fraction of the time. */
+    void solve(std::vector<double> &right_hand_sides);
 
   private:
     /** A matrix and the fields it belongs to. */

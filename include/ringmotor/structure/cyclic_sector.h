@@ -93,6 +93,12 @@ namespace ringmotor
     /** The transpose of expand(): the loads on the unknowns from forces on all degrees of freedom
      * (N, and N m on rotations), Cartesian, complete on every rank. */
     std::vector<double> loads_of(const unsigned int k, const SectorMotion &forces) const;
+    /** Those from forces on the degrees of freedom of each field in the axes of the nodes. */
+    std::vector<double> loads_of(const unsigned int k,
+                                 const std::array<dealii::Vector<double>, 2> &forces) const
+    {
+      return to_unknowns(k, forces);
+    }
 
     /** The unknowns of nodal diameter @p k that interpolate a @p motion given as a function of
      * position. */

@@ -59,9 +59,9 @@ namespace ringmotor
      * kept). */
     unsigned int n_negative() const;
 
-    /** Replaces @p right_hand_side (the same on all ranks) by the solution (on all ranks). Not for
-     * matrices with kept unknowns. */
-    void solve(std::vector<double> &right_hand_side);
+    /** Replaces right-hand sides, one or several one after the other (the same on all ranks), by
+     * the solutions (on all ranks). Not for matrices with kept unknowns. */
+    void solve(std::vector<double> &right_hand_sides);
 
     /** The Schur complement by columns, lower triangle, on all ranks; rows in the order of the kept
      * unknowns. */

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/structure/response_modes.h>
+
+#include <deal.II/lac/lapack_full_matrix.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ringmotor
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Matrix = LAPACKFullMatrix<double>;
+
+    /** Vectors as the columns of a matrix, which stores them one after the other. */
+    Matrix as_columns(const std::vector<double> &vectors, const std::size_t n_rows)
+    {
+      Matrix columns(n_rows, vectors.size() / n_rows);
+      std::copy(vectors.begin(), vectors.end(), &columns(0, 0));
+      return columns;
+    }
+
+    struct SymmetricEigenpairs
+    {
+      Vector<double> values;
+      FullMatrix<double> vectors;
+
+      explicit SymmetricEigenpairs(const FullMatrix<double> &matrix)
+      {
+        LAPACKFullMatrix<double> copy(matrix.m(), matrix.n());
+        for (unsigned int i = 0; i < matrix.m(); ++i)
+          for (unsigned int j = 0; j < matrix.n(); ++j)
+            copy(i, j) = 0.5 * (matrix(i, j) + matrix(j, i));
+        constexpr double all = std::numeric_limits<double>::max();
+        copy.compute_eigenvalues_symmetric(-all, all, 0., values, vectors);
+      }
+    };
+
+    /** Combinations of vectors with the given products that are orthonormal, without those that
+     * rounding has blurred. */
+    FullMatrix<double> orthonormal(const FullMatrix<double> &products)
+    {
+      const unsigned int n = products.m();
+      FullMatrix<double> scaled(n, n);
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          scaled(i, j) = products(i, j) / std::sqrt(products(i, i) * products(j, j));
+      const SymmetricEigenpairs pairs(scaled);
+      constexpr double rounding = 1e-13;
+      unsigned int first        = 0;
+      while (pairs.values[first] < rounding * pairs.values[n - 1])
+        ++first;
+      FullMatrix<double> combinations(n, n - first);
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = first; j < n; ++j)
+          combinations(i, j - first) =
+              pairs.vectors(i, j) / std::sqrt(products(i, i) * pairs.values[j]);
+      return combinations;
+    }
+
+    /** Combinations of vectors whose stiffness and mass are given that are orthogonal with respect
+     * to both and have unit mass, with their stiffness. */
+    struct RitzVectors
+    {
+      Vector<double> values;
+      FullMatrix<double> weights; ///< of each vector, in each combination
+
+      RitzVectors(const FullMatrix<double> &stiffness, const FullMatrix<double> &mass)
+      {
+        const FullMatrix<double> basis = orthonormal(mass);
+        FullMatrix<double> times_basis(stiffness.m(), basis.n()), reduced(basis.n(), basis.n());
+        stiffness.mmult(times_basis, basis);
+        basis.Tmmult(reduced, times_basis);
+        const SymmetricEigenpairs pairs(reduced);
+        values = pairs.values;
+        weights.reinit(basis.m(), basis.n());
+        basis.mmult(weights, pairs.vectors);
+      }
+    };
+
+    FullMatrix<double> product_of_transposed(const Matrix &a, const Matrix &b)
+    {
+      FullMatrix<double> product(a.n(), b.n());
+      a.Tmmult(product, b);
+      return product;
+    }
+  } // namespace
+
+  ResponseModes::ResponseModes(const CyclicSector &sector) : sector(sector), factors(sector)
+  {
+    // Complex unknowns would need all loads a second time, times i.
+    Assert(!sector.is_complex(), ExcMessage("not on a whole sector"));
+  }
+
+  std::vector<double> ResponseModes::static_response(const unsigned int k,
+                                                     const std::vector<double> &loads)
+  {
+    factors.factorise(k, 0.);
+    std::vector<double> motions = loads;
+    factors.solve(motions);
+    return motions;
+  }
+
+  ResponseModes::Response ResponseModes::response(const unsigned int k,
+                                                  const std::vector<double> &loads,
+                                                  const double frequency,
+                                                  const std::vector<double> &at_rest)
+  {
+    // Next to a resonance all responses are nearly the same mode, and rounding hides how they
+    // differ. Farther away that mode is found as well.
+    constexpr double too_strong = 1e4, elsewhere = 1.003;
+    const auto work = [&](const std::vector<double> &motions)
+    {
+      double sum = 0.;
+      for (std::size_t i = 0; i < loads.size(); ++i)
+        sum += loads[i] * motions[i];
+      return std::abs(sum);
+    };
+    for (Response response{frequency, {}};; response.frequency *= elsewhere)
+    {
+      factors.factorise(k, response.frequency * response.frequency);
+      response.motions = loads;
+      factors.solve(response.motions);
+      if (work(response.motions) < too_strong * work(at_rest))
+        return response;
+    }
+  }
+
+  std::vector<Mode> ResponseModes::at(const unsigned int k,
+                                      const std::vector<std::vector<double>> &loads,
+                                      const std::vector<double> &frequencies)
+  {
+    std::vector<double> all_loads;
+    for (const std::vector<double> &load : loads)
+      all_loads.insert(all_loads.end(), load.begin(), load.end());
+    std::vector<Response> responses{{0., static_response(k, all_loads)}};
+    for (const double frequency : frequencies)
+      responses.push_back(response(k, all_loads, frequency, responses.front().motions));
+
+    const std::size_t n = sector.n_unknowns();
+    std::vector<double> motions, inertia, forces, squares, motion(n), product;
+    for (const Response &response : responses)
+    {
+      motions.insert(motions.end(), response.motions.begin(), response.motions.end());
+      forces.insert(forces.end(), all_loads.begin(), all_loads.end());
+      squares.insert(squares.end(), loads.size(), response.frequency * response.frequency);
+    }
+    for (std::size_t i = 0; i < squares.size(); ++i)
+    {
+      std::copy_n(motions.begin() + i * n, n, motion.begin());
+      sector.multiply_mass(k, motion, product);
+      inertia.insert(inertia.end(), product.begin(), product.end());
+    }
+
+    // The stiffness times a response is the load and the inertia of that response.
+    const Matrix columns          = as_columns(motions, n);
+    const FullMatrix<double> mass = product_of_transposed(columns, as_columns(inertia, n));
+    FullMatrix<double> stiffness  = product_of_transposed(columns, as_columns(forces, n));
+    for (unsigned int i = 0; i < squares.size(); ++i)
+      for (unsigned int j = 0; j < squares.size(); ++j)
+        stiffness(i, j) += mass(i, j) * squares[j];
+
+    const RitzVectors ritz(stiffness, mass);
+    std::vector<Mode> modes;
+    for (unsigned int r = 0; r < ritz.weights.n(); ++r)
+    {
+      std::fill(motion.begin(), motion.end(), 0.);
+      for (unsigned int i = 0; i < ritz.weights.m(); ++i)
+        for (std::size_t row = 0; row < n; ++row)
+          motion[row] += ritz.weights(i, r) * motions[i * n + row];
+      modes.push_back({k, ritz.values[r], /*rigid =*/false, sector.expand(k, motion), 0.});
+    }
+    return modes;
+  }
+} // namespace ringmotor
