@@ -65,7 +65,7 @@ namespace ringmotor
         return few;
       // Long steps make contact begin and end in jumps, on each mesh at other places: with 90 steps
       // speeds scatter by 0.4 %, with 180 by half of that; several times as much with inertia.
-      const double wanted = (has_inertia ? 9. : 1.2) / parameters.accuracy.strictest_target();
+      const double wanted = (has_inertia ? 5. : 1.2) / parameters.accuracy.strictest_target();
       return std::clamp(static_cast<unsigned int>(wanted), few, enough);
     }
   } // namespace

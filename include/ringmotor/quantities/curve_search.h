@@ -95,13 +95,21 @@ namespace ringmotor
       find_points_of(setting, {request});
       return known[setting].at(request);
     }
-    /** Known points from which others can be started: with longer steps, or on another mesh. */
+    /** Points by setting and request. */
+    using KnownPoints = std::map<CurveSetting, std::map<unsigned int, CurvePoint>>;
+    static bool has_all(const KnownPoints &points, const CurveSetting &setting,
+                        const std::vector<unsigned int> &wanted);
+    /** Points from which others can be started: with coarser modes, with longer steps, or on
+     * another mesh. */
     std::vector<CurvePoint> starts_for(const CurveSetting &setting,
                                        const std::vector<unsigned int> &wanted);
-    /** The known one with the shortest steps that are longer than those of a setting, or one with
-     * steps of twice the length; with those of plain() for a changed motor. */
-    const CurvePoint &point_with_longer_steps(const CurveSetting &setting,
-                                              const unsigned int request);
+    /** Steps of twice the length, if they divide the pitch; those of plain() for a changed motor.
+     */
+    CurveSetting longer_steps(const CurveSetting &setting) const;
+    /** The known one with the shortest steps that are longer than those of a setting; null without
+     * one. */
+    const CurvePoint *point_with_longer_steps(const CurveSetting &setting,
+                                              const unsigned int request) const;
     /** Finds points with few steps on the reached level and on that with which it is compared. */
     void find_on_both_meshes();
     /** Finds each point with its own step. */
@@ -168,7 +176,7 @@ namespace ringmotor
     std::vector<unsigned int> n_parts; ///< by request
     std::vector<CurvePoint> results;
     std::map<unsigned int, std::unique_ptr<const CondensedMotor>> motors; ///< by level
-    std::map<CurveSetting, std::map<unsigned int, CurvePoint>> known;     ///< by request
+    KnownPoints known, with_coarser_modes;
     std::map<unsigned int, double> motor_seconds;                         ///< wall clock, by level
   };
 } // namespace ringmotor
