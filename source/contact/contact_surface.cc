@@ -3,9 +3,11 @@
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/structure/mirror.h>
 
+#include <deal.II/base/geometry_info.h>
 #include <deal.II/fe/fe_q.h>
 
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace ringmotor
@@ -27,6 +29,29 @@ namespace ringmotor
       unit[1] -= (by_u[0] * miss[1] - by_u[1] * miss[0]) / determinant;
     }
     return unit;
+  }
+
+  SurfaceWeights interpolation(const ContactSurface &surface, const Point<2> &place)
+  {
+    double least = std::numeric_limits<double>::infinity();
+    Point<2> unit;
+    unsigned int nearest = 0;
+    for (unsigned int face = 0; face < surface.faces.size(); ++face)
+    {
+      const Point<2> found = unit_point(surface.corners[face], place);
+      const double outside = GeometryInfo<2>::distance_to_unit_cell(found);
+      if (outside < least)
+      {
+        least   = outside;
+        unit    = GeometryInfo<2>::project_to_unit_cell(found);
+        nearest = face;
+      }
+    }
+    const FE_Q<2> element(surface.degree);
+    SurfaceWeights weights;
+    for (unsigned int i = 0; i < surface.faces[nearest].size(); ++i)
+      weights.emplace_back(surface.faces[nearest][i], element.shape_value(i, unit));
+    return weights;
   }
 
   namespace

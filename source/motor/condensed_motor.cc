@@ -239,27 +239,35 @@ namespace ringmotor
                    const Parameters &parameters, const MotorModel &model,
                    const unsigned int modes_level, const RotorVibration &of_rotor)
     {
+      const auto add_tooth_modes = [&](RingModes &modes, const unsigned int level)
+      {
+        const unsigned int n_harmonics = RotorVibration::n_harmonics[level];
+        const std::vector<RingMode> of_tooth =
+            tooth_modes(parameters, level, n_harmonics * motor.angular_frequency,
+                        tooth_top.surface, mortar);
+        const auto excited = harmonics_by_diameter(parameters.motor, n_harmonics);
+        for (unsigned int k = 0; k < modes.size(); ++k)
+          if (model.rotor_moves_as_whole || excited.count(k) > 0)
+            modes[k].insert(modes[k].end(), of_tooth.begin(), of_tooth.end());
+      };
       motor.dynamics = {model.rotor_loss_factor,
                         InertiaScheme::second_order(parameters.time.spectral_radius),
                         model.rotor_needs_modes() && !model.rotor_vibrates};
+      motor.modes_level = modes_level;
       motor.modes.resize(motor.n_teeth / 2 + 1);
       motor.coarse_modes.resize(motor.modes.size());
       if (model.rotor_needs_modes())
       {
         const auto modes_of = [&](const unsigned int level)
         { return of_rotor.level(level).at(tooth_top.surface, discretisation.lip_turn); };
-        motor.modes_level  = modes_level;
         motor.modes        = modes_of(modes_level);
         motor.coarse_modes = modes_of(modes_level - 1);
       }
-      if (!model.teeth_vibrate)
-        return;
-      const std::vector<RingMode> of_tooth =
-          tooth_modes(parameters, discretisation, mortar,
-                      RotorVibration::highest_harmonic * motor.angular_frequency);
-      for (RingModes *modes : {&motor.modes, &motor.coarse_modes})
-        for (std::vector<RingMode> &of_diameter : *modes) // teeth move independently
-          of_diameter.insert(of_diameter.end(), of_tooth.begin(), of_tooth.end());
+      if (model.teeth_vibrate)
+      {
+        add_tooth_modes(motor.modes, modes_level);
+        add_tooth_modes(motor.coarse_modes, modes_level - 1);
+      }
     }
   } // namespace
 

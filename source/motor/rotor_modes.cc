@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/motor/motor_model.h>
 #include <ringmotor/motor/rotor_modes.h>
+#include <ringmotor/motor/smooth_loads.h>
 #include <ringmotor/structure/modes.h>
 #include <ringmotor/structure/response_modes.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
 
 namespace ringmotor
 {
@@ -16,58 +15,21 @@ namespace ringmotor
   namespace
   {
     using Complex = std::complex<double>;
-
-    /** The harmonics of the wave by their nodal diameter, without those in which the rotor moves as
-     * a whole. */
-    std::map<unsigned int, std::vector<unsigned int>> harmonics(const Motor &motor,
-                                                                const unsigned int n_harmonics)
-    {
-      std::map<unsigned int, std::vector<unsigned int>> by_diameter;
-      for (unsigned int m = 1; m <= n_harmonics; ++m)
-        if (const unsigned int k = nodal_diameter_of_harmonic(motor, m); k > 1)
-          by_diameter[k].push_back(m);
-      return by_diameter;
-    }
-
-    /** Loads on a half sector's lip with the symmetry of its motions, that span smooth forces on
-     * the teeth: polynomials across the lip and around it that vanish between the teeth. */
-    std::vector<std::vector<double>> lip_loads(const RotorBody &body, const unsigned int k)
-    {
-      constexpr unsigned int degree_across = 1, degree_around = 4;
-      double inner = std::numeric_limits<double>::max(), outer = 0., end = 0.;
-      for (const SurfaceNode &node : body.lip.nodes)
-      {
-        inner = std::min(inner, node.place[0]);
-        outer = std::max(outer, node.place[0]);
-        end   = std::max(end, node.place[1]);
-      }
-      std::vector<std::vector<double>> loads;
-      for (const unsigned int component : {0u, 1u, 2u})
-        for (unsigned int i = 0; i <= degree_across; ++i)
-          for (unsigned int j = 0; j <= degree_around; ++j)
-          {
-            // U(-theta) = S conj(U(theta)), where S reverses the component along -theta
-            const unsigned int part = (component == 1 ? j + 1 : j) % 2;
-            std::array<Vector<double>, 2> fields{
-                {Vector<double>(body.sector.n_dofs()), Vector<double>(body.sector.n_dofs())}};
-            for (const SurfaceNode &node : body.lip.nodes)
-            {
-              const double across = (node.place[0] - inner) / (outer - inner),
-                           around = node.place[1] / end,
-                           force  = std::pow(across, i) * std::pow(around, j) * (1. - around * around);
-              for (const auto &[dof, coefficient] : node.displacement[component])
-                fields[part][dof] += force * coefficient;
-            }
-            loads.push_back(body.sector.loads_of(k, fields));
-          }
-      return loads;
-    }
   } // namespace
 
   unsigned int nodal_diameter_of_harmonic(const Motor &motor, const unsigned int harmonic)
   {
     const unsigned int around = harmonic * motor.n_waves % motor.n_teeth;
     return std::min(around, motor.n_teeth - around);
+  }
+
+  std::map<unsigned int, std::vector<unsigned int>>
+  harmonics_by_diameter(const Motor &motor, const unsigned int n_harmonics)
+  {
+    std::map<unsigned int, std::vector<unsigned int>> by_diameter;
+    for (unsigned int m = 1; m <= n_harmonics; ++m)
+      by_diameter[nodal_diameter_of_harmonic(motor, m)].push_back(m);
+    return by_diameter;
   }
 
   std::vector<std::array<Complex, 3>> at_contact_points(const std::vector<double> &half,
@@ -131,12 +93,16 @@ namespace ringmotor
     else
     {
       ResponseModes responses(body.sector);
-      for (const auto &[k, of_diameter] : harmonics(parameters.motor, n_harmonics))
+      for (const auto &[k, harmonics] : harmonics_by_diameter(parameters.motor, n_harmonics))
       {
+        if (k < 2)
+          continue;
         std::vector<double> frequencies;
-        for (const unsigned int harmonic : of_diameter)
+        for (const unsigned int harmonic : harmonics)
           frequencies.push_back(harmonic * frequency);
-        take(responses.at(k, lip_loads(body, k), frequencies));
+        const auto loads =
+            smooth_loads(body.sector, body.lip, k, {1, 4, /*vanish_at_cut =*/true});
+        take(responses.at(k, loads, frequencies));
       }
     }
     if (!model.rotor_gives_way_along)
@@ -171,7 +137,6 @@ namespace ringmotor
 
   const LipModes &RotorVibration::level(const unsigned int level) const
   {
-    constexpr std::array<unsigned int, finest_level + 1> n_harmonics{{9, 13, 20, 30}};
     if (!levels[level])
       levels[level] =
           std::make_shared<const LipModes>(parameters, level, frequency, n_harmonics[level]);

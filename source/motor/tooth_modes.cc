@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <ringmotor/mesh/ids.h>
-#include <ringmotor/mesh/stator_sector.h>
+#include <ringmotor/contact/surface_compliance.h>
+#include <ringmotor/motor/smooth_loads.h>
 #include <ringmotor/motor/tooth_modes.h>
-#include <ringmotor/structure/modes.h>
+#include <ringmotor/structure/response_modes.h>
 
 #include <cmath>
 
@@ -10,23 +10,43 @@ namespace ringmotor
 {
   using namespace dealii;
 
-  std::vector<RingMode> tooth_modes(const Parameters &parameters,
-                                    const ContactDiscretisation &discretisation,
-                                    const MortarCoupling &mortar, const double up_to)
+  ContactDiscretisation tooth_modes_discretisation(const unsigned int level)
   {
-    const ToothBody tooth(parameters, discretisation, /*is_clamped =*/true);
+    ContactDiscretisation discretisation;
+    discretisation.degree          = 2 + level;
+    discretisation.tooth           = {1, 1};
+    discretisation.tooth.n_at_foot = 2;
+    return discretisation;
+  }
+
+  std::vector<RingMode> tooth_modes(const Parameters &parameters, const unsigned int level,
+                                    const double up_to, const ContactSurface &tooth_top,
+                                    const MortarCoupling &mortar)
+  {
+    const ToothBody tooth(parameters, tooth_modes_discretisation(level), /*is_clamped =*/true);
+    // All harmonics act on the same tooth, so its responses have to be right everywhere.
+    std::vector<double> frequencies;
+    for (const double share : {0.2, 0.45, 0.72, 1.})
+      frequencies.push_back(share * up_to);
+    const auto loads = smooth_loads(tooth.sector, tooth.top, 0, {1, 2});
+
+    std::vector<SurfaceWeights> weights;
+    for (const MortarCoupling::Node &node : mortar.nodes)
+      weights.push_back(
+          interpolation(tooth.whole_top.surface, tooth_top.nodes[node.tooth_node].place));
     const std::vector<LinearForm> displacements = displacement_forms(tooth.top);
     std::vector<RingMode> modes;
-    for (const Mode &mode : ModeSolver(tooth.sector).below(0, std::pow(up_to, 2)))
+    for (const Mode &mode : ResponseModes(tooth.sector).at(0, loads, frequencies))
     {
       const auto top =
           sector_motion(on_surface(tooth.sector, displacements, mode), tooth.whole_top.origin);
       RingMode at_points{std::sqrt(mode.eigenvalue), {}, /*of_tooth =*/true};
-      for (const MortarCoupling::Node &node : mortar.nodes)
+      for (const SurfaceWeights &of_point : weights)
       {
-        at_points.motion.push_back(top[node.tooth_node]);
-        for (std::complex<double> &component : at_points.motion.back())
-          component *= std::sqrt(0.5); // two halves make a tooth
+        at_points.motion.emplace_back();
+        for (const auto &[node, weight] : of_point)
+          for (unsigned int c = 0; c < 3; ++c) // two halves make a tooth
+            at_points.motion.back()[c] += std::sqrt(0.5) * weight * top[node][c];
       }
       modes.push_back(std::move(at_points));
     }

@@ -142,14 +142,14 @@ namespace ringmotor
     errors.time = change(point, point_of(other, request));
     errors.time *= other.n_steps() / std::abs(other.n_steps() - own.n_steps());
     raise(errors.time, resolution(point, motor()));
-    if (motor().has_rotor_modes())
+    if (motor().has_modes())
     {
       // From level to level the errors of the meshes are halved, those of the harmonics left out
       // decrease with the square of their number.
       constexpr double of_change = 0.6;
       errors.modes = change(point_of(plain, request), point_of(coarse_modes(), request));
       errors.modes *= of_change;
-      if (!motor().dynamics.is_hysteretic)
+      if (motor().has_rotor_modes() && !motor().dynamics.is_hysteretic)
         raise(errors.modes, least_modes_error(point, motor()));
     }
     if (has_inertia)
@@ -201,7 +201,7 @@ namespace ringmotor
   std::vector<CurveSetting> CurveSearch::changed_motors() const
   {
     std::vector<CurveSetting> settings{changed_wave()};
-    if (motor().has_rotor_modes())
+    if (motor().has_modes())
       settings.push_back(coarse_modes());
     if (has_inertia)
       settings.push_back(other_scheme());

@@ -162,7 +162,7 @@ namespace ringmotor
         continue;
       if (relative(errors.modes) > parameters.accuracy.contact_target &&
           modes_level == RotorVibration::finest_level)
-        refuse(worst_error(), "with the most accurate modes of the rotor");
+        refuse(worst_error(), "with the most accurate modes of rotor and teeth");
       if (relative(errors.modes) > std::max(of_step, relative(errors.mesh)) &&
           modes_level < RotorVibration::finest_level)
         needs_modes = true;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/contact/contact_surface.h>
 #include <ringmotor/quantities/mesh_transfer.h>
-
-#include <deal.II/base/geometry_info.h>
-#include <deal.II/fe/fe_q.h>
 
 #include <algorithm>
 #include <array>
@@ -32,39 +30,28 @@ namespace ringmotor
       return nearest;
     }
 
-    using Weights = MeshTransfer::Weights;
-
-    /** The weights by which a field is interpolated to a node, in the face that contains it. */
-    Weights interpolation(const CondensedMotor::Node &node, const CondensedMotor &from)
+    /** The contact points of a tooth as a surface. */
+    ContactSurface surface_of(const CondensedMotor &motor)
     {
-      double least = std::numeric_limits<double>::infinity();
-      Point<2> unit;
-      const std::vector<unsigned int> *face = nullptr;
-      for (const std::vector<unsigned int> &candidate : from.faces)
+      ContactSurface surface;
+      surface.degree = motor.degree;
+      for (const CondensedMotor::Node &node : motor.nodes)
+        surface.nodes.push_back({{node.radius, node.angle}, {}});
+      surface.faces = motor.faces;
+      for (const std::vector<unsigned int> &face : motor.faces)
       {
-        std::array<Point<2>, 4> corners;
+        surface.corners.emplace_back();
         for (unsigned int i = 0; i < 4; ++i)
-          corners[i] = {from.nodes[candidate[i]].radius, from.nodes[candidate[i]].angle};
-        const Point<2> found = unit_point(corners, {node.radius, node.angle});
-        const double outside = GeometryInfo<2>::distance_to_unit_cell(found);
-        if (outside < least)
-        {
-          least = outside;
-          unit  = GeometryInfo<2>::project_to_unit_cell(found);
-          face  = &candidate;
-        }
+          surface.corners.back()[i] = surface.nodes[face[i]].place;
       }
-      const FE_Q<2> element(from.degree);
-      Weights weights;
-      for (unsigned int i = 0; i < face->size(); ++i)
-        weights.emplace_back((*face)[i], element.shape_value(i, unit));
-      return weights;
+      return surface;
     }
   } // namespace
 
   MeshTransfer::MeshTransfer(const CondensedMotor &from, const CondensedMotor &to)
       : around(from.nodes.size())
   {
+    const ContactSurface surface = surface_of(from);
     for (unsigned int a = 0; a < to.nodes.size(); ++a)
     {
       const CondensedMotor::Node &node        = to.nodes[a];
@@ -72,7 +59,7 @@ namespace ringmotor
       source.push_back(sources.front());
       for (const unsigned int b : sources)
         around[b].emplace_back(a, node.area / sources.size());
-      weights.push_back(interpolation(node, from));
+      weights.push_back(interpolation(surface, {node.radius, node.angle}));
     }
     for (const CondensedMotor::Node &node : from.nodes)
       target.push_back(nearest(node, to.nodes).front());

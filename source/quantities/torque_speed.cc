@@ -33,7 +33,7 @@ namespace ringmotor
   {
     static const std::vector<std::pair<std::string, PointError PointErrors::*>> members{
         {"meshes of bodies and interface", &PointErrors::mesh},
-        {"modes of the rotor", &PointErrors::modes},
+        {"modes of rotor and teeth", &PointErrors::modes},
         {"time step", &PointErrors::time},
         {"dissipation of the scheme", &PointErrors::scheme},
         {"averaging window", &PointErrors::window},

@@ -93,13 +93,12 @@ TEST(RotorModes, MakeUpTheDynamicCompliance)
 
 TEST(ToothModes, GiveTheDynamicComplianceThatTheToothHasWithoutThem)
 {
-  const Parameters parameters                = reference_motor();
-  const ContactDiscretisation discretisation = ContactDiscretisation::level(0);
-  const ToothBody tooth(parameters, discretisation);
+  const Parameters parameters = reference_motor();
+  const ToothBody tooth(parameters, tooth_modes_discretisation(2));
   MortarCoupling all; // all nodes of the top are contact points
   for (unsigned int i = 0; i < tooth.whole_top.surface.nodes.size(); ++i)
     all.nodes.push_back({i, 1., {}});
-  const std::vector<RingMode> modes = tooth_modes(parameters, discretisation, all, 2e7);
+  const std::vector<RingMode> modes = tooth_modes(parameters, 2, 30. * 2. * M_PI * 30e3, tooth.whole_top.surface, all);
   ASSERT_GT(modes.size(), 10u);
   const auto compliance = [&](const double frequency)
   {

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace ringmotor
@@ -34,6 +35,13 @@ namespace ringmotor
   /** Where a point lies in a quadrilateral that is nearly a parallelogram, in unit coordinates. */
   dealii::Point<2> unit_point(const std::array<dealii::Point<2>, 4> &corner,
                               const dealii::Point<2> &x);
+
+  /** Nodes of a surface and their weights. */
+  using SurfaceWeights = std::vector<std::pair<unsigned int, double>>;
+
+  /** Those that interpolate a field to a @p place (r, theta), or to the nearest point of the
+   * surface. */
+  SurfaceWeights interpolation(const ContactSurface &surface, const dealii::Point<2> &place);
 
   /** The faces of solids with this boundary id, in the meshed part of the sector.
    * @throws UserError if a face is too far from a parallelogram in the plane (r, theta) */

@@ -14,6 +14,7 @@ namespace ringmotor
      * are singular, for which such layers of cells converge exponentially (Schwab 1998: the best
      * ratio is 0.15); 1: even cells, which do not. */
     double ratio = 0.15;
+    unsigned int n_at_foot = 1; ///< layers of the tooth that shrink towards its foot
   };
 
   /** Lines of @p n_cells cells, at distances 0 to @p length (m) from an edge; successive distances

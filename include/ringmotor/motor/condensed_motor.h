@@ -72,8 +72,8 @@ namespace ringmotor
     std::vector<NearRigidMode> near_rigid_modes;
     double rotor_mass = 0.;       ///< kg, for its rise; 0: quasi-static
     RingModes modes;              ///< of rotor and teeth if they have inertia or damping
-    RingModes coarse_modes;       ///< with the rotor's at the next coarser level: error estimate
-    unsigned int modes_level = 0; ///< of the rotor, see RotorVibration
+    RingModes coarse_modes;       ///< at the next coarser level: error estimate
+    unsigned int modes_level = 0; ///< see RotorVibration
     RingDynamics dynamics;        ///< of these modes
     RingCompliance compliance;    ///< of rotor and teeth, relative motion of rotor against stator
     RingCompliance folded;        ///< the same for the repeating part; empty if nothing repeats
@@ -85,7 +85,9 @@ namespace ringmotor
 
     /** Number of repetitions of the wave and the teeth around the ring: gcd(n, N). */
     unsigned int n_repeats() const;
-    /** Whether the model contains modes of the rotor. */
+    /** Whether the model contains modes. */
+    bool has_modes() const { return !modes.empty(); }
+    /** Whether it contains modes of the rotor. */
     bool has_rotor_modes() const;
     /** The compliance of the repeating part. */
     const RingCompliance &repeating() const { return n_repeats() > 1 ? folded : compliance; }

@@ -4,12 +4,18 @@
 #include <ringmotor/motor/condensed_motor.h>
 
 #include <array>
+#include <map>
 #include <memory>
+#include <vector>
 
 namespace ringmotor
 {
   /** The nodal diameter, 0 .. N / 2, of a harmonic of the wave as the teeth sample it. */
   unsigned int nodal_diameter_of_harmonic(const Motor &motor, const unsigned int harmonic);
+
+  /** The harmonics 1 to @p n_harmonics by their nodal diameter. */
+  std::map<unsigned int, std::vector<unsigned int>>
+  harmonics_by_diameter(const Motor &motor, const unsigned int n_harmonics);
 
   /** The motion of the contact points by a wave on the surface of a half sector, real field, then
    * imaginary one; their rotor nodes may belong to neighbouring sectors. @param turn the wave's
@@ -19,12 +25,14 @@ namespace ringmotor
                     const MortarCoupling &mortar, const double turn);
 
   /**
-   * The modes of the rotor with two nodal diameters and more, on a separate mesh. With fewer nodal
-   * diameters the rotor also moves as a whole. In a uniform ring its response to these is static,
-   * as it is in the modes that are left out, and only the nodal diameters of low harmonics of the
-   * wave matter. A rotor that moves as a whole, see MotorModel, has the modes of all nodal
-   * diameters from two on, and in addition the inertia of its rise and its near-rigid modes; its
-   * elastic deformation with fewer than two nodal diameters remains static.
+   * The vibrations of the rotor with two nodal diameters and more, on a separate mesh. With fewer
+   * nodal diameters the rotor also moves as a whole: in a uniform ring its response to these is
+   * static, and each other nodal diameter is excited at the frequencies of a few harmonics only.
+   * ResponseModes give its response there, with all modes. A rotor that moves as a whole, see
+   * MotorModel, is excited at any frequency: it has the modes of all nodal diameters from two on up
+   * to two thirds of the frequency of the highest harmonic, and in addition the inertia of its rise
+   * and its near-rigid modes; its elastic deformation with fewer than two nodal diameters remains
+   * static.
    */
   class LipModes
   {
@@ -53,16 +61,16 @@ namespace ringmotor
     std::vector<std::vector<LipMode>> modes; ///< by nodal diameter
   };
 
-  /** The modes of a rotor at levels of increasing accuracy: in their mesh, in their highest
-   * frequency, in the harmonics of the wave whose nodal diameters they have. Computed lazily. */
+  /** The vibrations of a rotor at levels of increasing accuracy: in their mesh, and in the number
+   * of harmonics of the wave. Computed lazily. */
   class RotorVibration
   {
   public:
     static constexpr unsigned int finest_level = 3;
     /** For tight targets, to begin with. */
     static constexpr unsigned int usual_level = 2;
-    /** The modes of teeth are included up to this multiple of the wave's frequency. */
-    static constexpr double highest_harmonic = 12.;
+    /** The harmonics of the wave in which bodies vibrate; in all others they respond as at rest. */
+    static constexpr std::array<unsigned int, finest_level + 1> n_harmonics{{9, 13, 20, 30}};
 
     /** @param frequency rad/s, of the wave */
     RotorVibration(const Parameters &parameters, const double frequency);

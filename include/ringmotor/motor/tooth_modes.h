@@ -8,13 +8,18 @@
 
 namespace ringmotor
 {
+  /** The discretisation of a tooth for its vibrations at a level of RotorVibration: its modes are
+   * wrong where its foot, with singular edges, is coarse. */
+  ContactDiscretisation tooth_modes_discretisation(const unsigned int level);
+
   /**
-   * The modes of a tooth that is clamped at its foot, at its contact points. The motion of the foot
-   * is included in the free motion of the top, without contact forces.
-   * @param discretisation of the contact; @param mortar its contact points
-   * @param up_to rad/s, highest frequency
+   * The vibrations of a tooth that is clamped at its foot, at points of its top, on a mesh of its
+   * own. The motion of the foot is included in the free motion of the top, without contact forces.
+   * @param level see RotorVibration
+   * @param up_to rad/s, the highest frequency of the forces on it
+   * @param tooth_top the surface to which contact points @p mortar belong
    */
-  std::vector<RingMode> tooth_modes(const Parameters &parameters,
-                                    const ContactDiscretisation &discretisation,
-                                    const MortarCoupling &mortar, const double up_to);
+  std::vector<RingMode> tooth_modes(const Parameters &parameters, const unsigned int level,
+                                    const double up_to, const ContactSurface &tooth_top,
+                                    const MortarCoupling &mortar);
 } // namespace ringmotor

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/contact/contact_surface.h>
+#include <ringmotor/structure/cyclic_sector.h>
+
+#include <vector>
+
+namespace ringmotor
+{
+  /** Polynomials of these degrees across a surface (r) and around the ring (theta). */
+  struct LoadDegrees
+  {
+    unsigned int across, around;
+    bool vanish_at_cut = false; ///< where sectors meet
+  };
+
+  /**
+   * Loads on the surface of a half sector in all three directions that span smooth forces on the
+   * whole sector's, on the unknowns of nodal diameter @p k. They have the symmetry of motions,
+   * U(-theta) = S conj(U(theta)).
+   */
+  std::vector<std::vector<double>> smooth_loads(const CyclicSector &sector,
+                                                const ContactSurface &surface,
+                                                const unsigned int k, const LoadDegrees &degrees);
+} // namespace ringmotor
