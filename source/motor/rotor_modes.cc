@@ -102,7 +102,7 @@ namespace ringmotor
           frequencies.push_back(harmonic * frequency);
         const auto loads =
             smooth_loads(body.sector, body.lip, k, {1, 4, /*vanish_at_cut =*/true});
-        take(responses.at(k, loads, frequencies));
+        take(without_fast_vectors(responses.at(k, loads, frequencies), frequencies.back()));
       }
     }
     if (!model.rotor_gives_way_along)

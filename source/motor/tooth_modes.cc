@@ -36,7 +36,8 @@ namespace ringmotor
           interpolation(tooth.whole_top.surface, tooth_top.nodes[node.tooth_node].place));
     const std::vector<LinearForm> displacements = displacement_forms(tooth.top);
     std::vector<RingMode> modes;
-    for (const Mode &mode : ResponseModes(tooth.sector).at(0, loads, frequencies))
+    for (const Mode &mode :
+         without_fast_vectors(ResponseModes(tooth.sector).at(0, loads, frequencies), up_to))
     {
       const auto top =
           sector_motion(on_surface(tooth.sector, displacements, mode), tooth.whole_top.origin);

@@ -175,4 +175,14 @@ namespace ringmotor
     }
     return modes;
   }
+
+  std::vector<Mode> without_fast_vectors(std::vector<Mode> modes, const double frequency)
+  {
+    constexpr double far = 3.;
+    modes.erase(std::remove_if(modes.begin(), modes.end(),
+                               [&](const Mode &mode)
+                               { return mode.eigenvalue > std::pow(far * frequency, 2); }),
+                modes.end());
+    return modes;
+  }
 } // namespace ringmotor

@@ -46,4 +46,9 @@ namespace ringmotor
     const CyclicSector &sector;
     CyclicFactors factors;
   };
+
+  /** Without the vectors far above a @p frequency (rad/s). Up to a ninth they respond as at rest;
+   * with inertia they would be little more than masses of the loaded surface, and colliding masses
+   * lose energy in finite steps. */
+  std::vector<Mode> without_fast_vectors(std::vector<Mode> modes, const double frequency);
 } // namespace ringmotor
