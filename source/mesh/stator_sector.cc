@@ -340,7 +340,8 @@ namespace ringmotor
     for (const double distance :
          lines_from_edge(stator.tooth_height, grading.n_across + 1, grading.ratio))
       up.insert(up.begin(), top - distance);
-    const std::vector<double> at_foot = lines_from_edge(up[1] - up[0], grading.n_at_foot, grading.ratio);
+    const std::vector<double> at_foot =
+        lines_from_edge(up[1] - up[0], grading.n_at_foot, grading.ratio);
     for (unsigned int i = grading.n_at_foot - 1; i > 0; --i)
       up.insert(up.begin() + 1, up[0] + at_foot[i]);
 

@@ -241,18 +241,17 @@ namespace ringmotor
     {
       const auto add_tooth_modes = [&](RingModes &modes, const unsigned int level)
       {
-        const unsigned int n_harmonics = RotorVibration::n_harmonics[level];
-        const std::vector<RingMode> of_tooth =
-            tooth_modes(parameters, level, n_harmonics * motor.angular_frequency,
-                        tooth_top.surface, mortar);
+        const unsigned int n_harmonics       = RotorVibration::n_harmonics[level];
+        const std::vector<RingMode> of_tooth = tooth_modes(
+            parameters, level, n_harmonics * motor.angular_frequency, tooth_top.surface, mortar);
         const auto excited = harmonics_by_diameter(parameters.motor, n_harmonics);
         for (unsigned int k = 0; k < modes.size(); ++k)
           if (model.rotor_moves_as_whole || excited.count(k) > 0)
             modes[k].insert(modes[k].end(), of_tooth.begin(), of_tooth.end());
       };
-      motor.dynamics = {model.rotor_loss_factor,
-                        InertiaScheme::second_order(parameters.time.spectral_radius),
-                        model.rotor_needs_modes() && !model.rotor_vibrates};
+      motor.dynamics    = {model.rotor_loss_factor,
+                           InertiaScheme::second_order(parameters.time.spectral_radius),
+                           model.rotor_needs_modes() && !model.rotor_vibrates};
       motor.modes_level = modes_level;
       motor.modes.resize(motor.n_teeth / 2 + 1);
       motor.coarse_modes.resize(motor.modes.size());

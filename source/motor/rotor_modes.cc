@@ -100,8 +100,7 @@ namespace ringmotor
         std::vector<double> frequencies;
         for (const unsigned int harmonic : harmonics)
           frequencies.push_back(harmonic * frequency);
-        const auto loads =
-            smooth_loads(body.sector, body.lip, k, {1, 4, /*vanish_at_cut =*/true});
+        const auto loads = smooth_loads(body.sector, body.lip, k, {1, 4, /*vanish_at_cut =*/true});
         take(without_fast_vectors(responses.at(k, loads, frequencies), frequencies.back()));
       }
     }

@@ -10,8 +10,8 @@ namespace ringmotor
   using namespace dealii;
 
   std::vector<std::vector<double>> smooth_loads(const CyclicSector &sector,
-                                                const ContactSurface &surface,
-                                                const unsigned int k, const LoadDegrees &degrees)
+                                                const ContactSurface &surface, const unsigned int k,
+                                                const LoadDegrees &degrees)
   {
     double inner = std::numeric_limits<double>::max(), outer = 0., end = 0.;
     for (const SurfaceNode &node : surface.nodes)

@@ -148,9 +148,10 @@ namespace ringmotor
         prm, "Interface refinement", interface_refinement, whole_number(0, 4),
         "Place in the sequence of meshes and degrees of the bodies in contact; used with Mode = "
         "fixed only.");
-    add_entry(prm, "Rotor modes", rotor_modes, whole_number(1, 3),
-              "Accuracy of the vibrations of a rotor with inertia: up to harmonic 13, 20 or 30 of the "
-              "wave, on finer and finer meshes; used with Mode = fixed only.");
+    add_entry(
+        prm, "Rotor modes", rotor_modes, whole_number(1, 3),
+        "Accuracy of the vibrations of a rotor with inertia: up to harmonic 13, 20 or 30 of the "
+        "wave, on finer and finer meshes; used with Mode = fixed only.");
   }
 
   void Effects::declare(ParameterHandler &prm)

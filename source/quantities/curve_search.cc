@@ -3,7 +3,6 @@
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/quantities/curve_points.h>
 #include <ringmotor/quantities/curve_search.h>
-#include <ringmotor/quantities/mesh_transfer.h>
 
 #include <algorithm>
 #include <chrono>
@@ -235,72 +234,6 @@ namespace ringmotor
             : sources.points(parameters, motor, setting, asked, starts);
     for (unsigned int i = 0; i < missing.size(); ++i)
       known[setting][missing[i]] = std::move(points[i]);
-  }
-
-  std::vector<CurvePoint> CurveSearch::starts_for(const CurveSetting &setting,
-                                                  const std::vector<unsigned int> &wanted)
-  {
-    std::vector<CurvePoint> starts;
-    if (is_marched(parameters))
-      return starts;
-    if (has_all(with_coarser_modes, setting, wanted))
-    {
-      for (const unsigned int request : wanted)
-        starts.push_back(with_coarser_modes.at(setting).at(request));
-      return starts;
-    }
-    if (!(setting == steps.longest(setting.level)))
-    {
-      std::vector<unsigned int> without;
-      for (const unsigned int request : wanted)
-        if (!point_with_longer_steps(setting, request))
-          without.push_back(request);
-      find_points_of(longer_steps(setting), without);
-      for (const unsigned int request : wanted)
-        starts.push_back(*point_with_longer_steps(setting, request));
-      return starts;
-    }
-    for (const auto &[level, motor] : motors)
-    {
-      if (level == setting.level || !has_all(known, steps.longest(level), wanted))
-        continue;
-      const MeshTransfer transfer(*motor, motor_of(setting.level));
-      for (const unsigned int request : wanted)
-      {
-        starts.push_back(known.at(steps.longest(level)).at(request));
-        starts.back().fields = transfer.fields(starts.back().fields);
-      }
-      return starts;
-    }
-    if (nearly_sticks()) // under all torques alike
-      starts.assign(wanted.size(), stalled);
-    return starts;
-  }
-
-  bool CurveSearch::has_all(const KnownPoints &points, const CurveSetting &setting,
-                            const std::vector<unsigned int> &wanted)
-  {
-    const auto of_setting = points.find(setting);
-    return of_setting != points.end() &&
-           std::all_of(wanted.begin(), wanted.end(),
-                       [&](const unsigned int i) { return of_setting->second.count(i) > 0; });
-  }
-
-  CurveSetting CurveSearch::longer_steps(const CurveSetting &setting) const
-  {
-    return setting.has_changed_motor() || setting.n_parts % 2 != 0 ? steps.plain(setting.level)
-                                                                   : setting.doubled();
-  }
-
-  const CurvePoint *CurveSearch::point_with_longer_steps(const CurveSetting &setting,
-                                                         const unsigned int request) const
-  {
-    if (!setting.has_changed_motor())
-      for (unsigned int parts = setting.n_parts - 1; parts > 1; --parts)
-        if (has_all(known, {setting.level, parts}, {request}))
-          return &known.at({setting.level, parts}).at(request);
-    const CurveSetting longer = longer_steps(setting);
-    return has_all(known, longer, {request}) ? &known.at(longer).at(request) : nullptr;
   }
 
   void CurveSearch::find_requests(const unsigned int n_parts_to_start_with)

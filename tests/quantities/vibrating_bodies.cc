@@ -61,7 +61,7 @@ TEST(RotorModes, MakeUpTheDynamicCompliance)
   };
   const RingCompliance at_rest = ring_of(body.condensed(), true);
   const double drive           = 2. * M_PI * 30e3;
-  const RingModes modes = LipModes(parameters, 0, drive, 9).at(tooth.whole_top.surface, 0.);
+  const RingModes modes        = LipModes(parameters, 0, drive, 9).at(tooth.whole_top.surface, 0.);
   for (const unsigned int m : {1u, 2u, 3u, 6u, 9u})
   {
     const unsigned int k = nodal_diameter_of_harmonic(parameters.motor, m);
@@ -98,7 +98,8 @@ TEST(ToothModes, GiveTheDynamicComplianceThatTheToothHasWithoutThem)
   MortarCoupling all; // all nodes of the top are contact points
   for (unsigned int i = 0; i < tooth.whole_top.surface.nodes.size(); ++i)
     all.nodes.push_back({i, 1., {}});
-  const std::vector<RingMode> modes = tooth_modes(parameters, 2, 30. * 2. * M_PI * 30e3, tooth.whole_top.surface, all);
+  const std::vector<RingMode> modes =
+      tooth_modes(parameters, 2, 30. * 2. * M_PI * 30e3, tooth.whole_top.surface, all);
   ASSERT_GT(modes.size(), 10u);
   const auto compliance = [&](const double frequency)
   {

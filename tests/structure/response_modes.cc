@@ -25,7 +25,8 @@ namespace
   {
   protected:
     static constexpr unsigned int k = 3, n_loads = 2;
-    using Forces = std::array<dealii::Vector<double>, 2>; // on both fields, in the axes of the nodes
+    using Forces =
+        std::array<dealii::Vector<double>, 2>; // on both fields, in the axes of the nodes
 
     RingUnderLoads()
         : mesh(rectangular_ring(0.8, {0.1, 0.1}, 0.1, 1, 12, SectorForm::half, 2)),
@@ -117,8 +118,7 @@ TEST_F(RingUnderLoads, RespondsExactlyAtTheGivenFrequencies)
 
 TEST_F(RingUnderLoads, BoundsTheModesFromAbove)
 {
-  const std::vector<Mode> modes = ritz_vectors({1.2}),
-                          exact = ModeSolver(sector).lowest(k, 6);
+  const std::vector<Mode> modes = ritz_vectors({1.2}), exact = ModeSolver(sector).lowest(k, 6);
   for (unsigned int r = 0; r < modes.size(); ++r)
     EXPECT_GT(modes[r].eigenvalue, (1. - 1e-9) * exact[r].eigenvalue) << r;
   EXPECT_NEAR(modes[0].eigenvalue, exact[0].eigenvalue, 1e-4 * exact[0].eigenvalue);

@@ -13,7 +13,7 @@ namespace ringmotor
     /** Of the distances of successive mesh lines from an edge. The stresses at the edges of contact
      * are singular, for which such layers of cells converge exponentially (Schwab 1998: the best
      * ratio is 0.15); 1: even cells, which do not. */
-    double ratio = 0.15;
+    double ratio           = 0.15;
     unsigned int n_at_foot = 1; ///< layers of the tooth that shrink towards its foot
   };
 

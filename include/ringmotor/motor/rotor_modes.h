@@ -37,8 +37,8 @@ namespace ringmotor
   class LipModes
   {
   public:
-    /** @param level of the mesh; @param frequency rad/s, of the wave; @param n_harmonics of the wave
-     * that may matter */
+    /** @param level of the mesh; @param frequency rad/s, of the wave; @param n_harmonics of the
+     * wave that may matter */
     LipModes(const Parameters &parameters, const unsigned int level, const double frequency,
              const unsigned int n_harmonics);
 

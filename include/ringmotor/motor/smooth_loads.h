@@ -21,6 +21,6 @@ namespace ringmotor
    * U(-theta) = S conj(U(theta)).
    */
   std::vector<std::vector<double>> smooth_loads(const CyclicSector &sector,
-                                                const ContactSurface &surface,
-                                                const unsigned int k, const LoadDegrees &degrees);
+                                                const ContactSurface &surface, const unsigned int k,
+                                                const LoadDegrees &degrees);
 } // namespace ringmotor

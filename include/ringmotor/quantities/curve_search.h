@@ -177,6 +177,6 @@ namespace ringmotor
     std::vector<CurvePoint> results;
     std::map<unsigned int, std::unique_ptr<const CondensedMotor>> motors; ///< by level
     KnownPoints known, with_coarser_modes;
-    std::map<unsigned int, double> motor_seconds;                         ///< wall clock, by level
+    std::map<unsigned int, double> motor_seconds; ///< wall clock, by level
   };
 } // namespace ringmotor
