@@ -31,7 +31,7 @@ ROWS += [(f"spectral radius {radius}", {"Time/Spectral radius": str(radius)}, Tr
 ROWS += [(f"{number} harmonics", {"Accuracy/Rotor modes": str(level)}, level > 2)
          for level, number in ((1, 13), (3, 30))]
 ROWS += [(f"interface mesh {level}", {"Accuracy/Interface refinement": str(level)}, level > 1) for level in (0, 2, 3)]
-FRICTION = [("0.40, without", {"Effects/Rotor inertia": "off", "Effects/Damping": "off"})]
+FRICTION = [("0.40, without", {"Effects/Rotor inertia": "off", "Effects/Damping": "off", "Time/Snapshots": "8"})]
 FRICTION += [(f"{mu:.2f}, with", {"Friction/Dynamic coefficient": str(mu)}) for mu in (0.4, 0.6, 0.7, 0.8)]
 
 

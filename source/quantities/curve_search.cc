@@ -40,7 +40,7 @@ namespace ringmotor
     }
 
     /** Targets from which on the modes of level 1 are likely to suffice. */
-    constexpr double loose_target = 0.05;
+    constexpr double loose_target = 0.08;
 
     std::string short_text(const double number)
     {

@@ -271,7 +271,7 @@ TEST_F(VibratingMotorLong, MarchingStaysInTheSteadyStateForTenPeriods)
 
 TEST_F(VibratingMotor, PowerGoesToLoadFrictionAndDamping)
 {
-  const CurvePoint point = OperatingPointFinder(with_parts_of_a_step(parameters, 3), motor)
+  const CurvePoint point = OperatingPointFinder(with_parts_of_a_step(parameters, 4), motor)
                                .find({Control::torque, 0.05});
   EXPECT_LT(point.result.power_imbalance(), 1e-3);
   const double damping = parameters.materials.rotor_metal.loss_factor * point.result.modal_damping;

@@ -61,7 +61,7 @@ TEST(RotorModes, MakeUpTheDynamicCompliance)
   };
   const RingCompliance at_rest = ring_of(body.condensed(), true);
   const double drive           = 2. * M_PI * 30e3;
-  const RingModes modes        = LipModes(parameters, 0, drive, 9).at(tooth.whole_top.surface, 0.);
+  const RingModes modes        = LipModes(parameters, 0, drive, 30).at(tooth.whole_top.surface, 0.);
   for (const unsigned int m : {1u, 2u, 3u, 6u, 9u})
   {
     const unsigned int k = nodal_diameter_of_harmonic(parameters.motor, m);
@@ -136,7 +136,7 @@ TEST(LipAmplification, IsThatOfTheShiftedStiffness)
   // The same pressure on the rotor with stiffness K - Omega^2 M, without modes.
   const Parameters parameters = reference_motor();
   const double drive          = 2. * M_PI * 30e3;
-  const LipModes modes(parameters, 1, drive, 3);
+  const LipModes modes(parameters, 1, drive, 20);
   const LipAmplification amplification(parameters, modes, 1, 3);
   const RotorBody body(parameters, LipModes::discretisation(1));
   const auto work = [&](const unsigned int k, const double frequency)
