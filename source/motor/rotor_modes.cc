@@ -101,7 +101,8 @@ namespace ringmotor
         for (const unsigned int harmonic : harmonics)
           frequencies.push_back(harmonic * frequency);
         const auto loads = smooth_loads(body.sector, body.lip, k, {1, 4, /*vanish_at_cut =*/true});
-        take(without_fast_vectors(responses.at(k, loads, frequencies), n_harmonics * frequency));
+        take(without_fast_vectors(responses.at(k, loads, frequencies),
+                                  std::max(harmonics.back(), 4u) * frequency));
       }
     }
     if (!model.rotor_gives_way_along)

