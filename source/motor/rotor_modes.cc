@@ -92,6 +92,8 @@ namespace ringmotor
     }
     else
     {
+      // Low harmonics have few vibrations below three times their own frequency.
+      constexpr unsigned int least_harmonic = 4;
       ResponseModes responses(body.sector);
       for (const auto &[k, harmonics] : harmonics_by_diameter(parameters.motor, n_harmonics))
       {
@@ -102,7 +104,7 @@ namespace ringmotor
           frequencies.push_back(harmonic * frequency);
         const auto loads = smooth_loads(body.sector, body.lip, k, {1, 4, /*vanish_at_cut =*/true});
         take(without_fast_vectors(responses.at(k, loads, frequencies),
-                                  std::max(harmonics.back(), 4u) * frequency));
+                                  std::max(harmonics.back(), least_harmonic) * frequency));
       }
     }
     if (!model.rotor_gives_way_along)

@@ -74,7 +74,7 @@ namespace ringmotor
     }
 
     /** What the harmonics of the wave beyond those of a level of RotorVibration change, see
-     * accuracy_and_cost.md; less where damping limits their resonances. */
+     * effects.md; less where damping limits their resonances. */
     PointError least_modes_error(const CurvePoint &point, const CondensedMotor &motor)
     {
       constexpr std::array<double, RotorVibration::finest_level + 1> of_speed{

@@ -122,7 +122,8 @@ namespace ringmotor
   {
     ++modes_level;
     motors.clear();
-    with_coarser_modes = std::move(known);
+    if (!is_marched(parameters)) // where nothing starts from known points
+      with_coarser_modes = std::move(known);
     known.clear();
   }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/parameters/errors.h>
 #include <ringmotor/structure/response_modes.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>
@@ -6,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <string>
 
 namespace ringmotor
 {
@@ -30,7 +33,7 @@ namespace ringmotor
 
       explicit SymmetricEigenpairs(const FullMatrix<double> &matrix)
       {
-        LAPACKFullMatrix<double> copy(matrix.m(), matrix.n());
+        Matrix copy(matrix.m(), matrix.n());
         for (unsigned int i = 0; i < matrix.m(); ++i)
           for (unsigned int j = 0; j < matrix.n(); ++j)
             copy(i, j) = 0.5 * (matrix(i, j) + matrix(j, i));
@@ -95,38 +98,39 @@ namespace ringmotor
     Assert(!sector.is_complex(), ExcMessage("not on a whole sector"));
   }
 
-  std::vector<double> ResponseModes::static_response(const unsigned int k,
-                                                     const std::vector<double> &loads)
-  {
-    factors.factorise(k, 0.);
-    std::vector<double> motions = loads;
-    factors.solve(motions);
-    return motions;
-  }
-
   ResponseModes::Response ResponseModes::response(const unsigned int k,
                                                   const std::vector<double> &loads,
-                                                  const double frequency,
-                                                  const std::vector<double> &at_rest)
+                                                  const double frequency)
+  {
+    factors.factorise(k, frequency * frequency);
+    Response response{frequency, loads};
+    factors.solve(response.motions);
+    return response;
+  }
+
+  ResponseModes::Response ResponseModes::beside_resonance(const unsigned int k,
+                                                          const std::vector<double> &loads,
+                                                          const double frequency,
+                                                          const Response &at_rest)
   {
     // Next to a resonance all responses are nearly the same mode, and rounding hides how they
     // differ. Farther away that mode is found as well.
     constexpr double too_strong = 1e4, elsewhere = 1.003;
-    const auto work = [&](const std::vector<double> &motions)
-    {
-      double sum = 0.;
-      for (std::size_t i = 0; i < loads.size(); ++i)
-        sum += loads[i] * motions[i];
-      return std::abs(sum);
+    constexpr unsigned int n_attempts = 10;
+    const auto work                   = [&](const Response &response) {
+      return std::abs(std::inner_product(loads.begin(), loads.end(), response.motions.begin(), 0.));
     };
-    for (Response response{frequency, {}};; response.frequency *= elsewhere)
+    double beside = frequency;
+    for (unsigned int attempt = 0; attempt < n_attempts; ++attempt, beside *= elsewhere)
     {
-      factors.factorise(k, response.frequency * response.frequency);
-      response.motions = loads;
-      factors.solve(response.motions);
-      if (work(response.motions) < too_strong * work(at_rest))
-        return response;
+      Response found = response(k, loads, beside);
+      if (work(found) < too_strong * work(at_rest))
+        return found;
     }
+    throw ComputationError("nodal diameter " + std::to_string(k) +
+                           ": the response is resonant from " +
+                           std::to_string(frequency / (2. * numbers::PI)) + " to " +
+                           std::to_string(beside / (2. * numbers::PI)) + " Hz");
   }
 
   std::vector<Mode> ResponseModes::at(const unsigned int k,
@@ -136,16 +140,15 @@ namespace ringmotor
     std::vector<double> all_loads;
     for (const std::vector<double> &load : loads)
       all_loads.insert(all_loads.end(), load.begin(), load.end());
-    std::vector<Response> responses{{0., static_response(k, all_loads)}};
+    std::vector<Response> responses{response(k, all_loads, 0.)};
     for (const double frequency : frequencies)
-      responses.push_back(response(k, all_loads, frequency, responses.front().motions));
+      responses.push_back(beside_resonance(k, all_loads, frequency, responses.front()));
 
     const std::size_t n = sector.n_unknowns();
-    std::vector<double> motions, inertia, forces, squares, motion(n), product;
+    std::vector<double> motions, inertia, squares, motion(n), product;
     for (const Response &response : responses)
     {
       motions.insert(motions.end(), response.motions.begin(), response.motions.end());
-      forces.insert(forces.end(), all_loads.begin(), all_loads.end());
       squares.insert(squares.end(), loads.size(), response.frequency * response.frequency);
     }
     for (std::size_t i = 0; i < squares.size(); ++i)
@@ -158,10 +161,11 @@ namespace ringmotor
     // The stiffness times a response is the load and the inertia of that response.
     const Matrix columns          = as_columns(motions, n);
     const FullMatrix<double> mass = product_of_transposed(columns, as_columns(inertia, n));
-    FullMatrix<double> stiffness  = product_of_transposed(columns, as_columns(forces, n));
+    const FullMatrix<double> work = product_of_transposed(columns, as_columns(all_loads, n));
+    FullMatrix<double> stiffness(squares.size(), squares.size());
     for (unsigned int i = 0; i < squares.size(); ++i)
       for (unsigned int j = 0; j < squares.size(); ++j)
-        stiffness(i, j) += mass(i, j) * squares[j];
+        stiffness(i, j) = work(i, j % loads.size()) + mass(i, j) * squares[j];
 
     const RitzVectors ritz(stiffness, mass);
     std::vector<Mode> modes;

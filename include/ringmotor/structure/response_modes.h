@@ -26,8 +26,8 @@ namespace ringmotor
     /**
      * @param loads of nodal diameter @p k, on the unknowns (N)
      * @param frequencies rad/s, in addition to rest
-     * @return Ritz vectors, sorted; not more than loads times frequencies
-     * @throws ComputationError if the solver fails
+     * @return Ritz vectors, sorted; at most as many as loads, at rest and at each frequency
+     * @throws ComputationError if the solver fails, or finds resonance wherever it looks
      */
     std::vector<Mode> at(const unsigned int k, const std::vector<std::vector<double>> &loads,
                          const std::vector<double> &frequencies);
@@ -38,10 +38,11 @@ namespace ringmotor
       double frequency;            ///< rad/s
       std::vector<double> motions; ///< one after the other
     };
-    std::vector<double> static_response(const unsigned int k, const std::vector<double> &loads);
-    /** At a frequency, or next to it if that is a resonance. */
     Response response(const unsigned int k, const std::vector<double> &loads,
-                      const double frequency, const std::vector<double> &at_rest);
+                      const double frequency);
+    /** At a frequency, or next to it if that is a resonance. */
+    Response beside_resonance(const unsigned int k, const std::vector<double> &loads,
+                              const double frequency, const Response &at_rest);
 
     const CyclicSector &sector;
     CyclicFactors factors;
