@@ -25,9 +25,10 @@ def outcome_of(run):
     return {0: "certified", 1: "refused", 2: "failed"}.get(run.status, "crash")
 
 
-def run_program(name, motor, folder, entries, options):
-    """One run under the limit; returns a row with COLUMNS, those of results empty."""
-    run = limited_run([str(program(name, options.programs))] + arguments(motor, folder, entries),
+def run_program(name, motor, folder, entries, options, *words):
+    """One run under the limit, with further words on its command line; returns a row with COLUMNS, those of results
+    empty."""
+    run = limited_run([str(program(name, options.programs))] + arguments(motor, folder, entries) + list(words),
                       options.seconds, CLOCK * options.seconds)
     return {**dict.fromkeys(COLUMNS, ""), "outcome": outcome_of(run), "program": name, "status": run.status,
             "seconds": f"{run.seconds:.2f}", "processor_seconds": f"{run.processor_seconds:.2f}",
@@ -72,8 +73,8 @@ def add_results(row, folder):
     return row
 
 
-def run_contact(motor, folder, entries, options):
-    row = run_program("contact", motor, folder, entries, options)
+def run_contact(motor, folder, entries, options, *words):
+    row = run_program("contact", motor, folder, entries, options, *words)
     return add_results(row, folder) if row["outcome"] == "certified" else row
 
 

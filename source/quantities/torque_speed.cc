@@ -137,22 +137,32 @@ namespace ringmotor
 
   OperatingState OperatingPointFinder::at_own_frequency(const RotorLoad &load)
   {
-    constexpr unsigned int most_rounds = 10;
+    // The frequency at which the state found there has the detuning that this frequency requires:
+    // the root of excess(frequency). With inertia the state depends on the frequency, so that mere
+    // repetition converges slowly, beside a resonance not at all; the secant needs no slope.
+    constexpr unsigned int most_rounds = 20;
     constexpr double settled           = 1e-8;
     OperatingState state               = steady.at(load);
     if (!detuned)
       detuned = std::make_unique<CondensedMotor>(motor);
+    detuned->angular_frequency = motor.angular_frequency;
+    const auto excess          = [&]()
+    { return motor.angular_frequency * (1. + detuning(state)) - detuned->angular_frequency; };
+    double excess_before = excess(), step = excess_before;
+    const double longest = std::abs(step);
     for (unsigned int round = 0; round < most_rounds; ++round)
     {
-      const double before        = detuned->angular_frequency,
-                   after         = motor.angular_frequency * (1. + detuning(state));
-      detuned->angular_frequency = after;
+      detuned->angular_frequency += step;
       SteadyDriver driver(*detuned, model.friction,
                           {parameters.time.n_snapshots, setting.n_joined});
       driver.go_on_from(load, state.solution, state.contact->speed(state.solution.state));
-      state = driver.at(load);
-      if (std::abs(after - before) <= settled * after)
+      state                = driver.at(load);
+      const double remains = excess();
+      if (std::abs(remains) <= settled * detuned->angular_frequency)
         return state;
+      const double change = remains - excess_before;
+      step = change == 0. ? remains : std::clamp(-step * remains / change, -longest, longest);
+      excess_before = remains;
     }
     throw ComputationError("the frequency of the wave with the rotor on the stator did not settle "
                            "in " +

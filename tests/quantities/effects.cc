@@ -243,3 +243,24 @@ TEST(StatorBackReaction, TunesTheWaveAsRayleighSays)
     EXPECT_NEAR(own.result.friction_loss() / given.result.friction_loss(), 1. + shift, 1e-5);
   }
 }
+
+TEST(StatorBackReaction, FollowsTheFrequencyOfTheWaveWithInertia)
+{
+  Parameters parameters            = reference_motor();
+  parameters.loading.preload       = 40.;
+  parameters.effects.rotor_inertia = EffectChoice::on;
+  parameters.effects.damping       = EffectChoice::on;
+  const StatorWave wave            = stator_wave(parameters);
+  CondensedMotor motor = condense_motor(parameters, wave, ContactDiscretisation::level(0), 1);
+  Parameters following = parameters;
+  following.effects.stator_back_reaction = EffectChoice::on;
+  const PointRequest request{Control::torque, 0.};
+  const CurvePoint own = OperatingPointFinder(following, motor).find(request);
+  const double shift   = own.result.detuning;
+  record("shift", shift);
+  EXPECT_GT(shift, 5e-3);
+  motor.angular_frequency *= 1. + shift;
+  const CurvePoint given = OperatingPointFinder(parameters, motor).find(request);
+  EXPECT_NEAR(given.result.detuning, shift, 1e-6 * shift);
+  EXPECT_NEAR(given.result.speed, own.result.speed, 1e-6 * own.result.speed);
+}
