@@ -4,17 +4,19 @@
 
 usage: benchmarks/error_bars.py [--resume] [--csv FILE] [--markdown FILE] [--figure FILE.png] [MOTOR ...]
 
-Each motor is computed at five torques with several targets. The truth is interface mesh 4 with eight times as many
-steps per period as there are teeth that differ; its own error bars, a few times shorter, are not taken into account.
-It takes two to six minutes for each motor; with --resume the rows of the CSV file are kept.
+Each motor is computed at five torques with several targets. The truth is interface mesh 4 with at least 720 steps per
+period; its own error bars, a few times shorter, are not taken into account. It takes two to six minutes for each motor
+(60 mm: a quarter of an hour); with --resume the rows of the CSV file are kept.
 """
 import argparse
+import math
 import pathlib
 import shutil
 import statistics
 import sys
 
 sys.dont_write_bytecode = True
+from contact_checks import entries_of  # noqa: E402
 from motor_run import OUTPUT_OFF, RowFile, certified_run, operating_points, table, write_markdown  # noqa: E402
 from timed_run import PAPERS_MODEL, ROOT  # noqa: E402
 
@@ -33,7 +35,7 @@ MOTORS = {
 BASE = {**PAPERS_MODEL, **OUTPUT_OFF, "Effects/Static friction excess": "off", "Effects/Initial deformation": "off",
         "Friction/Static coefficient": "0.4", "Friction/Dynamic coefficient": "0.4"}
 TARGETS = ("0.03", "0.01", "0.003")
-TRUTH = {"Accuracy/Mode": "fixed", "Accuracy/Interface refinement": "4", "Time/Snapshots": "8"}
+STEPS_OF_TRUTH = 720  # per period
 SHARES = (0., 0.25, 0.5, 0.75, 0.9)  # of the stall torque
 # Columns of values and of their error bars.
 QUANTITIES = {"speeds": ("speed_rpm", "speed_error_rpm"),
@@ -41,6 +43,14 @@ QUANTITIES = {"speeds": ("speed_rpm", "speed_error_rpm"),
               "stick fractions": ("stick_fraction", "stick_fraction_error"),
               "teeth in contact": ("teeth_in_contact_per_wave", "teeth_in_contact_per_wave_error")}
 COLUMNS = ["motor", "target", "seconds", "torque_mNm"] + sum(map(list, QUANTITIES.values()), [])
+
+
+def truth_of(motor):
+    """Entries of the finest discretisation."""
+    n_waves, n_teeth = (int(entries_of(motor.read_text())[f"Motor/Number of {which}"]) for which in ("waves", "teeth"))
+    steps = n_teeth // math.gcd(n_waves, n_teeth)  # with one time sample: a step from tooth to tooth that differ
+    return {"Accuracy/Mode": "fixed", "Accuracy/Interface refinement": "4",
+            "Time/Snapshots": str(math.ceil(STEPS_OF_TRUTH / steps))}
 
 
 def compute(name, rows, scratch):
@@ -56,7 +66,7 @@ def compute(name, rows, scratch):
     stall = 1e-3 * max(row["torque_mNm"] for row in ends)
     loads = {"Loading/Values": ", ".join(f"{share * stall:.6g}" for share in SHARES)}
     for target in wanted:
-        accuracy = TRUTH if target == "truth" else {"Accuracy/Contact target": target}
+        accuracy = truth_of(motor) if target == "truth" else {"Accuracy/Contact target": target}
         try:
             found, done = operating_points(motor, scratch, {**entries, **loads, **accuracy})
         except RuntimeError as error:

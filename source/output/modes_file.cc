@@ -12,6 +12,7 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <sstream>
 
 namespace ringmotor
 {
@@ -149,6 +150,23 @@ namespace ringmotor
     {
       return [trace](const Point<3> &x) { return (*trace)(x); };
     }
+
+    /** A mode of the teeth may look like one of the ring; it drives no rotor.
+     * @throws UserError for tooth tops that move far more along the ring than axially, or hardly */
+    void check_plausible(const double ratio, const StatorWave &wave)
+    {
+      constexpr double least = 0.01, most = 10.;
+      if (ratio >= least && ratio <= most)
+        return;
+      std::ostringstream text;
+      text << "the wave with " << wave.n_waves << " waves at "
+           << 1e-3 * wave.angular_frequency / (2. * M_PI)
+           << " kHz moves the tooth tops along the ring " << ratio
+           << " times as far as axially; plausible: " << least << " to " << most
+           << "; choose another Motor/Number of waves or other dimensions of the stator, or, if it "
+              "is meant, set Motor/Unusual values = accept";
+      throw UserError(text.str());
+    }
   } // namespace
 
   StatorWave read_stator_wave(const std::string &path, const Parameters &parameters)
@@ -160,10 +178,12 @@ namespace ringmotor
     const auto foot = trace_of(file, "tooth_foot"), top = trace_of(file, "tooth_top");
     wave.relative_error = file.attribute<double>("/wave", "relative_error");
     wave.strain_energy  = shape_number(file, "strain_energy").value;
-    wave.foot           = motion_of(foot);
-    wave.top            = motion_of(top);
-    wave.fingerprint    = fingerprint(foot->bytes() + top->bytes() + to_bytes(wave.n_waves) +
-                                      to_bytes(wave.angular_frequency));
+    if (!parameters.motor.accepts_unusual_values)
+      check_plausible(shape_number(file, "A_t/A_n").value, wave);
+    wave.foot        = motion_of(foot);
+    wave.top         = motion_of(top);
+    wave.fingerprint = fingerprint(foot->bytes() + top->bytes() + to_bytes(wave.n_waves) +
+                                   to_bytes(wave.angular_frequency));
     return wave;
   }
 

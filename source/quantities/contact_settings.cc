@@ -2,6 +2,7 @@
 #include <ringmotor/motor/motor_model.h>
 #include <ringmotor/motor/relevant.h>
 #include <ringmotor/motor/rotor_modes.h>
+#include <ringmotor/parameters/short_text.h>
 #include <ringmotor/quantities/contact_settings.h>
 
 #include <algorithm>
@@ -17,14 +18,6 @@ namespace ringmotor
   namespace
   {
     constexpr double moderate_steps = 180.; // in a period of the steady state
-
-    std::string short_text(const double number)
-    {
-      std::ostringstream text;
-      text.precision(3);
-      text << number;
-      return text.str();
-    }
 
     std::string steps_text(const double n_steps)
     {

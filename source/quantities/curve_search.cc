@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/motor/rotor_modes.h>
 #include <ringmotor/parameters/errors.h>
+#include <ringmotor/parameters/short_text.h>
 #include <ringmotor/quantities/curve_points.h>
 #include <ringmotor/quantities/curve_search.h>
 
@@ -9,21 +10,11 @@
 #include <cmath>
 #include <numeric>
 #include <set>
-#include <sstream>
 
 namespace ringmotor
 {
   namespace
   {
-    /** Number of parts expected to bring a power imbalance of @p excess times its limit below it:
-     * it falls with the square of the step, but not regularly. */
-    unsigned int parts_for_balance(const unsigned int n_parts, const double excess)
-    {
-      constexpr double margin = 1.2, most_at_once = 8.;
-      const double factor = std::clamp(margin * std::sqrt(excess), 4. / 3., most_at_once);
-      return std::ceil(factor * n_parts);
-    }
-
     /** The same motor with a wave of larger tangential and radial, but not axial, motion, with
      * coarse modes of its rotor, or with another scheme. */
     CondensedMotor changed(const CondensedMotor &motor, const CurveSetting &setting)
@@ -41,14 +32,6 @@ namespace ringmotor
 
     /** Targets from which on the modes of level 1 are likely to suffice. */
     constexpr double loose_target = 0.08;
-
-    std::string short_text(const double number)
-    {
-      std::ostringstream text;
-      text.precision(3);
-      text << number;
-      return text.str();
-    }
   } // namespace
 
   CurveSearch::CurveSearch(const Parameters &parameters, const double wave_error,
@@ -125,23 +108,6 @@ namespace ringmotor
     if (!is_marched(parameters)) // where nothing starts from known points
       with_coarser_modes = std::move(known);
     known.clear();
-  }
-
-  bool CurveSearch::powers_balance()
-  {
-    const unsigned int most = steps.most_parts();
-    bool is_balanced        = true;
-    for (const unsigned int i : all_requests())
-    {
-      const OperatingPoint &result = point_of({reached_level, n_parts[i]}, i).result;
-      const double excess          = result.power_imbalance() / OperatingPoint::largest_imbalance;
-      if (excess > 1. && n_parts[i] < most)
-      {
-        shorten_step(i, std::min(most, parts_for_balance(n_parts[i], excess)));
-        is_balanced = false;
-      }
-    }
-    return is_balanced;
   }
 
   void CurveSearch::shorten_step(const unsigned int request, const unsigned int parts)

@@ -129,6 +129,9 @@ namespace ringmotor
                              const std::string &where = "on the finest interface mesh") const;
     /** Whether powers balance at all points; shortens the steps where they do not. */
     bool powers_balance();
+    /** @throws ComputationError if the imbalance of a point's powers, @p excess times the largest
+     * admissible one, falls so slowly with the step that no step will do */
+    void foresee_balance(const unsigned int request, const double excess);
     /** Divides the step of a point into more parts. */
     void shorten_step(const unsigned int request, const unsigned int parts);
     void refine();
@@ -174,6 +177,9 @@ namespace ringmotor
     unsigned int reached_level = 0;
     unsigned int modes_level;          ///< of the rotor, see RotorVibration
     std::vector<unsigned int> n_parts; ///< by request
+    /** Parts of a step and imbalance of the powers when it was first too large, by level and
+     * request. */
+    std::map<std::pair<unsigned int, unsigned int>, std::pair<double, double>> first_imbalances;
     std::vector<CurvePoint> results;
     std::map<unsigned int, std::unique_ptr<const CondensedMotor>> motors; ///< by level
     KnownPoints known, with_coarser_modes;

@@ -1,0 +1,200 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Motors that are hard for a solver: each must end as its file says.
+
+usage: tests/hard/catalogue.py [--programs FOLDER] [--csv FILE] [--markdown FILE] [CASE.prm ...]
+
+A case is a parameter file of this folder: what differs from prm/quick.prm, below a header of comments. Lines that
+begin with more than one blank continue the one before.
+
+  # Hard: what is hard about it
+  # Must: certified | refused: WORDS | failed: WORDS; several, separated by " or ": any of them. A refusal (exit
+  #       status 1) or failure (status 2) has to say these words.
+  # Why:  why that must happen
+  # Vary: Section/Entry = VALUE; VALUE ...     optional: a run for each of these values
+  # Check: an expression that holds for certified results; optional, any number. The columns of torque_speed.csv are
+  #       arrays by their names; crest_rpm is the speed of the crests, friction_mNm what friction bears.
+  # Agree: variants | CASE                     optional: speeds and torques agree with each other within their bars
+  # After: CASE                                optional: continues (--resume) in the folder of that case
+  # Within: processor seconds for each run; 60 without this line
+
+Certified results are also checked by benchmarks/contact_checks.py. With --markdown the table goes between the
+comments of that file for it. The exit status is 1 if a case does not end as it must.
+"""
+import argparse
+import pathlib
+import re
+import sys
+import tempfile
+
+import numpy
+
+sys.dont_write_bytecode = True
+FOLDER = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(FOLDER.parent.parent / "benchmarks"))
+from contact_checks import RPM, ContactResults, entries_of  # noqa: E402
+from motor_run import (COLUMNS, OUTPUT_OFF, RowFile, run_contact, run_program, table, write_markdown)  # noqa: E402
+from timed_run import ROOT  # noqa: E402
+
+QUICK = ROOT / "prm" / "quick.prm"
+FIELDS = ("Hard", "Must", "Why", "Vary", "Check", "Agree", "After", "Within")
+
+
+class Case:
+    """A parameter file and what its header asks for."""
+
+    def __init__(self, path):
+        self.path = pathlib.Path(path)
+        text = self.path.read_text()
+        self.name = self.path.stem
+        self.entries = {**OUTPUT_OFF, **entries_of(text)}
+        self.fields = self._header(text)
+        self.seconds = float(self.one("Within", "60"))
+        entry, _, values = self.one("Vary", "").partition("=")
+        self.variants = [{entry.strip(): value.strip()} for value in values.split(";")] if entry else [{}]
+
+    def _header(self, text):
+        found = {}
+        for line in text.splitlines():
+            if not line.startswith("#"):
+                break
+            begin = re.fullmatch(r"# (\w+): +(.*)", line)
+            if begin and begin[1] in FIELDS:
+                last = found.setdefault(begin[1], [])
+                last.append(begin[2])
+            elif line.startswith("#  ") and found:
+                last[-1] += " " + line[1:].strip()
+            else:
+                raise SystemExit(f"{self.path}: not understood: {line}")
+        missing = [name for name in FIELDS[:3] if len(found.get(name, [])) != 1]
+        if missing:
+            raise SystemExit(f"{self.path}: the header needs one line each of {', '.join(missing)}")
+        return found
+
+    def one(self, field, default=None):
+        return self.fields.get(field, [default])[0]
+
+    def allows(self, row):
+        """Whether a run ended in one of the ways the case allows."""
+        for way in self.one("Must").split(" or "):
+            outcome, _, words = way.partition(":")
+            if row["outcome"] == outcome.strip() and words.strip() in row["message"]:
+                return True
+        return False
+
+
+def run(case, variant, folder, programs):
+    """Row and, if it is certified, the results of one run."""
+    options = argparse.Namespace(seconds=case.seconds, programs=programs)
+    entries = {**case.entries, **variant}
+    row = run_program("stator", QUICK, folder, entries, options)
+    if row["outcome"] == "certified":
+        row = run_contact(QUICK, folder, entries, options, *(["--resume"] if case.one("After") else []))
+    results = ContactResults(folder) if row["outcome"] == "certified" else None
+    return row, results
+
+
+def column(results, name):
+    return numpy.array([row[name] for row in results.rows])
+
+
+def check(expression, results):
+    """Whether an expression of the header holds."""
+    names = {name: column(results, name) for name in results.rows[0] if name != "control"}
+    names.update(crest_rpm=results.wave_speed() / RPM, friction_mNm=1e3 * results.most_torque(),
+                 n_teeth=results.attributes["n_teeth"], n_waves=results.attributes["n_waves"],
+                 all=numpy.all, abs=abs, diff=numpy.diff, max=numpy.max, min=numpy.min)
+    return bool(eval(expression, {"__builtins__": {}}, names))  # pylint: disable=eval-used
+
+
+def disagreements(one, other):
+    """Points at which two results differ by more than the sum of their bars."""
+    found = []
+    for quantity, unit in (("speed", "rpm"), ("torque", "mNm")):
+        value, bar = f"{quantity}_{unit}", f"{quantity}_error_{unit}"
+        difference = abs(column(one, value) - column(other, value))
+        largest = abs(column(one, value)).max()
+        allowed = column(one, bar) + column(other, bar) + 1e-6 * largest
+        found += [f"{quantity} at point {i} differs by {difference[i]:.3g}, bars allow {allowed[i]:.3g}"
+                  for i in numpy.flatnonzero(difference > allowed)]
+    return found
+
+
+def judge(case, rows, results, programs):
+    """What is not as it must be: list of texts."""
+    wrong = [f"{row['outcome']} ({row['message']}) instead of {case.one('Must')}"
+             for row in rows if not case.allows(row)]
+    certified = [result for result in results if result]
+    for expression in case.fields.get("Check", []):
+        wrong += [f"does not hold: {expression}" for result in certified if not check(expression, result)]
+    agree = case.one("Agree")
+    if agree and agree != "variants":
+        with tempfile.TemporaryDirectory() as scratch:
+            certified.append(run(Case(FOLDER / f"{agree}.prm"), {}, pathlib.Path(scratch), programs)[1])
+    if agree:
+        wrong += [text for result in certified[:-1] for text in disagreements(result, certified[-1])]
+    return wrong
+
+
+def run_case(case, programs):
+    """Rows of all variants and what is wrong with them."""
+    rows, results = [], []
+    with tempfile.TemporaryDirectory() as scratch:
+        if case.one("After"):
+            before, _ = run(Case(FOLDER / f"{case.one('After')}.prm"), {}, pathlib.Path(scratch) / "0", programs)
+            assert before["outcome"] == "certified", before["message"]
+        for number, variant in enumerate(case.variants):
+            folder = pathlib.Path(scratch) / str(0 if case.one("After") else number)
+            row, result = run(case, variant, folder, programs)
+            rows.append({"case": case.name, "variant": ", ".join(variant.values()), **row, "points": points(result)})
+            results.append(result)
+        return rows, judge(case, rows, results, programs)
+
+
+def points(results):
+    """The first and the last operating point in words."""
+    if not results:
+        return ""
+    ends = [results.rows[0], results.rows[-1]][:len(results.rows)]
+    return " to ".join(f"{row['speed_rpm']:.3g} rpm at {row['torque_mNm']:.3g} mN m" for row in ends)
+
+
+def lines_of(cases, rows):
+    """The table of the document."""
+    lines = []
+    for case in cases:
+        for row in (row for row in rows if row["case"] == case.name):
+            result = row["points"] or f"{row['outcome']}: {row['message'].split(': ', 1)[-1]}"
+            name = f"`{case.name}`" + (f", {row['variant']}" if row["variant"] else "")
+            lines.append([name, case.one("Hard"), case.one("Must"), result, row["newton_iterations"],
+                          row["processor_seconds"]])
+    return table(["case", "hard", "must be", "result", "iterations", "s"], lines)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("cases", nargs="*", default=sorted(FOLDER.glob("*.prm")), metavar="CASE.prm")
+    parser.add_argument("--programs", default=ROOT / "build" / "bin", help="the folder of the programs")
+    parser.add_argument("--csv", default=None, help="the file of all rows")
+    parser.add_argument("--markdown", help="the file between whose comments the table goes")
+    options = parser.parse_args()
+    cases, all_rows, is_right = [Case(path) for path in options.cases], [], True
+    file = RowFile(options.csv, ["case", "variant", "points"] + COLUMNS, False) if options.csv else None
+    for case in cases:
+        rows, wrong = run_case(case, options.programs)
+        for row in rows:
+            print(f"{case.name} {row['variant']}: {row['outcome']}, {row['processor_seconds']} s, "
+                  f"{row['newton_iterations']} iterations, {row['points']} {row['message']}", flush=True)
+            if file:
+                file.add(row)
+        for text in wrong:
+            print(f"    WRONG: {text}", flush=True)
+        all_rows += rows
+        is_right = is_right and not wrong
+    if options.markdown:
+        write_markdown(options.markdown, "tests/hard", lines_of(cases, all_rows))
+    sys.exit(0 if is_right else 1)
+
+
+if __name__ == "__main__":
+    main()
