@@ -53,6 +53,10 @@ class ContactResults:
                            for _, point in sorted(file["points"].items())]
         self.n_repeats = int(self.attributes["n_teeth"]) // self.points[0]["force"].shape[1]
 
+    def column(self, name):
+        """Of torque_speed.csv."""
+        return numpy.array([row[name] for row in self.rows])
+
     def number(self, entry):
         return float(self.entries[entry])
 
@@ -226,4 +230,19 @@ def check(folder):
             continue
         for text in check_bounds(results, point, row) + check_forces(results, point) + check_powers(results, point):
             found.append(f"point {number}: {text}")
+    return found
+
+
+def disagreements(one, other, torque_unit=1.):
+    """Where the operating points of two results differ by more than the sum of their bars: list of texts. The torques
+    of the other one are in units of torque_unit mN m."""
+    found = []
+    if len(one.rows) != len(other.rows):
+        return [f"{len(other.rows)} operating points instead of {len(one.rows)}"]
+    for quantity, unit, scale in (("speed", "rpm", 1.), ("torque", "mNm", torque_unit)):
+        value, bar = f"{quantity}_{unit}", f"{quantity}_error_{unit}"
+        difference = abs(one.column(value) - scale * other.column(value))
+        allowed = one.column(bar) + scale * other.column(bar) + TINY * abs(one.column(value)).max()
+        found += [f"{quantity} at point {i} differs by {difference[i]:.3g} {unit}, the bars allow {allowed[i]:.3g}"
+                  for i in numpy.flatnonzero(difference > allowed)]
     return found

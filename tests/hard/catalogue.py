@@ -32,7 +32,7 @@ import numpy
 sys.dont_write_bytecode = True
 FOLDER = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER.parent.parent / "benchmarks"))
-from contact_checks import RPM, ContactResults, entries_of  # noqa: E402
+from contact_checks import RPM, ContactResults, disagreements, entries_of  # noqa: E402
 from motor_run import (COLUMNS, OUTPUT_OFF, RowFile, run_contact, run_program, table, write_markdown)  # noqa: E402
 from timed_run import ROOT  # noqa: E402
 
@@ -94,30 +94,13 @@ def run(case, variant, folder, programs):
     return row, results
 
 
-def column(results, name):
-    return numpy.array([row[name] for row in results.rows])
-
-
 def check(expression, results):
     """Whether an expression of the header holds."""
-    names = {name: column(results, name) for name in results.rows[0] if name != "control"}
+    names = {name: results.column(name) for name in results.rows[0] if name != "control"}
     names.update(crest_rpm=results.wave_speed() / RPM, friction_mNm=1e3 * results.most_torque(),
                  n_teeth=results.attributes["n_teeth"], n_waves=results.attributes["n_waves"],
                  all=numpy.all, abs=abs, diff=numpy.diff, max=numpy.max, min=numpy.min)
     return bool(eval(expression, {"__builtins__": {}}, names))  # pylint: disable=eval-used
-
-
-def disagreements(one, other):
-    """Points at which two results differ by more than the sum of their bars."""
-    found = []
-    for quantity, unit in (("speed", "rpm"), ("torque", "mNm")):
-        value, bar = f"{quantity}_{unit}", f"{quantity}_error_{unit}"
-        difference = abs(column(one, value) - column(other, value))
-        largest = abs(column(one, value)).max()
-        allowed = column(one, bar) + column(other, bar) + 1e-6 * largest
-        found += [f"{quantity} at point {i} differs by {difference[i]:.3g}, bars allow {allowed[i]:.3g}"
-                  for i in numpy.flatnonzero(difference > allowed)]
-    return found
 
 
 def judge(case, rows, results, programs):

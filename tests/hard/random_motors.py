@@ -1,26 +1,33 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Random motors: each has to end with certified results or with a refusal in words.
+"""Random motors: each has to end with certified results or with a refusal in words, in its time.
 
-usage: benchmarks/random_motors.py [--seed 1] [--number 200] [--seconds 120] [--csv FILE [--resume]]
-           [--keep FOLDER] [--markdown FILE]
+usage: tests/hard/random_motors.py [--seed 1] [--count 200] [--seconds 120] [--workers N] [--invariances]
+           [--csv FILE [--resume]] [--keep FOLDER] [--markdown FILE]
 
-Motor number k is drawn from seed k alone, from --seed on: `--seed 17 --number 1` runs number 17 again. It is
-prm/quick.prm with other dimensions, materials, loads, friction, and schemes, all given by --set; the command
-line of each motor that is not certified is printed. Results are checked by contact_checks.py. Outcomes:
-certified; refused (exit status 1, a mistake in the input); failed (status 2, the programs say why); hang
-(more than --seconds of processor time), crash (any other end), silent wrong (status 0, but the check finds
-something). The exit status is 1 if one of the last three has happened.
+Motor number k is drawn from seed k alone, from --seed on: `--seed 17 --count 1` runs number 17 again. It is
+prm/quick.prm with other dimensions, materials, loads, friction, and schemes, within the ranges that the functions
+draw_...() below show; the command line of each motor that is not certified is printed. Results are checked by
+contact_checks.py. Outcomes: certified; refused (exit status 1, a mistake in the input); failed (status 2, the programs
+say why, which may be Accuracy/Time limit); hang (no end within that and a third), crash (any other end), silent wrong
+(status 0, but a check finds something). The exit status is 1 if one of the last three has happened.
+
+With --invariances each certified motor is also computed in millimetres, newtons and MPa, and on two ranks: speeds and
+torques have to agree within rounding or, where another discretisation was chosen, within the sum of their error bars.
 """
 import argparse
+import concurrent.futures
 import json
 import math
 import pathlib
 import random
+import shutil
 import sys
 import tempfile
 
 sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent.parent / "benchmarks"))
+from contact_checks import ContactResults, disagreements, entries_of  # noqa: E402
 from motor_run import (COLUMNS, OUTPUT_OFF, RowFile, add_options, command_lines, is_acceptable,  # noqa: E402
                        run_contact, run_program, summary, write_markdown)
 from timed_run import ROOT  # noqa: E402
@@ -180,40 +187,90 @@ def entries_by_wave(folder, entries, later):
     return found
 
 
+# The power of length in the unit of an entry, of all entries of a section, or of one in its subsections.
+LENGTHS = {"Stator": 1, "Rotor": 1, "Rotor/Radial bar stiffness": -2, "Materials/Young modulus": -2,
+           "Materials/Density": -4, "Wave/Amplitude": 1, "Friction/Decay velocity": 1, "Friction/Weakening length": 1,
+           "Friction/Lining normal stiffness": -3, "Friction/Lining tangential stiffness": -3,
+           "Contact/Normal penalty": -1, "Contact/Tangential penalty": -1, "Initial deformation/Amplitude": 1}
+
+
+def in_millimetres(entries):
+    """The same motor in mm, N, s and therefore tonnes: its torques are in N mm."""
+    changed = {**entries, "Motor/Unusual values": "accept"}
+    for entry, value in {**entries_of(BASE.read_text()), **entries}.items():
+        section, _, name = entry.rpartition("/")
+        power = next((LENGTHS[key] for key in (entry, f"{section.partition('/')[0]}/{name}", section)
+                      if key in LENGTHS), 0)
+        if power and value.replace(".", "").replace("-", "").replace("e", "").replace("+", "").isdigit():
+            changed[entry] = f"{float(value) * 1e3 ** power:.15g}"
+    return changed
+
+
+def invariances(folder, entries, options):
+    """What changes although it must not: list of texts."""
+    found, results = [], ContactResults(folder)
+    millimetres, two_ranks = folder / "millimetres", folder / "two_ranks"
+    row = run_program("stator", BASE, millimetres, in_millimetres(entries), options)
+    if row["outcome"] == "certified":
+        row = run_contact(BASE, millimetres, in_millimetres(entries), options, checks=False)
+    if row["outcome"] == "certified":
+        found += [f"in mm: {text}" for text in disagreements(results, ContactResults(millimetres), 1e-3)]
+    elif "Time limit" not in row["message"]:
+        found.append(f"in mm: {row['outcome']}: {row['message']}")
+    shutil.copytree(folder / "stator", two_ranks / "stator")
+    row = run_contact(BASE, two_ranks, entries, options, checks=False, n_ranks=2)
+    if row["outcome"] == "certified":
+        found += [f"on two ranks: {text}" for text in disagreements(results, ContactResults(two_ranks))]
+    elif "Time limit" not in row["message"]:
+        found.append(f"on two ranks: {row['outcome']}: {row['message']}")
+    return found
+
+
 def run_motor(seed, folder, options):
     """Row of one motor, and its entries."""
     entries, later = draw(seed)
+    entries["Accuracy/Time limit"] = f"{options.seconds:g}"  # the program's own; run_program ends it later
     row = run_program("stator", BASE, folder, entries, options)
     if row["outcome"] == "certified":
         entries.update(entries_by_wave(folder, entries, later))
         row = run_contact(BASE, folder, entries, options)
+    if row["outcome"] == "certified" and options.invariances:
+        if wrong := invariances(folder, entries, options):
+            row.update(outcome="silent wrong", message="; ".join(wrong[:3]))
     return row, entries
+
+
+def run_seed(seed, options):
+    """The whole row of one motor."""
+    with tempfile.TemporaryDirectory() as scratch:
+        row, entries = run_motor(seed, pathlib.Path(options.keep or scratch) / str(seed), options)
+    return {"seed": seed, **row, **{entry: entries.get(entry, "") for entry in SHOWN},
+            "command": command_lines(BASE, f"output/random/{seed}", entries)}
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--seed", type=int, default=1, help="of the first motor")
-    parser.add_argument("--number", type=int, default=200, help="of motors")
+    parser.add_argument("--count", type=int, default=200, help="of motors")
+    parser.add_argument("--workers", type=int, default=1, help="motors that are computed at the same time")
+    parser.add_argument("--invariances", action="store_true", help="also compute each in other units, on two ranks")
     add_options(parser, "random_motors.csv")
     options = parser.parse_args()
 
-    print(f"motors {options.seed} to {options.seed + options.number - 1}, {options.seconds:g} s for each run")
+    print(f"motors {options.seed} to {options.seed + options.count - 1}, {options.seconds:g} s for each run", flush=True)
     file = RowFile(options.csv, ["seed", *COLUMNS, *SHOWN, "command"], options.resume)
-    for seed in range(options.seed, options.seed + options.number):
-        if file.find(seed=seed):
-            continue
-        with tempfile.TemporaryDirectory() as scratch:
-            folder = pathlib.Path(options.keep or scratch) / str(seed)
-            row, entries = run_motor(seed, folder, options)
-        command = command_lines(BASE, f"output/random/{seed}", entries)
-        file.add({"seed": seed, **row, **{entry: entries.get(entry, "") for entry in SHOWN}, "command": command})
-        print(f"{seed}: {row['outcome']}, {row['program']}, {row['processor_seconds']} s", flush=True)
-        if row["outcome"] != "certified":
-            print(f"    {row['message']}\n    {command}", flush=True)
+    seeds = [seed for seed in range(options.seed, options.seed + options.count) if not file.find(seed=seed)]
+    with concurrent.futures.ThreadPoolExecutor(options.workers) as pool:
+        for done in concurrent.futures.as_completed([pool.submit(run_seed, seed, options) for seed in seeds]):
+            row = done.result()
+            file.add(row)
+            print(f"{row['seed']}: {row['outcome']}, {row['program']}, {row['processor_seconds']} s", flush=True)
+            if row["outcome"] != "certified":
+                print(f"    {row['message']}\n    {row['command']}", flush=True)
     lines = summary(file.rows)
     print("\n" + "\n".join(lines))
     if options.markdown:
-        write_markdown(options.markdown, "benchmarks/random_motors.py", lines)
+        write_markdown(options.markdown, "tests/hard/random_motors.py", lines)
     sys.exit(0 if is_acceptable(file.rows) else 1)
 
 
