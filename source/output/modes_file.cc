@@ -155,7 +155,7 @@ namespace ringmotor
      * @throws UserError for tooth tops that move far more along the ring than axially, or hardly */
     void check_plausible(const double ratio, const StatorWave &wave)
     {
-      constexpr double least = 0.01, most = 10.;
+      constexpr double least = 0.005, most = 20.;
       if (ratio >= least && ratio <= most)
         return;
       std::ostringstream text;

@@ -15,6 +15,7 @@
 #include <ringmotor/programs/run_program.h>
 #include <ringmotor/programs/run_results.h>
 #include <ringmotor/programs/run_study.h>
+#include <ringmotor/programs/time_limit.h>
 #include <ringmotor/quantities/chosen_effects.h>
 #include <ringmotor/quantities/contact_study.h>
 #include <ringmotor/quantities/curve_search.h>
@@ -22,7 +23,6 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 #include <optional>
 
@@ -53,13 +53,6 @@ namespace ringmotor
                                    const CurveSetting &setting,
                                    const std::vector<PointRequest> &requests,
                                    const std::vector<CurvePoint> &starts);
-      /** Since the program began. */
-      double seconds() const
-      {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-      }
-      /** @throws ComputationError */
-      void check_time_limit() const;
       void report();
       void report_static_friction();
       void report_effects();
@@ -71,6 +64,7 @@ namespace ringmotor
       /** Switches effects that are `auto` on or off, by their influence. */
       ChosenEffects choose_effects();
 
+      std::unique_ptr<TimeLimit> time_limit; ///< until results are written
       const Parameters &given;
       const std::string folder; ///< of the results, ends in a slash
       const bool is_root_rank;
@@ -80,7 +74,6 @@ namespace ringmotor
       ChosenEffects effects;
       const Parameters &parameters;    ///< no effect of the contact is `auto`
       std::optional<ContactKeep> keep; ///< of run()
-      const std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
       PriceForecast prices{log};
       CurveSearch search;
     };
@@ -97,7 +90,8 @@ namespace ringmotor
     }
 
     ContactProgram::ContactProgram(const Parameters &parameters)
-        : given(parameters), folder(results_folder("contact", parameters)),
+        : time_limit(std::make_unique<TimeLimit>("contact", parameters)), given(parameters),
+          folder(results_folder("contact", parameters)),
           is_root_rank(Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0), log(is_root_rank),
           wave(read_stator_wave(parameters.output.directory + "/stator/modes.h5", parameters)),
           effects(choose_effects()), parameters(effects.parameters()),
@@ -146,6 +140,7 @@ namespace ringmotor
             "kept: continue with --resume");
       search.find();
       report();
+      time_limit.reset();
       write_results();
       keep->report();
     }
@@ -153,7 +148,7 @@ namespace ringmotor
     void ContactProgram::study(const bool resumes)
     {
       ContactStudy study(parameters, wave, effects.vibration());
-      run_study(folder, "contact", given, study, resumes, log, [this] { check_time_limit(); });
+      run_study(folder, "contact", given, study, resumes, log);
     }
 
     CondensedMotor ContactProgram::condense(const unsigned int level,
@@ -183,22 +178,8 @@ namespace ringmotor
     {
       const auto scope = phases.measure("operating points, " + setting.text());
       prices.before_points(motor, setting, requests.size());
-      const auto after_point = [&](const CurvePoint &point)
-      {
-        prices.after_point(point);
-        check_time_limit();
-      };
+      const auto after_point = [&](const CurvePoint &point) { prices.after_point(point); };
       return keep->points(of_points, motor, setting, requests, after_point, starts);
-    }
-
-    void ContactProgram::check_time_limit() const
-    {
-      const std::optional<double> limit = parameters.accuracy.time_limit;
-      if (limit && seconds() > *limit)
-        throw ComputationError(
-            "Accuracy/Time limit = " + text(*limit, 0) + " s exceeded after " + text(seconds(), 1) +
-            " s; the operating points found so far are kept: choose a larger "
-            "limit and continue with --resume, or a larger Accuracy/Contact target");
     }
 
     void ContactProgram::report()

@@ -142,16 +142,21 @@ def points(results):
     return " to ".join(f"{row['speed_rpm']:.3g} rpm at {row['torque_mNm']:.3g} mN m" for row in ends)
 
 
+def in_short(message):
+    """The first statement of a message, without names of programs and folders."""
+    return re.sub(r"/\S*/(stator/\S+)", r"\1", message.split(": ", 1)[-1].split("; ")[0])[:160]
+
+
 def lines_of(cases, rows):
     """The table of the document."""
     lines = []
     for case in cases:
+        name, said = f"`{case.name}`", [case.one("Hard"), case.one("Must")]
         for row in (row for row in rows if row["case"] == case.name):
-            result = row["points"] or f"{row['outcome']}: {row['message'].split(': ', 1)[-1]}"
-            name = f"`{case.name}`" + (f", {row['variant']}" if row["variant"] else "")
-            lines.append([name, case.one("Hard"), case.one("Must"), result, row["newton_iterations"],
-                          row["processor_seconds"]])
-    return table(["case", "hard", "must be", "result", "iterations", "s"], lines)
+            result = row["points"] or f"{row['outcome']}: {in_short(row['message'])}"
+            lines.append([name, *said, row["variant"], result, row["newton_iterations"], row["processor_seconds"]])
+            name, said = "", ["", ""]
+    return table(["case", "hard", "must be", "with", "result", "iterations", "s"], lines)
 
 
 def main():

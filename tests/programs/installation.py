@@ -80,7 +80,7 @@ class FromFileToPage(Installed):
         # The contact is stopped, after an earlier run that was not.
         done = self.ringmotor(*options, *settings("Accuracy/Time limit = 1e-3"))
         self.assertEqual(done.returncode, 2, done.stderr)
-        words = "Accuracy/Time limit = 0 s exceeded"
+        words = "Accuracy/Time limit = 0.001 s exceeded"
         self.assertIn(words, done.stderr)
         for text in (done.stdout, (case / "report.html").read_text()):
             self.assertIn("contact FAILED", text)

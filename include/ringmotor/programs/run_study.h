@@ -6,7 +6,6 @@
 #include <ringmotor/programs/interruption.h>
 #include <ringmotor/programs/run_results.h>
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,12 +19,10 @@ namespace ringmotor
    * rows, such as BodyStudy
    * @param folder of the results of @p program, which exists; ends in a slash
    * @param resumes whether rows of an interrupted study are reused
-   * @param after_row called after each row; may throw to end the study
    */
   template <class Study>
-  void run_study(
-      const std::string &folder, const std::string &program, const Parameters &parameters,
-      Study &study, const bool resumes, Log &log, const std::function<void()> &after_row = [] {})
+  void run_study(const std::string &folder, const std::string &program,
+                 const Parameters &parameters, Study &study, const bool resumes, Log &log)
   {
     const bool is_root_rank = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
     const std::string kept  = folder + "kept/study/";
@@ -36,10 +33,7 @@ namespace ringmotor
     log.line("study of " + std::to_string(study.settings().size()) + " settings");
     std::vector<StudyRow> rows;
     for (const auto &setting : study.settings())
-    {
       rows.push_back(keep.row(study.key(setting), [&] { return study.compute(setting); }));
-      after_row();
-    }
     keep.report();
     const WorkPrecision compared = study.compare(rows);
     for (const std::string &line : describe(compared))

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/output/files.h>
+#include <ringmotor/parameters/errors.h>
+#include <ringmotor/parameters/short_text.h>
+#include <ringmotor/programs/run_results.h>
+#include <ringmotor/programs/time_limit.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <iostream>
+
+namespace ringmotor
+{
+  TimeLimit::TimeLimit(const std::string &program, const Parameters &parameters)
+  {
+    if (parameters.accuracy.time_limit &&
+        dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      watch = std::thread(&TimeLimit::wait, this, *parameters.accuracy.time_limit, program,
+                          failure_file(program, parameters));
+  }
+
+  TimeLimit::~TimeLimit()
+  {
+    {
+      const std::lock_guard<std::mutex> lock(mutex);
+      is_over = true;
+    }
+    changed.notify_one();
+    if (watch.joinable())
+      watch.join();
+  }
+
+  void TimeLimit::wait(const double seconds, const std::string &program,
+                       const std::string &noted_in)
+  {
+    std::unique_lock<std::mutex> lock(mutex);
+    if (changed.wait_for(lock, std::chrono::duration<double>(seconds), [this] { return is_over; }))
+      return;
+    const std::string message =
+        "Accuracy/Time limit = " + short_text(seconds) +
+        " s exceeded; the operating points found so far are kept: choose a larger limit and "
+        "continue with --resume, or a larger Accuracy/Contact target";
+    try
+    {
+      write_file(noted_in, message + "\n");
+    }
+    catch (const UserError &) // cannot be written; the message is printed in any case
+    {
+    }
+    std::cerr << program << ": " << message << std::endl;
+    std::_Exit(2); // the main thread computes, and cannot be asked
+  }
+} // namespace ringmotor
