@@ -236,6 +236,9 @@ namespace ringmotor
     setenv("OMPI_MCA_ess_singleton_isolated", "1", /*overwrite =*/0);
     setenv("OMPI_MCA_pml", "ob1", 0);
     setenv("OMPI_MCA_btl", "self", 0);
+    // All programs started alone would share one folder, and fail if another one removes it while
+    // they create theirs in it.
+    setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
   }
 
   int run_program(int argc, char **argv, const Program &program)

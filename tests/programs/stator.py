@@ -93,6 +93,11 @@ class Results(unittest.TestCase):
                     modes.unlink(missing_ok=True)
                 modes.write_bytes(b"not HDF5")
 
+    def test_shares_no_folder_with_programs_that_run_at_the_same_time(self):
+        """MPI would create one in TMPDIR, where this is impossible."""
+        done = run("env", "TMPDIR=/dev/null", PROGRAM, QUICK, "--check")
+        self.assertEqual(done.returncode, 0, done.stderr)
+
     def test_study_script_wants_a_study(self):
         done = run(ROOT / "scripts" / "study_figure.py", self.case)
         self.assertEqual(done.returncode, 1)
