@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Motors that are hard for a solver: each must end as its file says.
 
-usage: tests/hard/catalogue.py [--programs FOLDER] [--csv FILE] [--markdown FILE] [CASE.prm ...]
+usage: tests/hard/catalogue.py [--programs FOLDER] [--csv FILE [--resume]] [--markdown FILE] [CASE.prm ...]
 
 A case is a parameter file of this folder: what differs from prm/quick.prm, below a header of comments. Lines that
 begin with more than one blank continue the one before.
@@ -163,12 +163,17 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("cases", nargs="*", default=sorted(FOLDER.glob("*.prm")), metavar="CASE.prm")
     parser.add_argument("--programs", default=ROOT / "build" / "bin", help="the folder of the programs")
-    parser.add_argument("--csv", default=None, help="the file of all rows")
+    parser.add_argument("--csv", help="the file of all rows")
+    parser.add_argument("--resume", action="store_true", help="keep the rows of that file, run what it lacks")
     parser.add_argument("--markdown", help="the file between whose comments the table goes")
     options = parser.parse_args()
-    cases, all_rows, is_right = [Case(path) for path in options.cases], [], True
-    file = RowFile(options.csv, ["case", "variant", "points"] + COLUMNS, False) if options.csv else None
+    cases, is_right = [Case(path) for path in options.cases], True
+    file = RowFile(options.csv, ["case", "variant", "points"] + COLUMNS, options.resume) if options.csv else None
+    known = list(file.rows) if file else []
+    all_rows = list(known)
     for case in cases:
+        if sum(row["case"] == case.name for row in known) == len(case.variants):
+            continue
         rows, wrong = run_case(case, options.programs)
         for row in rows:
             print(f"{case.name} {row['variant']}: {row['outcome']}, {row['processor_seconds']} s, "
