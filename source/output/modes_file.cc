@@ -153,7 +153,7 @@ namespace ringmotor
 
     /** A mode of the teeth may look like one of the ring; it drives no rotor.
      * @throws UserError for tooth tops that move far more along the ring than axially, or hardly */
-    void check_plausible(const double ratio, const StatorWave &wave)
+    void check_drives(const double ratio, const StatorWave &wave)
     {
       constexpr double least = 0.005, most = 20.;
       if (ratio >= least && ratio <= most)
@@ -179,7 +179,7 @@ namespace ringmotor
     wave.relative_error = file.attribute<double>("/wave", "relative_error");
     wave.strain_energy  = shape_number(file, "strain_energy").value;
     if (!parameters.motor.accepts_unusual_values)
-      check_plausible(shape_number(file, "A_t/A_n").value, wave);
+      check_drives(shape_number(file, "A_t/A_n").value, wave);
     wave.foot        = motion_of(foot);
     wave.top         = motion_of(top);
     wave.fingerprint = fingerprint(foot->bytes() + top->bytes() + to_bytes(wave.n_waves) +

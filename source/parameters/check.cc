@@ -3,6 +3,7 @@
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/parameters/parameters.h>
 #include <ringmotor/parameters/prm_file.h>
+#include <ringmotor/parameters/short_text.h>
 
 #include <algorithm>
 #include <cmath>
@@ -145,10 +146,9 @@ namespace ringmotor
            {std::make_pair("Dynamic coefficient", friction.dynamic_coefficient),
             std::make_pair("Static coefficient", friction.static_coefficient)})
         if (value <= 0.)
-          throw UserError(
-              std::string("Friction/") + name + " = " + std::to_string(value) +
-              " must be positive: without friction the wave does not drive the rotor, and its "
-              "speed is not determined");
+          throw UserError(std::string("Friction/") + name + " = " + short_text(value) +
+                          "; allowed: a number above 0, as without friction the wave does not "
+                          "drive the rotor, and its speed is not determined");
     }
 
     void check_springs(const Parameters &parameters)

@@ -7,6 +7,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <iostream>
@@ -35,8 +36,10 @@ namespace ringmotor
   void TimeLimit::wait(const double seconds, const std::string &program,
                        const std::string &noted_in)
   {
+    constexpr double most = 1e8; // three years: a clock counts to 300
     std::unique_lock<std::mutex> lock(mutex);
-    if (changed.wait_for(lock, std::chrono::duration<double>(seconds), [this] { return is_over; }))
+    if (changed.wait_for(lock, std::chrono::duration<double>(std::min(seconds, most)),
+                         [this] { return is_over; }))
       return;
     const std::string message =
         "Accuracy/Time limit = " + short_text(seconds) +
