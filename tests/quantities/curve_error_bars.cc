@@ -3,6 +3,7 @@
 // Error bars of operating points, and what they lead to: the search for meshes, steps and modes, on
 // synthetic motors whose errors are known.
 
+#include <ringmotor/parameters/errors.h>
 #include <ringmotor/quantities/curve_search.h>
 
 #include <gtest/gtest.h>
@@ -244,6 +245,42 @@ TEST(CurveErrorBars, LeadToFinerModesWhereTheseMatterMost)
   }
 }
 
+TEST(CurveErrorBars, AreNotSoughtWhereNoStepBalancesThePowers)
+{
+  // Powers that leave a share of the loss which hardly depends on the step (order 0.05), or falls
+  // with it (order 1).
+  const auto find = [](const double order)
+  {
+    Parameters parameters;
+    parameters.loading.values      = {0.}; // torque
+    parameters.initial_deformation = {};
+    CurveSearch::Sources sources   = made_up_sources(0., 0.);
+    sources.points = [=, exact = sources.points](const Parameters &all, const CondensedMotor &motor,
+                                                 const CurveSetting &setting,
+                                                 const std::vector<PointRequest> &requests,
+                                                 const std::vector<CurvePoint> &starts)
+    {
+      std::vector<CurvePoint> points = exact(all, motor, setting, requests, starts);
+      for (CurvePoint &point : points)
+        point.result.input_power *= 1. + 0.04 * std::pow(setting.n_parts, -order);
+      return points;
+    };
+    CurveSearch search(parameters, 1e-4, period, sources);
+    search.find();
+  };
+  EXPECT_NO_THROW(find(1.));
+  try
+  {
+    find(0.05);
+    ADD_FAILURE() << "an imbalance that remains was accepted";
+  }
+  catch (const ComputationError &error)
+  {
+    EXPECT_NE(std::string(error.what()).find("no steps short enough"), std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(CurveErrorBars, AreHeldForTheListedQuantities)
 {
   // Losses and speeds have the relative errors 0.16 and 0.016 on mesh 0, half of them on the next.
@@ -268,6 +305,7 @@ TEST(CurveErrorBars, AreHeldForTheListedQuantities)
         if (point.request.control == Control::torque)
           point.result.speed *= 1. + 0.1 * error;
         point.result.radial_loss = error * point.result.tangential_loss;
+        point.result.input_power += point.result.radial_loss; // powers balance
       }
       return points;
     };
