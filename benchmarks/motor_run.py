@@ -12,7 +12,6 @@ from timed_run import ROOT, arguments, limited_run, program
 # How a run may end. The last three must not happen.
 OUTCOMES = ("certified", "refused", "failed", "hang", "crash", "silent wrong")
 UNACCEPTABLE = ("hang", "crash", "silent wrong")
-SPARE = 4. / 3.  # times the seconds of the options: for a program that may end itself, by Accuracy/Time limit
 CLOCK = 6.  # times the limit of processor time: what a process may take that waits, or shares its processor
 
 OUTPUT_OFF = {"Output/VTU": "false", "Output/Figures": "false"}
@@ -30,9 +29,8 @@ def run_program(name, motor, folder, entries, options, *words, n_ranks=1):
     """One run under the limit, with further words on its command line; returns a row with COLUMNS, those of results
     empty."""
     ranks = ["mpirun", "--oversubscribe", "-n", str(n_ranks)] if n_ranks > 1 else []
-    most = SPARE * options.seconds
     run = limited_run(ranks + [str(program(name, options.programs))] + arguments(motor, folder, entries) + list(words),
-                      most * n_ranks, CLOCK * most)
+                      options.seconds, CLOCK * options.seconds)
     return {**dict.fromkeys(COLUMNS, ""), "outcome": outcome_of(run), "program": name, "status": run.status,
             "seconds": f"{run.seconds:.2f}", "processor_seconds": f"{run.processor_seconds:.2f}",
             "memory_MB": f"{run.memory:.0f}", "message": run.message if run.status else ""}

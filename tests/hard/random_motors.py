@@ -9,8 +9,9 @@ Motor number k is drawn from seed k alone, from --seed on: `--seed 17 --count 1`
 prm/quick.prm with other dimensions, materials, loads, friction, and schemes, within the ranges that the functions
 draw_...() below show; the command line of each motor that is not certified is printed. Results are checked by
 contact_checks.py. Outcomes: certified; refused (exit status 1, a mistake in the input); failed (status 2, the programs
-say why, which may be Accuracy/Time limit); hang (no end within that and a third), crash (any other end), silent wrong
-(status 0, but a check finds something). The exit status is 1 if one of the last three has happened.
+say why, which may be Accuracy/Time limit: three quarters of --seconds); hang (more than --seconds of processor time),
+crash (any other end), silent wrong (status 0, but a check finds something). The exit status is 1 if one of the last
+three has happened.
 
 With --invariances each certified motor is also computed in millimetres, newtons and MPa, and on two ranks: speeds and
 torques have to agree within rounding or, where another discretisation was chosen, within the sum of their error bars.
@@ -36,6 +37,9 @@ BASE = ROOT / "prm" / "quick.prm"
 SHOWN = ("Motor/Number of waves", "Motor/Number of teeth", "Loading/Preload", "Wave/Amplitude", "Friction/Law",
          "Time/Scheme", "Loading/Control", "Contact/Formulation", "Effects/Friction lining",
          "Initial deformation/Amplitude", "Rotor/Flange element", "Stator/Piezoceramic element")
+
+
+OWN_LIMIT = 0.75  # of the seconds, after which the program has to end itself
 
 
 class Dice:
@@ -192,6 +196,7 @@ LENGTHS = {"Stator": 1, "Rotor": 1, "Rotor/Radial bar stiffness": -2, "Materials
            "Materials/Density": -4, "Wave/Amplitude": 1, "Friction/Decay velocity": 1, "Friction/Weakening length": 1,
            "Friction/Lining normal stiffness": -3, "Friction/Lining tangential stiffness": -3,
            "Contact/Normal penalty": -1, "Contact/Tangential penalty": -1, "Initial deformation/Amplitude": 1}
+WORDS = ("solid", "shell")  # values in these sections that are no numbers
 
 
 def in_millimetres(entries):
@@ -201,35 +206,34 @@ def in_millimetres(entries):
         section, _, name = entry.rpartition("/")
         power = next((LENGTHS[key] for key in (entry, f"{section.partition('/')[0]}/{name}", section)
                       if key in LENGTHS), 0)
-        if power and value.replace(".", "").replace("-", "").replace("e", "").replace("+", "").isdigit():
+        if power and value not in WORDS:
             changed[entry] = f"{float(value) * 1e3 ** power:.15g}"
     return changed
 
 
 def invariances(folder, entries, options):
     """What changes although it must not: list of texts."""
-    found, results = [], ContactResults(folder)
-    millimetres, two_ranks = folder / "millimetres", folder / "two_ranks"
-    row = run_program("stator", BASE, millimetres, in_millimetres(entries), options)
+    millimetres, two_ranks, results = folder / "millimetres", folder / "two_ranks", ContactResults(folder)
+    in_mm = in_millimetres(entries)
+    row = run_program("stator", BASE, millimetres, in_mm, options)
     if row["outcome"] == "certified":
-        row = run_contact(BASE, millimetres, in_millimetres(entries), options, checks=False)
-    if row["outcome"] == "certified":
-        found += [f"in mm: {text}" for text in disagreements(results, ContactResults(millimetres), 1e-3)]
-    elif "Time limit" not in row["message"]:
-        found.append(f"in mm: {row['outcome']}: {row['message']}")
+        row = run_contact(BASE, millimetres, in_mm, options, checks=False)
     shutil.copytree(folder / "stator", two_ranks / "stator")
-    row = run_contact(BASE, two_ranks, entries, options, checks=False, n_ranks=2)
-    if row["outcome"] == "certified":
-        found += [f"on two ranks: {text}" for text in disagreements(results, ContactResults(two_ranks))]
-    elif "Time limit" not in row["message"]:
-        found.append(f"on two ranks: {row['outcome']}: {row['message']}")
+    runs = (("in mm", row, millimetres, 1e-3),
+            ("on two ranks", run_contact(BASE, two_ranks, entries, options, checks=False, n_ranks=2), two_ranks, 1.))
+    found = []
+    for what, row, other, torque_unit in runs:
+        if row["outcome"] == "certified":
+            found += [f"{what}: {text}" for text in disagreements(results, ContactResults(other), torque_unit)]
+        elif "Time limit" not in row["message"]:
+            found.append(f"{what}: {row['outcome']}: {row['message']}")
     return found
 
 
 def run_motor(seed, folder, options):
     """Row of one motor, and its entries."""
     entries, later = draw(seed)
-    entries["Accuracy/Time limit"] = f"{options.seconds:g}"  # the program's own; run_program ends it later
+    entries["Accuracy/Time limit"] = f"{OWN_LIMIT * options.seconds:g}"
     row = run_program("stator", BASE, folder, entries, options)
     if row["outcome"] == "certified":
         entries.update(entries_by_wave(folder, entries, later))
