@@ -201,19 +201,6 @@ namespace ringmotor
                   << results_folder(program.name, parameters) << std::endl;
     }
 
-    /** Keeps the message of an error for those who look at the results. */
-    void note_failure(const std::string &path, const std::string &message)
-    {
-      try
-      {
-        if (!path.empty())
-          write_file(path, message + "\n");
-      }
-      catch (const UserError &) // cannot be written; the message is printed in any case
-      {
-      }
-    }
-
     /** Prints once and ends all ranks: a rank that fails alone would leave the others waiting. */
     int fail(const std::string &name, const std::string &message, const int status)
     {

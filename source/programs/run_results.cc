@@ -23,6 +23,18 @@ namespace ringmotor
     return parameters.output.directory + "/" + program + "_failed.txt";
   }
 
+  void note_failure(const std::string &path, const std::string &message)
+  {
+    try
+    {
+      if (!path.empty())
+        write_file(path, message + "\n");
+    }
+    catch (const UserError &) // cannot be written; the message is printed in any case
+    {
+    }
+  }
+
   void prepare_results(const std::string &folder, const std::string &ours)
   {
     prepare_directory(folder);

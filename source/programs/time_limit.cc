@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <ringmotor/output/files.h>
-#include <ringmotor/parameters/errors.h>
 #include <ringmotor/parameters/short_text.h>
 #include <ringmotor/programs/run_results.h>
 #include <ringmotor/programs/time_limit.h>
@@ -45,13 +43,7 @@ namespace ringmotor
         "Accuracy/Time limit = " + short_text(seconds) +
         " s exceeded; the operating points found so far are kept: choose a larger limit and "
         "continue with --resume, or a larger Accuracy/Contact target";
-    try
-    {
-      write_file(noted_in, message + "\n");
-    }
-    catch (const UserError &) // cannot be written; the message is printed in any case
-    {
-    }
+    note_failure(noted_in, message);
     std::cerr << program << ": " << message << std::endl;
     std::_Exit(2); // the main thread computes, and cannot be asked
   }

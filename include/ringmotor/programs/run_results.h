@@ -15,6 +15,10 @@ namespace ringmotor
   /** The file that says why a program failed; the next run removes it. */
   std::string failure_file(const std::string &program, const Parameters &parameters);
 
+  /** Keeps the message of an error in that file, for those who look at the results; does nothing
+   * with an empty path, or where nothing can be written. */
+  void note_failure(const std::string &path, const std::string &message);
+
   /** Creates the folder of a program's results and removes the files of an earlier run from it,
    * whose names match the regular expression @p ours: results of two runs side by side would be
    * misleading. */
