@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/mesh/check_gmsh.h>
 #include <ringmotor/mesh/check_sector.h>
 #include <ringmotor/mesh/ids.h>
 #include <ringmotor/mesh/read_sector.h>
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <limits>
 #include <set>
 
 namespace ringmotor
@@ -17,52 +17,6 @@ namespace ringmotor
 
   namespace
   {
-    void skip_lines(std::istream &input, const unsigned long n_lines)
-    {
-      for (unsigned long line = 0; line < n_lines; ++line)
-        input.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
-    }
-
-    /**
-     * True if every block of the section `$name` of a file of format 4.1 has the number of lines it
-     * announces (@p lines_per_item for each node or element). deal.II trusts these numbers.
-     */
-    bool blocks_are_whole(std::istream &input, const std::string &name,
-                          const unsigned int lines_per_item)
-    {
-      std::string word;
-      while (word != "$" + name)
-        input >> word;
-      unsigned long n_blocks, n_items, smallest, largest, n_found = 0;
-      input >> n_blocks >> n_items >> smallest >> largest;
-      for (unsigned long block = 0; block < n_blocks; ++block)
-      {
-        unsigned int dimension, entity, kind;
-        unsigned long n_here;
-        input >> dimension >> entity >> kind >> n_here;
-        if (dimension > 3 || n_here > n_items)
-          return false;
-        skip_lines(input, 1 + lines_per_item * n_here);
-        n_found += n_here;
-      }
-      input >> word;
-      return n_found == n_items && word == "$End" + name;
-    }
-
-    bool format_is_readable(std::istream &input)
-    {
-      std::string word, version;
-      input >> word;
-      if (word == "$NOD") // version 1, which deal.II writes
-        return true;
-      unsigned int binary;
-      input >> version >> binary;
-      if (word != "$MeshFormat" || binary != 0 || (version != "2.2" && version != "4.1"))
-        return false;
-      return version == "2.2" ||
-             (blocks_are_whole(input, "Nodes", 2) && blocks_are_whole(input, "Elements", 1));
-    }
-
     /** Lets deal.II read the file, and rewords its errors. */
     void read(const std::string &file, Triangulation<3> &triangulation)
     {
@@ -72,15 +26,16 @@ namespace ringmotor
       const UserError damaged = mesh_file_error(
           file, "it is damaged, or not a mesh in Gmsh's ASCII format of version 2.2 or 4.1",
           "save it again as such, with hexahedra of first order (meshes/README.md)");
+      if (!is_whole_gmsh(input))
+        throw damaged;
+      input.clear();
+      input.seekg(0);
       // deal.II does not check whether there was a number to read: without exceptions, a file that
       // ends early would make it loop forever.
       input.exceptions(std::ios::failbit | std::ios::badbit);
       GridIn<3> reader(triangulation);
       try
       {
-        if (!format_is_readable(input))
-          throw damaged;
-        input.seekg(0);
         reader.read_msh(input);
       }
       catch (const std::ios::failure &)

@@ -4,6 +4,7 @@
 #include <ringmotor/parameters/errors.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <hdf5_hl.h>
 #include <sstream>
@@ -30,9 +31,28 @@ namespace ringmotor
       return "dataset " + quoted(name);
     }
 
-    std::string to_text(const H5T_class_t type)
+    std::string attribute_called(const std::string &object, const std::string &name)
     {
-      switch (type)
+      return "attribute " + quoted(name) + " of " + quoted(object);
+    }
+
+    bool are_finite(const std::vector<double> &values)
+    {
+      return std::all_of(values.begin(), values.end(),
+                         [](const double value) { return std::isfinite(value); });
+    }
+
+    template <typename Value>
+    bool are_finite(const std::vector<Value> &)
+    {
+      return true;
+    }
+
+    std::string to_text(const hid_t type)
+    {
+      if (H5Tis_variable_str(type) > 0)
+        return "texts of variable length";
+      switch (H5Tget_class(type))
       {
       case H5T_INTEGER:
         return "integers";
@@ -93,6 +113,12 @@ namespace ringmotor
       return {sizes.begin(), sizes.end()};
     }
 
+    template <typename Type>
+    bool can_be_read(const hid_t stored)
+    {
+      return Type::accepts(H5Tget_class(stored)) && H5Tis_variable_str(stored) <= 0;
+    }
+
     bool agree(const std::vector<std::size_t> &found, const std::vector<std::size_t> &expected)
     {
       return std::equal(found.begin(), found.end(), expected.begin(), expected.end(),
@@ -127,9 +153,8 @@ namespace ringmotor
     using Type = Hdf5Type<Number>;
     const Hdf5Handle dataset(open_dataset(file, path, name));
 
-    const Hdf5Handle stored_type(H5Dget_type(dataset));
-    const H5T_class_t stored = H5Tget_class(stored_type);
-    if (!Type::accepts(stored))
+    const Hdf5Handle stored(H5Dget_type(dataset));
+    if (!can_be_read<Type>(stored))
       reject(path, dataset_called(name), to_text(stored), Type::name);
     const std::vector<std::size_t> found_dims = sizes_of(dataset);
     if (!agree(found_dims, dims))
@@ -141,10 +166,12 @@ namespace ringmotor
     std::size_t n_values = 1;
     for (const std::size_t size : found_dims)
       n_values *= size;
-    const Hdf5Handle type(Type::type_from(stored_type));
+    const Hdf5Handle type(Type::type_from(stored));
     auto buffer = Type::room_for(n_values, type);
     if (H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer.data()) < 0)
       reject(path, dataset_called(name), "values that cannot be read", "an undamaged file");
+    if (!are_finite(buffer))
+      reject(path, dataset_called(name), "values that are not finite", "numbers");
     return Type::from_buffer(buffer, n_values);
   }
 
@@ -157,7 +184,7 @@ namespace ringmotor
   Number Hdf5Reader::attribute(const std::string &object, const std::string &name) const
   {
     using Type              = Hdf5Type<Number>;
-    const std::string owner = "attribute " + quoted(name) + " of " + quoted(object);
+    const std::string owner = attribute_called(object, name);
 
     const bool exists = H5Aexists_by_name(file, object.c_str(), name.c_str(), H5P_DEFAULT) > 0;
     const Hdf5Handle attribute(
@@ -166,18 +193,33 @@ namespace ringmotor
     if (!attribute.is_valid())
       reject(path, owner, "nothing", "a value");
 
-    const Hdf5Handle stored_type(H5Aget_type(attribute));
-    const H5T_class_t stored = H5Tget_class(stored_type);
+    const Hdf5Handle stored(H5Aget_type(attribute));
     const Hdf5Handle space(H5Aget_space(attribute));
-    if (!Type::accepts(stored) || H5Sget_simple_extent_npoints(space) != 1)
+    if (!can_be_read<Type>(stored) || H5Sget_simple_extent_npoints(space) != 1)
       reject(path, owner, to_text(stored), std::string("one value from ") + Type::name);
 
-    const Hdf5Handle type(Type::type_from(stored_type));
+    const Hdf5Handle type(Type::type_from(stored));
     auto buffer = Type::room_for(1, type);
     if (H5Aread(attribute, type, buffer.data()) < 0)
       reject(path, owner, "a value that cannot be read", "an undamaged file");
+    if (!are_finite(buffer))
+      reject(path, owner, "a value that is not finite", "a number");
     return Type::from_buffer(buffer, 1).front();
   }
+
+  template <typename Number>
+  Number Hdf5Reader::attribute_between(const std::string &object, const std::string &name,
+                                       const Number least, const Number most) const
+  {
+    const Number value = attribute<Number>(object, name);
+    if (value < least || value > most)
+      reject(path, attribute_called(object, name), std::to_string(value),
+             "a number between " + std::to_string(least) + " and " + std::to_string(most));
+    return value;
+  }
+
+  template unsigned int Hdf5Reader::attribute_between(const std::string &, const std::string &,
+                                                      const unsigned int, const unsigned int) const;
 
 #define INSTANTIATE(Number)                                                                        \
   template std::vector<Number> Hdf5Reader::read(                                                   \

@@ -22,23 +22,37 @@ namespace ringmotor
   {
     using Complex = std::complex<double>;
 
+    /** How many intervals a lattice of points has along each side of a face or cell. */
+    unsigned int lattice_order(const Hdf5Reader &file, const std::string &group)
+    {
+      return file.attribute_between<unsigned int>(group, "order", 1, 20);
+    }
+
+    /** How many faces or cells a dataset is about: at least one. */
+    std::size_t n_entities(const Hdf5Reader &file, const std::string &name)
+    {
+      const std::vector<std::size_t> dims = file.dims(name);
+      return dims.empty() ? 1 : std::max<std::size_t>(1, dims[0]);
+    }
+
     /** A motion sampled face by face, to be interpolated in the plane (r, theta). */
     class TraceInterpolation
     {
     public:
       TraceInterpolation(const Hdf5Reader &file, const std::string &group)
-          : order(file.attribute<unsigned int>(group, "order"))
+          : order(lattice_order(file, group))
       {
-        const std::size_t n_lattice = (order + 1) * (order + 1);
-        const std::vector<std::size_t> any{Hdf5Reader::any_size, n_lattice, 3};
-        const std::vector<double> points = file.read<double>(group + "/points", any, "m");
-        const std::vector<double> real = file.read<double>(group + "/displacement_real", any, "m");
+        const std::size_t n_lattice = (order + 1) * (order + 1),
+                          n_faces   = n_entities(file, group + "/points");
+        const std::vector<std::size_t> dims{n_faces, n_lattice, 3};
+        const std::vector<double> points = file.read<double>(group + "/points", dims, "m");
+        const std::vector<double> real = file.read<double>(group + "/displacement_real", dims, "m");
         const std::vector<double> imaginary =
-            file.read<double>(group + "/displacement_imaginary", any, "m");
+            file.read<double>(group + "/displacement_imaginary", dims, "m");
         content = to_bytes(order) + to_bytes(points) + to_bytes(real) + to_bytes(imaginary);
         for (std::size_t i = 0; i < real.size(); ++i)
           values.emplace_back(real[i], imaginary[i]);
-        for (std::size_t face = 0; face < points.size() / (3 * n_lattice); ++face)
+        for (std::size_t face = 0; face < n_faces; ++face)
         {
           std::array<Point<2>, 4> corner;
           for (unsigned int v = 0; v < 4; ++v)
@@ -212,12 +226,12 @@ namespace ringmotor
     const ModesFile file(path, parameters);
     const std::string group = "/wave/body";
     SectorField body;
-    body.order                  = file.attribute<unsigned int>(group, "order");
+    body.order                  = lattice_order(file, group);
     body.n_sectors              = parameters.motor.n_teeth;
     body.nodal_diameter         = file.attribute<unsigned int>("/wave", "nodal_diameter");
     body.angular_frequency      = file.attribute<double>("/wave", "angular_frequency_rad_per_s");
     const std::size_t n_lattice = (body.order + 1) * (body.order + 1) * (body.order + 1);
-    const std::size_t n_cells   = file.dims(group + "/material").at(0);
+    const std::size_t n_cells   = n_entities(file, group + "/material");
     const auto points = file.read<double>(group + "/points", {n_cells, n_lattice, 3}, "m");
     const auto energy = file.read<double>(group + "/strain_energy", {n_cells, n_lattice}, "J/m^3");
     const auto material = file.read<unsigned int>(group + "/material", {n_cells}, "1");

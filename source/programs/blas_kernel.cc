@@ -6,8 +6,14 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <new>
 #include <set>
 #include <system_error>
+#include <vector>
+
+extern "C" void dgemm_(const char *, const char *, const int *, const int *, const int *,
+                       const double *, const double *, const int *, const double *, const int *,
+                       const double *, double *, const int *);
 
 namespace ringmotor
 {
@@ -67,5 +73,17 @@ namespace ringmotor
     setenv(variable, kernel.c_str(), /*overwrite =*/0);
     execv(program.c_str(), argv);
     unsetenv(variable); // only reached if it failed
+  }
+
+  void reserve_blas_memory()
+  {
+    constexpr std::size_t buffer = 160u << 20; // of OpenBLAS, which takes 128 MB on most machines
+    char *const trial            = static_cast<char *>(::operator new(buffer));
+    ::operator delete(trial);
+    constexpr int n  = 64; // large enough that the product takes the buffer
+    const double one = 1., zero = 0.;
+    const std::vector<double> a(n * n, 1.);
+    std::vector<double> product(n * n);
+    dgemm_("N", "N", &n, &n, &n, &one, a.data(), &n, a.data(), &n, &zero, product.data(), &n);
   }
 } // namespace ringmotor

@@ -242,6 +242,7 @@ namespace ringmotor
     };
     try
     {
+      reserve_blas_memory();
       work(argc, argv, program, noted_in);
       return 0;
     }
@@ -255,8 +256,9 @@ namespace ringmotor
     }
     catch (const std::bad_alloc &)
     {
-      return failed(
-          "out of memory; choose a larger Accuracy/Target or a smaller Modes/Nodal diameters", 2);
+      return failed("out of memory; choose a larger Accuracy/Target or Accuracy/Contact target, "
+                    "fewer Modes/Nodal diameters, or a machine with more",
+                    2);
     }
     catch (const dealii::ExceptionBase &error)
     {

@@ -21,6 +21,7 @@ namespace ringmotor
     // less than a rise of the torque to stall.
     constexpr double weight = 0.4;
     const double torque = shape.back().result.torque, speed = shape.front().result.speed / weight;
+    Assert(torque != 0. && speed != 0., ExcMessage("a curve without extent has no shape"));
     std::vector<Point<2>> corners;
     for (const CurvePoint &point : shape)
       corners.emplace_back(point.result.torque / torque, point.result.speed / speed);

@@ -229,12 +229,7 @@ namespace ringmotor
   {
     const unsigned int n_points = parameters.loading.n_curve_points;
     if (rotor_sticks())
-    {
-      std::vector<PointRequest> rising;
-      for (unsigned int i = 0; i < n_points; ++i)
-        rising.push_back({Control::torque, stall_torque * i / (n_points - 1)});
-      return rising;
-    }
+      return rising_torques();
     if (n_points == 2)
       return {{Control::torque, 0.}, {Control::speed, 0.}};
     known.clear();
@@ -247,7 +242,24 @@ namespace ringmotor
     for (const unsigned int i : all_requests())
       shape.push_back(point_of(setting, i));
     shape.push_back(stalled);
-    return points_along_curve(shape, n_points);
+    // Without load, a rotor that hardly slips on the wave may stand still: its curve has no shape.
+    return stands_still(shape.front()) ? rising_torques() : points_along_curve(shape, n_points);
+  }
+
+  std::vector<PointRequest> CurveSearch::rising_torques() const
+  {
+    const unsigned int n_parts = parameters.loading.n_curve_points - 1;
+    std::vector<PointRequest> rising;
+    for (unsigned int i = 0; i < n_parts; ++i)
+      rising.push_back({Control::torque, stall_torque * i / n_parts});
+    rising.push_back(stalled.request);
+    return rising;
+  }
+
+  bool CurveSearch::stands_still(const CurvePoint &point) const
+  {
+    return std::abs(point.result.speed) <=
+           parameters.accuracy.contact_target * share_of_scales * motor().crest_speed();
   }
 
   void CurveSearch::find_held_torque()
@@ -260,8 +272,7 @@ namespace ringmotor
     known.clear();
     requests              = {{Control::torque, asked * borne_torque()}};
     const CurvePoint held = point_of(steps.plain(reached_level), 0);
-    if (std::abs(held.result.speed) >
-        parameters.accuracy.contact_target * share_of_scales * motor().crest_speed())
+    if (!stands_still(held))
       return;
     stalled      = held;
     stall_torque = held.request.value;

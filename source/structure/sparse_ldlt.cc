@@ -4,6 +4,7 @@
 
 #include <dmumps_c.h>
 
+#include <new>
 #include <string>
 
 namespace ringmotor
@@ -133,10 +134,13 @@ namespace ringmotor
   {
     mumps->data.job = job;
     dmumps_c(&mumps->data);
-    if (mumps->information(1) < 0)
+    const int code = mumps->information(1);
+    if (code == -5 || code == -7 || code == -13) // MUMPS failed to allocate memory
+      throw std::bad_alloc();
+    if (code < 0)
       throw ComputationError("the sparse direct solver (MUMPS) failed in its " + std::string(what) +
                              " of " + std::to_string(mumps->data.n) + " unknowns, code " +
-                             std::to_string(mumps->information(1)) + " (" +
-                             std::to_string(mumps->information(2)) + ")");
+                             std::to_string(code) + " (" + std::to_string(mumps->information(2)) +
+                             ")");
   }
 } // namespace ringmotor

@@ -84,9 +84,9 @@ class Case:
         return False
 
 
-def run(case, variant, folder, programs):
+def run(case, variant, folder, options):
     """Row and, if it is certified, the results of one run."""
-    options = argparse.Namespace(seconds=case.seconds, programs=programs)
+    options = argparse.Namespace(seconds=options.slowness * case.seconds, programs=options.programs)
     entries = {**case.entries, **variant}
     row = run_program("stator", QUICK, folder, entries, options)
     if row["outcome"] == "certified":
@@ -104,7 +104,7 @@ def check(expression, results):
     return bool(eval(expression, {"__builtins__": {}}, names))  # pylint: disable=eval-used
 
 
-def judge(case, rows, results, programs):
+def judge(case, rows, results, options):
     """What is not as it must be: list of texts."""
     wrong = [f"{row['outcome']} ({row['message']}) instead of {case.one('Must')}"
              for row in rows if not case.allows(row)]
@@ -114,25 +114,25 @@ def judge(case, rows, results, programs):
     agree = case.one("Agree")
     if agree and agree != "variants":
         with tempfile.TemporaryDirectory() as scratch:
-            certified.append(run(Case(FOLDER / f"{agree}.prm"), {}, pathlib.Path(scratch), programs)[1])
+            certified.append(run(Case(FOLDER / f"{agree}.prm"), {}, pathlib.Path(scratch), options)[1])
     if agree:
         wrong += [text for result in certified[:-1] for text in disagreements(result, certified[-1])]
     return wrong
 
 
-def run_case(case, programs):
+def run_case(case, options):
     """Rows of all variants and what is wrong with them."""
     rows, results = [], []
     with tempfile.TemporaryDirectory() as scratch:
         if case.one("After"):
-            before, _ = run(Case(FOLDER / f"{case.one('After')}.prm"), {}, pathlib.Path(scratch) / "0", programs)
+            before, _ = run(Case(FOLDER / f"{case.one('After')}.prm"), {}, pathlib.Path(scratch) / "0", options)
             assert before["outcome"] == "certified", before["message"]
         for number, variant in enumerate(case.variants):
             folder = pathlib.Path(scratch) / str(0 if case.one("After") else number)
-            row, result = run(case, variant, folder, programs)
+            row, result = run(case, variant, folder, options)
             rows.append({"case": case.name, "variant": ", ".join(variant.values()), **row, "points": points(result)})
             results.append(result)
-        return rows, judge(case, rows, results, programs)
+        return rows, judge(case, rows, results, options)
 
 
 def points(results):
@@ -164,6 +164,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("cases", nargs="*", default=sorted(FOLDER.glob("*.prm")), metavar="CASE.prm")
     parser.add_argument("--programs", default=ROOT / "build" / "bin", help="the folder of the programs")
+    parser.add_argument("--slowness", type=float, default=1., help="of the programs, by which all limits are raised")
     parser.add_argument("--csv", help="the file of all rows")
     parser.add_argument("--resume", action="store_true", help="keep the rows of that file, run what it lacks")
     parser.add_argument("--markdown", help="the file between whose comments the table goes")
@@ -175,7 +176,7 @@ def main():
     for case in cases:
         if sum(row["case"] == case.name for row in known) == len(case.variants):
             continue
-        rows, wrong = run_case(case, options.programs)
+        rows, wrong = run_case(case, options)
         for row in rows:
             file.add({**row, "wrong": "; ".join(wrong)})
             print(f"{case.name} {row['variant']}: {row['outcome']}, {row['processor_seconds']} s, "

@@ -9,10 +9,12 @@
 #include <ringmotor/output/hdf5.h>
 #include <ringmotor/parameters/errors.h>
 
+#include <cmath>
 #include <fstream>
 #include <functional>
 #include <gtest/gtest.h>
 #include <hdf5.h>
+#include <limits>
 
 using namespace ringmotor;
 using namespace ringmotor::tests;
@@ -109,6 +111,52 @@ TEST(Hdf5, RefusesADatasetThatIsNotTheExpectedOne)
   expect_problem(path, ", attribute 'version' of '/': found texts, expected one value from numbers",
                  [&]() { reader.attribute<double>("/", "version"); });
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "HDF5 itself must stay silent";
+}
+
+TEST(Hdf5, RefusesNumbersThatAreNotFiniteOrOutsideTheirRange)
+{
+  const Scratch scratch;
+  const std::string path = scratch.path("x.h5");
+  const double infinity  = std::numeric_limits<double>::infinity();
+  Hdf5Writer writer("example", 1);
+  writer.write("shape", std::vector<double>{1., std::nan("")}, {2}, "m", "Not a number.");
+  writer.set_attribute("shape", "scale", -infinity);
+  writer.set_attribute("shape", "order", 3u);
+  writer.save(path);
+  const Hdf5Reader reader(path, "example", 1);
+  expect_problem(path, ", dataset 'shape': found values that are not finite, expected numbers",
+                 [&]() { reader.read<double>("shape", {2}, "m"); });
+  expect_problem(path,
+                 ", attribute 'scale' of 'shape': found a value that is not finite, expected a "
+                 "number",
+                 [&]() { reader.attribute<double>("shape", "scale"); });
+  EXPECT_EQ(reader.attribute_between<unsigned int>("shape", "order", 3, 3), 3u);
+  for (const unsigned int least : {1u, 4u})
+    expect_problem(path,
+                   ", attribute 'order' of 'shape': found 3, expected a number between " +
+                       std::to_string(least) + " and " + std::to_string(least + 1),
+                   [&]()
+                   { reader.attribute_between<unsigned int>("shape", "order", least, least + 1); });
+}
+
+TEST(Hdf5, RefusesTextsOfVariableLength)
+{
+  const Scratch scratch;
+  const std::string path = scratch.path("x.h5");
+  write_example(path);
+  {
+    const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT));
+    const Hdf5Handle space(H5Screate(H5S_SCALAR)), type(H5Tcopy(H5T_C_S1));
+    H5Tset_size(type, H5T_VARIABLE);
+    const Hdf5Handle attribute(H5Acreate_by_name(file, "mode", "name", type, space, H5P_DEFAULT,
+                                                 H5P_DEFAULT, H5P_DEFAULT));
+    const char *const text = "of any length";
+    H5Awrite(attribute, type, &text);
+  }
+  expect_problem(path,
+                 ", attribute 'name' of 'mode': found texts of variable length, expected one value "
+                 "from texts",
+                 [&]() { Hdf5Reader(path, "example", 3).attribute<std::string>("mode", "name"); });
 }
 
 TEST(Hdf5, RefusesAFileOfAnotherKind)

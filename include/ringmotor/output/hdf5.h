@@ -74,7 +74,8 @@ namespace ringmotor
 
   /**
    * Reads a file of Hdf5Writer. Every mismatch, a missing or damaged file included, is a UserError
-   * in one line: the file, the dataset or attribute, what was found and what was expected.
+   * in one line: the file, the dataset or attribute, what was found and what was expected. Numbers
+   * that are not finite are refused as well.
    */
   class Hdf5Reader
   {
@@ -99,6 +100,11 @@ namespace ringmotor
     /** Reads a scalar attribute of a group or dataset. */
     template <typename Number>
     Number attribute(const std::string &object, const std::string &name) const;
+
+    /** The same of a number that must be between two others, both included. */
+    template <typename Number>
+    Number attribute_between(const std::string &object, const std::string &name, const Number least,
+                             const Number most) const;
 
   private:
     const std::string path;

@@ -37,4 +37,12 @@ namespace ringmotor
    * @param argv of main(), all of it
    */
   void restart_with_faster_blas_kernel(char **argv);
+
+  /**
+   * Lets OpenBLAS allocate the buffer that its products of matrices need. It tries for ever if there
+   * is no memory for that, so that the buffer has to be there before the program fills the memory.
+   *
+   * @throws std::bad_alloc if there is not enough memory
+   */
+  void reserve_blas_memory();
 } // namespace ringmotor

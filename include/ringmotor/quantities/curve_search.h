@@ -139,8 +139,12 @@ namespace ringmotor
     double point_seconds(const CurveSetting &setting);
     void find_requests(const unsigned int n_parts);
     /** Where the whole curve is computed: along its shape on the first mesh, or at rising torques
-     * if the rotor sticks under all of them. */
+     * if the rotor stands still under all of them, or without load. */
     std::vector<PointRequest> points_of_curve();
+    /** Torques in even steps, from no load to the last point. */
+    std::vector<PointRequest> rising_torques() const;
+    /** Whether the rotor moves less than the target, relative to the wave's crests. */
+    bool stands_still(const CurvePoint &point) const;
     /** The setting with whose steps those of a point are compared. */
     CurveSetting compared_step(const unsigned int request) const;
     CurveSetting changed_wave() const;
