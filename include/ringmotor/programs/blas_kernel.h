@@ -39,8 +39,9 @@ namespace ringmotor
   void restart_with_faster_blas_kernel(char **argv);
 
   /**
-   * Lets OpenBLAS allocate the buffer that its products of matrices need. It tries for ever if there
-   * is no memory for that, so that the buffer has to be there before the program fills the memory.
+   * Lets OpenBLAS allocate the buffer that its products of matrices need. It tries for ever if
+   * there is no memory for that, so that the buffer has to be there before the program fills the
+   * memory.
    *
    * @throws std::bad_alloc if there is not enough memory
    */

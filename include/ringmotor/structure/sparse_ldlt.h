@@ -51,8 +51,8 @@ namespace ringmotor
     /**
      * Factorises the sum of @p triplets over all ranks. A repeated call with the same rows and
      * columns reuses the symbolic analysis.
-     * @throws ComputationError if MUMPS fails or the matrix is singular, std::bad_alloc if memory is
-     *         short
+     * @throws ComputationError if MUMPS fails or the matrix is singular, std::bad_alloc if memory
+     * is short
      */
     void factorise(SymmetricTriplets &triplets);
 
