@@ -60,22 +60,24 @@ class ContactResults:
     def number(self, entry):
         return float(self.entries[entry])
 
+    def has_effect(self, name):
+        """Whether an effect was included, by its entry or, if that is "auto", because of its size."""
+        return any(effect["name"] == name and effect["choice"] == "on" for effect in self.summary["effects"])
+
     def has_springs(self):
         """Whether rotor and teeth may approach each other beyond the point where they touch."""
-        return (self.entries["Contact/Formulation"] == "penalty" or
-                self.entries["Effects/Friction lining"] == "on")
+        return self.entries["Contact/Formulation"] == "penalty" or self.has_effect("Friction lining")
 
     def is_marched(self, point):
         """A marched point is a sequence of steps, at least two of them; its first is not averaged over."""
         return self.entries["Time/Scheme"] == "marching" or (
-            self.entries["Time/Scheme"] == "auto" and self.number("Initial deformation/Amplitude") > 0. and
-            self.entries["Effects/Initial deformation"] != "off")
+            self.entries["Time/Scheme"] == "auto" and self.has_effect("Initial deformation"))
 
     def friction_bound(self):
         """The largest coefficient that the law of friction ever takes."""
         dynamic, static = (self.number(f"Friction/{kind} coefficient") for kind in ("Dynamic", "Static"))
         is_one = (self.entries["Friction/Law"] == "coulomb" or
-                  self.entries["Effects/Static friction excess"] == "off")
+                  not self.has_effect("Static friction excess"))
         return dynamic if is_one else max(dynamic, static)
 
     def averaged(self, point):
