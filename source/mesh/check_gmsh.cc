@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstdlib>
 #include <map>
 #include <optional>
 #include <set>
@@ -115,7 +115,7 @@ namespace ringmotor
         {
           if (!next() || !is_point(1))
             return false;
-          tags.insert(std::stol(line));
+          tags.insert(std::strtol(line.c_str(), nullptr, 10)); // does not throw
         }
         return next() && tags.size() == static_cast<std::size_t>(head[0]);
       }
