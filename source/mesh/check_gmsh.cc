@@ -54,9 +54,11 @@ namespace ringmotor
         if (line == "$NOD")
           return nodes(false) && line == "$ENDNOD" && goes_on_with("$ELM") && elements(5) &&
                  line == "$ENDELM";
-        next();
-        const bool has_blocks = line == "4.1 0 8";
-        if (!has_blocks && line != "2.2 0 8")
+        if (line != "$MeshFormat" || !next())
+          return false;
+        const auto format     = numbers_of<double>(line); // version, ASCII, bytes of a number
+        const bool has_blocks = format == std::vector<double>{4.1, 0, 8};
+        if (!has_blocks && format != std::vector<double>{2.2, 0, 8})
           return false;
         return goes_on_with("$Nodes") && nodes(has_blocks) && line == "$EndNodes" &&
                goes_on_with("$Elements") && (has_blocks ? blocks_of_elements() : elements(3)) &&
@@ -115,7 +117,10 @@ namespace ringmotor
         {
           if (!next() || !is_point(1))
             return false;
-          tags.insert(std::strtol(line.c_str(), nullptr, 10)); // does not throw
+          char *end = nullptr;
+          tags.insert(std::strtol(line.c_str(), &end, 10)); // does not throw
+          if (*end != ' ' && *end != '\t')
+            return false;
         }
         return next() && tags.size() == static_cast<std::size_t>(head[0]);
       }

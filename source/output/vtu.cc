@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -132,11 +133,12 @@ namespace ringmotor
     output.write(path);
   }
 
-  void write_ring_animation(const std::string &folder, const std::string &base_name,
-                            const SectorField &field, const unsigned int n_frames)
+  void write_ring_animation(const std::string &path, const SectorField &field,
+                            const unsigned int n_frames)
   {
     Assert(field.angular_frequency > 0., ExcMessage("A motion needs a frequency."));
-    const std::string record = folder + "/" + base_name + ".pvd";
+    const std::string record    = path + ".pvd";
+    const std::string base_name = std::filesystem::path(path).filename();
     // A record of an earlier run must not remain beside frames of this one.
     std::remove(record.c_str());
 
@@ -145,11 +147,11 @@ namespace ringmotor
     std::vector<std::pair<double, std::string>> times_and_names;
     for (unsigned int frame = 0; frame < n_frames; ++frame)
     {
-      const double fraction  = static_cast<double>(frame) / n_frames;
-      const std::string name = base_name + "_" + Utilities::int_to_string(frame, 2) + ".vtu";
+      const double fraction    = static_cast<double>(frame) / n_frames;
+      const std::string ending = "_" + Utilities::int_to_string(frame, 2) + ".vtu";
       move(ring, field, 2. * numbers::PI * fraction);
-      ring.write(folder + "/" + name);
-      times_and_names.emplace_back(fraction * period, name);
+      ring.write(path + ending);
+      times_and_names.emplace_back(fraction * period, base_name + ending);
     }
     write_pvd(record, times_and_names);
   }

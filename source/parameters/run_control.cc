@@ -134,8 +134,8 @@ namespace ringmotor
               "and teeth in contact relative to their largest values, the stick fraction as it "
               "is. All others also get error bars. Units: none.");
     add_entry(prm, "Time limit", time_limit, number_or("none", positive_number()),
-              "Time after which the program contact stops; operating points found so far are kept, "
-              "and --resume continues from there. Units: s.");
+              "Time after which the programs stator and contact stop; contact keeps the operating "
+              "points found so far, and --resume continues from there. Units: s.");
     add_entry(prm, "Mode", mode,
               selection<AccuracyMode>(
                   {{"adaptive", AccuracyMode::adaptive}, {"fixed", AccuracyMode::fixed}}),

@@ -90,8 +90,11 @@ namespace ringmotor
     }
 
     ContactProgram::ContactProgram(const Parameters &parameters)
-        : time_limit(std::make_unique<TimeLimit>("contact", parameters)), given(parameters),
-          folder(results_folder("contact", parameters)),
+        : time_limit(std::make_unique<TimeLimit>(
+              "contact", parameters,
+              "the operating points found so far are kept: choose a larger limit and continue with "
+              "--resume, or a larger Accuracy/Contact target")),
+          given(parameters), folder(results_folder("contact", parameters)),
           is_root_rank(Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0), log(is_root_rank),
           wave(read_stator_wave(parameters.output.directory + "/stator/modes.h5", parameters)),
           effects(choose_effects()), parameters(effects.parameters()),

@@ -9,6 +9,7 @@
 #include <ringmotor/programs/run_program.h>
 #include <ringmotor/programs/run_results.h>
 #include <ringmotor/programs/run_study.h>
+#include <ringmotor/programs/time_limit.h>
 #include <ringmotor/quantities/body_modes.h>
 #include <ringmotor/quantities/body_study.h>
 
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <memory>
 #include <optional>
 #include <sstream>
 
@@ -59,6 +61,7 @@ namespace ringmotor
       void add_wave_quantities(Summary &summary, const WaveResult &wave,
                                const double seconds) const;
 
+      std::unique_ptr<TimeLimit> time_limit; ///< until results are written
       const Parameters &parameters;
       const bool of_stator;     ///< else of the rotor or a tooth
       const std::string folder; ///< of the results, ends in a slash
@@ -80,7 +83,10 @@ namespace ringmotor
     }
 
     StatorProgram::StatorProgram(const Parameters &parameters)
-        : parameters(parameters), of_stator(parameters.modes.body == Body::stator),
+        : time_limit(std::make_unique<TimeLimit>(
+              "stator", parameters,
+              "choose a larger limit, or a larger Accuracy/Target or Accuracy/Contact target")),
+          parameters(parameters), of_stator(parameters.modes.body == Body::stator),
           folder(results_folder("stator", parameters)),
           is_root_rank(Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0), log(is_root_rank),
           body(parameters, MPI_COMM_WORLD)
@@ -198,6 +204,7 @@ namespace ringmotor
       for (const EffectRow &row : effects)
         log.line(describe(row));
       require_certified(make_summary(effects));
+      time_limit.reset();
       if (is_root_rank)
       {
         const auto scope       = phases.measure("output");
@@ -229,7 +236,7 @@ namespace ringmotor
         return;
       // Many frames of all sectors: where cells are small already, straight ones suffice.
       const bool fine = sector.sector_mesh().n_cells() > 50;
-      write_ring_animation(folder, "ring", sample_sector(sector, wave->found.mode, fine ? 1 : 2),
+      write_ring_animation(folder + "ring", sample_sector(sector, wave->found.mode, fine ? 1 : 2),
                            parameters.output.frames_per_period);
     }
 

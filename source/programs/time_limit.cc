@@ -12,12 +12,13 @@
 
 namespace ringmotor
 {
-  TimeLimit::TimeLimit(const std::string &program, const Parameters &parameters)
+  TimeLimit::TimeLimit(const std::string &program, const Parameters &parameters,
+                       const std::string &advice)
   {
     if (parameters.accuracy.time_limit &&
         dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
       watch = std::thread(&TimeLimit::wait, this, *parameters.accuracy.time_limit, program,
-                          failure_file(program, parameters));
+                          failure_file(program, parameters), advice);
   }
 
   TimeLimit::~TimeLimit()
@@ -32,7 +33,7 @@ namespace ringmotor
   }
 
   void TimeLimit::wait(const double seconds, const std::string &program,
-                       const std::string &noted_in)
+                       const std::string &noted_in, const std::string &advice)
   {
     constexpr double most = 1e8; // three years: a clock counts to 300
     std::unique_lock<std::mutex> lock(mutex);
@@ -40,9 +41,7 @@ namespace ringmotor
                          [this] { return is_over; }))
       return;
     const std::string message =
-        "Accuracy/Time limit = " + short_text(seconds) +
-        " s exceeded; the operating points found so far are kept: choose a larger limit and "
-        "continue with --resume, or a larger Accuracy/Contact target";
+        "Accuracy/Time limit = " + short_text(seconds) + " s exceeded; " + advice;
     note_failure(noted_in, message);
     std::cerr << program << ": " << message << std::endl;
     std::_Exit(2); // the main thread computes, and cannot be asked

@@ -62,13 +62,19 @@ namespace
     }
   }
 
+  /** The small meshes of older versions are of a ring with six teeth. */
+  unsigned int n_teeth_of(const std::string &mesh_file, const Parameters &parameters)
+  {
+    return mesh_file.find("version_") != std::string::npos ? 6 : parameters.motor.n_teeth;
+  }
+
   void read(const std::string &path, const Parameters &parameters, const StatorWave &wave)
   {
     const std::string ending = std::filesystem::path(path).extension();
     if (ending == ".prm")
       read_parameter_file(path);
     else if (ending == ".msh")
-      read_sector(path, parameters.motor.n_teeth, MPI_COMM_SELF);
+      read_sector(path, n_teeth_of(path, parameters), MPI_COMM_SELF);
     else if (ending == ".h5")
       read_results(path, parameters, wave);
     else if (!read_kept_file(path, "a key").bytes)

@@ -174,6 +174,19 @@ TEST(MeshFile, RefusesFilesThatAreNoMeshes)
   refuse_text("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n3 1 \"base\"\n", "damaged");
 }
 
+TEST(MeshFile, RefusesNumbersOfNodesThatAreNoIntegers)
+{
+  const Scratch scratch;
+  const std::string whole = content_of(SmallSector().write(scratch));
+  const std::size_t fifth = whole.find("\n5 ") + 1;
+  for (const std::string number : {".5", "-5", "5.5", "1e1", "99999999999999999999", "x"})
+  {
+    std::ofstream(scratch.path("other.msh"))
+        << whole.substr(0, fifth) + number + whole.substr(fifth + 1);
+    expect_refusal(scratch.path("other.msh"), {"damaged"});
+  }
+}
+
 TEST(MeshFile, RefusesATruncatedFile)
 {
   const Scratch scratch;

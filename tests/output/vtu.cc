@@ -194,7 +194,7 @@ TEST(Vtu, RingAnimationIsTheTravellingWave)
   const Scratch scratch;
   WaveRing ring;
   ring.order = 3;
-  write_ring_animation(scratch.path(""), "wave", ring.field(), 8);
+  write_ring_animation(scratch.path("wave"), ring.field(), 8);
   EXPECT_EQ(scratch.n_entries(), 9u);
 
   const std::string record = content_of(scratch.path("wave.pvd"));
@@ -219,7 +219,7 @@ TEST(Vtu, RingIsClosed)
 {
   const Scratch scratch;
   const WaveRing ring;
-  write_ring_animation(scratch.path(""), "wave", ring.field(), 1);
+  write_ring_animation(scratch.path("wave"), ring.field(), 1);
   // One of the corners per cell lies on each of 24 rays: 12 sectors of 2 cells.
   std::vector<unsigned int> n_per_ray(24, 0);
   const VtuFile file(scratch.path("wave_00.vtu"));
@@ -238,10 +238,10 @@ TEST(Vtu, RingIsClosed)
 TEST(Vtu, NoRecordOfFramesThatWereNotWritten)
 {
   const Scratch scratch;
-  write_ring_animation(scratch.path(""), "wave", WaveRing().field(), 2);
+  write_ring_animation(scratch.path("wave"), WaveRing().field(), 2);
   std::filesystem::create_symlink("/dev/full", scratch.path("wave_01.vtu.part"));
   const std::string message = message_of<UserError>(
-      [&]() { write_ring_animation(scratch.path(""), "wave", WaveRing().field(), 2); });
+      [&]() { write_ring_animation(scratch.path("wave"), WaveRing().field(), 2); });
   EXPECT_NE(message.find("wave_01.vtu"), std::string::npos) << message;
   EXPECT_FALSE(std::filesystem::exists(scratch.path("wave.pvd")));
 }

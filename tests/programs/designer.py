@@ -132,6 +132,11 @@ class Designer(WithWave):
 
     def test_what_a_failure_leaves(self):
         case = self.folder / "case"
+        done = run(STATOR, QUICK, "--output", case, *QUIET, *settings("Accuracy/Time limit = 1e-3"))
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("Accuracy/Time limit = 0.001 s exceeded; choose a larger limit", done.stderr)
+        self.assertEqual(sorted(path.name for path in case.rglob("*")), ["stator", "stator_failed.txt"])
+        shutil.rmtree(case)
         shutil.copytree(self.case / "stator", case / "stator")
         done = run(CONTACT, QUICK, "--output", case, *QUIET, *settings("Accuracy/Time limit = 1e-3"))
         self.assertEqual(done.returncode, 2)

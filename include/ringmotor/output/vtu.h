@@ -23,14 +23,14 @@ namespace ringmotor
 
   /**
    * Writes the travelling wave on the whole ring over one period: @p n_frames files
-   * `<base_name>_00.vtu`, ... of Lagrange cells, frame k at the time k T / n_frames, and finally
-   * `<base_name>.pvd` with the times in seconds. Point fields: `displacement` (Cartesian vector, m;
+   * `<path>_00.vtu`, ... of Lagrange cells, frame k at the time k T / n_frames, and finally
+   * `<path>.pvd` with the times in seconds. Point fields: `displacement` (Cartesian vector, m;
    * for "Warp By Vector") and `material`.
    *
    * @throw UserError if writing fails; then there is no PVD file
    */
-  void write_ring_animation(const std::string &folder, const std::string &base_name,
-                            const SectorField &field, unsigned int n_frames);
+  void write_ring_animation(const std::string &path, const SectorField &field,
+                            unsigned int n_frames);
 
   /**
    * Writes the whole ring with a scalar that is the same in all sectors and `material`, as a VTU

@@ -41,7 +41,7 @@ namespace ringmotor
     double target         = 1.e-4; ///< relative error of the results
     double contact_target = 0.03;  ///< relative error of #quantities
     std::vector<QuantityTarget> quantities{{HeldQuantity::speed, {}}, {HeldQuantity::torque, {}}};
-    std::optional<double> time_limit; ///< s, for a run of the program contact
+    std::optional<double> time_limit; ///< s, for a run of stator or contact
     AccuracyMode mode                 = AccuracyMode::adaptive;
     unsigned int polynomial_degree    = 3; ///< mode fixed only
     unsigned int refinement           = 0; ///< of the body meshes, mode fixed only

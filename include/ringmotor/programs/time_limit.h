@@ -18,14 +18,16 @@ namespace ringmotor
   class TimeLimit
   {
   public:
-    /** Does nothing without a limit, or on another rank than the first one. */
-    TimeLimit(const std::string &program, const Parameters &parameters);
+    /** Does nothing without a limit, or on another rank than the first one.
+     * @param advice what the user can do, for the message */
+    TimeLimit(const std::string &program, const Parameters &parameters, const std::string &advice);
     ~TimeLimit();
     TimeLimit(const TimeLimit &)            = delete;
     TimeLimit &operator=(const TimeLimit &) = delete;
 
   private:
-    void wait(const double seconds, const std::string &program, const std::string &noted_in);
+    void wait(const double seconds, const std::string &program, const std::string &noted_in,
+              const std::string &advice);
 
     std::mutex mutex;
     std::condition_variable changed;
