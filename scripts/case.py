@@ -41,6 +41,19 @@ def has_results(case_folder, program):
     return not words_of_failure(case_folder, program) and os.path.exists(os.path.join(case_folder, program, "summary.json"))
 
 
+def entries_of(lines):
+    """The entries of a parameter file: "Section/Entry" -> text."""
+    entries, sections = {}, []
+    for line in lines:
+        if found := re.match(r"\s*subsection (.*\S)", line):
+            sections.append(found[1])
+        elif line.strip() == "end":
+            sections.pop()
+        elif found := re.match(r"\s*set (.*?)\s*=\s*(.*?)\s*$", line):
+            entries["/".join([*sections, found[1]])] = found[2]
+    return entries
+
+
 class Results:
     """Files of one program in the folder of a case; `program` is its name and that of its folder."""
 
@@ -67,16 +80,8 @@ class Results:
 
     def read_parameters(self, path):
         """"Section/Entry" -> text."""
-        self.parameters = {}
-        sections = []
         with open(path) as file:
-            for line in file:
-                if found := re.match(r"\s*subsection (.*\S)", line):
-                    sections.append(found[1])
-                elif line.strip() == "end":
-                    sections.pop()
-                elif found := re.match(r"\s*set (.*?)\s*=\s*(.*?)\s*$", line):
-                    self.parameters["/".join([*sections, found[1]])] = found[2]
+            self.parameters = entries_of(file)
         self.motor = self.parameters["Motor/Name"]
 
 

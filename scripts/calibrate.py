@@ -1,0 +1,169 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Finds entries, such as friction coefficients and the amplitude, from a measured torque-speed curve.
+
+usage: scripts/calibrate.py FILE.prm MEASURED.csv --fit 'Section/Entry = low:high'... [options]
+
+MEASURED.csv has a row for each measured point and the columns torque_mNm, speed_rpm and, as standard deviations,
+torque_error_mNm and speed_error_rpm (one of them may be left out). Motors with values from the ranges are computed at the
+measured speeds (scripts/sweep.py); polynomials through their torques take the place of the motor in a least-squares fit and in
+a Markov chain, which also count the error bars of the motors and what the polynomials miss of them. Example:
+
+  scripts/calibrate.py prm/quick.prm measured.csv --fit 'Friction/Dynamic coefficient = 0.1:0.6'
+
+Writes calibration.json (values, 95 % intervals, correlations), the motor at the best values, and a figure of curve, band and data
+into output/FILE_calibration (or --output DIR).
+"""
+import argparse
+import json
+import math
+import os
+import pathlib
+import sys
+
+sys.dont_write_bytecode = True
+import numpy as np
+from calibration import Measured, Posterior, Surrogate, n_terms
+from case import CaseError, read_table
+from drawing import BLUE, ORANGE, plt, save
+from many_motors import Engine, Family
+from motor_results import RPM
+from scipy.interpolate import PchipInterpolator
+from sweep import PROGRAMS, print_inputs, sweep
+from variation import entry_and_value, latin_hypercube, number_text, ranged
+
+MOST_SPEEDS = 12  # at which each motor is computed
+INTERVAL = (2.5, 50., 97.5)  # per cent of the chain
+
+
+def read_measured(path):
+    try:
+        rows = read_table(path)
+        columns = {name: np.array([row[name] if name in rows[0] else 0. for row in rows])
+                   for name in ("torque_error_mNm", "speed_error_rpm")}
+        found = Measured(np.array([row["torque_mNm"] for row in rows]) * 1e-3,
+                         np.array([row["speed_rpm"] for row in rows]) * RPM,
+                         columns["torque_error_mNm"] * 1e-3, columns["speed_error_rpm"] * RPM)
+    except KeyError as error:
+        raise CaseError(f"{path} has no column {error}; it needs torque_mNm and speed_rpm") from None
+    except (OSError, ValueError, TypeError) as error:
+        raise CaseError(f"{path} cannot be read ({' '.join(str(error).split())}); it needs a line of names and rows of "
+                        "numbers, separated by commas") from None
+    numbers = np.concatenate([found.torque, found.speed, found.torque_error, found.speed_error])
+    if not np.all(np.isfinite(numbers)) or np.any(found.torque_error < 0) or np.any(found.speed_error < 0):
+        raise CaseError(f"{path} has numbers that are not finite, or negative deviations")
+    if np.any(found.torque_error + found.speed_error <= 0):
+        raise CaseError(f"{path} needs torque_error_mNm or speed_error_rpm above 0 for each point")
+    return found
+
+
+def speeds_for(measured):
+    """At which the motors are computed, in rad/s: those measured or, of many, some between the extreme ones."""
+    speeds = np.unique(measured.speed)
+    if len(speeds) > MOST_SPEEDS:
+        speeds = np.quantile(speeds, np.linspace(0, 1, MOST_SPEEDS))
+    if len(speeds) < 2:
+        raise CaseError("a curve needs two different speeds or more")
+    return [float(f"{speed:.6g}") for speed in speeds]
+
+
+def surrogate_of(rows, fitted, speeds):
+    """From the motors that are certified."""
+    rows = [row for row in rows if row.outcome == "certified"]
+    names = [f"torque at speed {speed:.6g}" for speed in speeds]
+    places = np.array([[one.share_of(row.varied[one.entry]) for one in fitted] for row in rows]).reshape(len(rows), len(fitted))
+    torques = np.array([[row.quantities[name].value for name in names] for row in rows]).reshape(len(rows), len(names))
+    bars = np.array([[row.quantities[name].error for name in names] for row in rows]).reshape(len(rows), len(names))
+    return Surrogate(speeds, places, torques * 1e-3, bars * 1e-3)
+
+
+def interval_of(one, places):
+    """Low end, median and high end of an entry."""
+    return [float(one.at(share)) for share in np.percentile(places, INTERVAL)]
+
+
+def draw(output, title, measured, surrogate, best, chain):
+    figure, axes = plt.subplots(figsize=(5, 3.8), layout="constrained")
+    figure.suptitle(title, fontsize=10)
+    speeds = np.linspace(surrogate.speeds[0], surrogate.speeds[-1], 200)
+    curves = [PchipInterpolator(surrogate.speeds, surrogate.torques(place))(speeds) for place in chain[::max(1, len(chain) // 400)]]
+    low, high = np.percentile(curves, (2.5, 97.5), axis=0)
+    axes.fill_betweenx(speeds / RPM, low * 1e3, high * 1e3, color=BLUE, alpha=0.25, lw=0, label="95 % of the fits")
+    axes.plot(PchipInterpolator(surrogate.speeds, surrogate.torques(best))(speeds) * 1e3, speeds / RPM, color=BLUE, lw=1,
+              label="best fit")
+    axes.errorbar(measured.torque * 1e3, measured.speed / RPM, xerr=measured.torque_error * 1e3, yerr=measured.speed_error / RPM,
+                  fmt="o", color=ORANGE, ms=3, capsize=2, lw=0.8, label="measured")
+    axes.set(xlabel="torque (mN m)", ylabel="speed (rpm)")
+    axes.legend(frameon=False)
+    axes.spines[["top", "right"]].set_visible(False)
+    save(figure, output, "calibration")
+
+
+def report(output, fitted, posterior, best, chain):
+    """Prints and writes the values with their intervals."""
+    chi_squared = float(np.sum(posterior.scaled(best) ** 2))
+    n_free = len(posterior.measured.torque) - len(fitted)
+    result = {"entries": {}, "chi_squared": chi_squared, "degrees_of_freedom": n_free,
+              "correlations": np.atleast_2d(np.corrcoef(chain.T)).tolist()}
+    for number, one in enumerate(fitted):
+        low, median, high = interval_of(one, chain[:, number])
+        result["entries"][one.entry] = {"best": float(one.at(best[number])), "median": median, "interval_95": [low, high]}
+        print(f"{one.entry} = {median:.4g}, 95 % within {low:.4g} to {high:.4g}")
+        if best[number] < 1e-3 or best[number] > 1 - 1e-3:
+            print(f"warning: the best value, {one.at(best[number])}, is at an end of its range: widen it")
+    print(f"chi squared {chi_squared:.3g} for {n_free} degrees of freedom")
+    if n_free > 0 and chi_squared > n_free + 4 * math.sqrt(2 * n_free):
+        print("warning: no motor of these ranges explains the curve within its deviations")
+    (pathlib.Path(output) / "calibration.json").write_text(json.dumps(result, indent=1) + "\n")
+
+
+def parse(arguments):
+    first, usage, rest = __doc__.split("\n\n", 2)
+    parser = argparse.ArgumentParser(description=first, usage=usage[7:], epilog=rest,
+                                     formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("prm", metavar="FILE.prm"), parser.add_argument("measured", metavar="MEASURED.csv")
+    parser.add_argument("--fit", action="append", required=True, metavar="'Section/Entry = low:high'")
+    parser.add_argument("--set", action="append", default=[], metavar="'Section/Entry = value'", dest="settings")
+    parser.add_argument("--motors", type=int, metavar="N", help="to be computed; by default twice the terms of the polynomials")
+    parser.add_argument("--seed", type=int, default=1, help="of the sample and the chain")
+    parser.add_argument("--workers", type=int, default=os.cpu_count(), metavar="N")
+    parser.add_argument("--scheduler", metavar="ADDRESS")
+    parser.add_argument("--output", metavar="DIR")
+    parser.add_argument("--programs", metavar="DIR", default=PROGRAMS, help="where stator, contact and losses are")
+    return parser.parse_args(arguments)
+
+
+def main(arguments):
+    options = parse(arguments)
+    fitted, measured = [ranged("--fit", text) for text in options.fit], read_measured(options.measured)
+    speeds = speeds_for(measured)
+    output = options.output or f"output/{pathlib.Path(options.prm).stem}_calibration"
+    loading = {"Loading/Control": "speed", "Loading/Values": ", ".join(map(number_text, speeds))}
+    family = Family(options.prm, {**dict(entry_and_value("--set", text) for text in options.settings), **loading}, output,
+                    options.programs)
+    for one in fitted:
+        family.check_name("--fit", one.entry)
+    dice = np.random.default_rng(options.seed)
+    with Engine(options.workers, options.scheduler) as engine:
+        n_motors = options.motors or max(8, 2 * n_terms(len(fitted)))
+        rows = sweep(engine, family, latin_hypercube(fitted, n_motors, options.seed))
+        surrogate = surrogate_of(rows, fitted, speeds)
+        print(f"the polynomials miss torques by {1e3 * surrogate.missed.max():.2g} mN m at most, root mean square of "
+              f"{len(rows)} motors")
+        posterior = Posterior(surrogate, measured)
+        best = posterior.best(len(fitted), dice)
+        chain = posterior.sample(best, dice)
+        report(output, fitted, posterior, best, chain)
+        [row] = sweep(engine, family, [{one.entry: one.at(share) for one, share in zip(fitted, best)}])
+    draw(output, family.entries["Motor/Name"], measured, surrogate, best, chain)
+    print(f"the motor at the best values is in {row.folder}; the figure in {output}")
+    print_inputs(row)
+
+
+if __name__ == "__main__":
+    try:
+        main(sys.argv[1:])
+    except CaseError as problem:
+        sys.exit(f"calibrate: {problem}")
+    except KeyboardInterrupt:
+        sys.exit("calibrate: interrupted; start it again to go on")

@@ -1,0 +1,268 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Many motors at once: sweeps, samples, optima, solutions, comparisons, as their user meets them.
+
+Usage: tests/programs/sweep.py Table|Search|Mistakes STATOR CONTACT LOSSES
+
+What is compared: rows of the table with runs of the programs by hand; optima and solutions with what follows from monotony;
+fronts with comparison of all pairs.
+"""
+import json
+import math
+import os
+import pathlib
+import random
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
+from program import QUICK, ROOT, rows_of, run, settings  # noqa: E402
+
+sys.path.insert(0, str(ROOT / "scripts"))
+import h5py  # noqa: E402
+from case import CaseError  # noqa: E402
+from goals import limit  # noqa: E402
+from sweep_figures import pareto_front  # noqa: E402
+from variation import combinations, latin_hypercube, varied  # noqa: E402
+
+SUITE, PROGRAMS = sys.argv.pop(1), [pathlib.Path(sys.argv.pop(1)) for _ in range(3)]
+SWEEP, COMPARE = ROOT / "scripts" / "sweep.py", ROOT / "scripts" / "compare.py"
+# One operating point, coarse.
+COARSE = ("Accuracy/Contact target = 0.2", "Loading/Values = 0.05")
+TWO_BY_TWO = ("--vary", "Loading/Preload = 10, 14", "--vary", "Friction/Dynamic coefficient = 0.3:0.4:2")
+
+
+def command(*options):
+    return [SWEEP, QUICK, "--programs", PROGRAMS[0].parent, "--workers", "2", *settings(*COARSE), *options]
+
+
+class InAFolder(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp())
+        self.output = self.folder / "sweep"
+
+    def tearDown(self):
+        shutil.rmtree(self.folder, ignore_errors=True)
+
+    def sweep(self, *options):
+        done = run(*command("--output", self.output, *options))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done.stdout
+
+    def refused(self, *options):
+        """The one line with which a sweep refuses its options, before it has computed anything."""
+        done = run(*command("--output", self.output, *options))
+        self.assertEqual(done.returncode, 1, done.stdout)
+        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+        self.assertFalse((self.output / "waves").exists())
+        return done.stderr
+
+
+@unittest.skipUnless(SUITE == "Table", "another suite")
+class Table(InAFolder):
+    def rows(self):
+        return rows_of(self.output / "table.csv")
+
+    def test_has_what_runs_by_hand_give(self):
+        said = self.sweep(*TWO_BY_TWO)
+        self.assertIn("4 certified", said)
+        rows = self.rows()
+        self.assertEqual([(row["Loading/Preload"], row["Friction/Dynamic coefficient"]) for row in rows],
+                         [("10", "0.3"), ("10", "0.4"), ("14", "0.3"), ("14", "0.4")])
+        case = self.folder / "by_hand"
+        for program in PROGRAMS:
+            done = run(program, QUICK, "--output", case, *settings(*COARSE, "Loading/Preload = 10", "Output/VTU = false",
+                                                                   "Friction/Dynamic coefficient = 0.4"))
+            self.assertEqual(done.returncode, 0, done.stderr)
+        [curve], [efficiency] = rows_of(case / "contact" / "torque_speed.csv"), rows_of(case / "losses" / "efficiency.csv")
+        for column, value in (("speed_rpm at 0.05", curve["speed_rpm"]), ("speed_error_rpm at 0.05", curve["speed_error_rpm"]),
+                              ("friction_loss_mW at 0.05", curve["friction_loss_mW"]),
+                              ("efficiency at 0.05", efficiency["efficiency"])):
+            self.assertAlmostEqual(float(rows[1][column]) / float(value), 1, 9, column)
+        self.assertEqual(len({row["frequency_Hz"] for row in rows}), 1)  # neither entry concerns the wave
+        self.assertEqual(len(list((self.output / "waves").iterdir())), 1)
+        with h5py.File(self.output / "table.h5") as file:
+            self.assertEqual(list(file["inputs/Loading: Preload"]), [10, 10, 14, 14])
+            self.assertEqual(file["values/speed at 0.05"].attrs["unit"], "rpm")
+            self.assertEqual(list(file["values/speed at 0.05"]), [float(row["speed_rpm at 0.05"]) for row in rows])
+        self.assertTrue((self.output / "figures" / "quantities.svg").exists())
+
+    def test_has_the_words_of_motors_that_are_refused(self):
+        said = self.sweep("--vary", "Stator/Slot width = 0.6e-3, 3e-3")
+        self.assertIn("1 certified, 1 refused", said)
+        self.assertIn("stator: ", self.rows()[1]["message"])
+        self.assertIn("Stator/Slot width", self.rows()[1]["message"])
+        self.assertEqual(self.rows()[1]["frequency_Hz"], "")
+
+    def finished(self):
+        """When each motor was computed, by its folder."""
+        return {path.parent.name: path.stat().st_mtime_ns for path in self.output.glob("motors/*/motor.json")}
+
+    def test_is_completed_after_a_kill_and_computes_nothing_twice(self):
+        options = ("--output", self.output, "--vary", "Loading/Preload = 8:14:6")
+        started = subprocess.Popen([str(word) for word in command(*options)], stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.DEVNULL, start_new_session=True)
+        until = time.monotonic() + 120
+        while len(self.finished()) < 2 and time.monotonic() < until:
+            time.sleep(0.05)
+        os.kill(started.pid, signal.SIGKILL)
+        started.wait()
+        time.sleep(1)  # workers end by themselves
+        before = self.finished()
+        self.assertTrue(2 <= len(before) < 6, before)
+        self.assertIn(f"{len(before)} motors are known already", self.sweep(*options[2:]))
+        after = self.finished()
+        self.assertEqual(len(after), 6)
+        self.assertEqual({name: after[name] for name in before}, before)
+        self.assertIn("6 motors are known already", self.sweep(*options[2:]))
+        self.assertEqual(self.finished(), after)
+
+    def test_is_the_same_by_workers_that_were_started_by_hand(self):
+        self.sweep(*TWO_BY_TWO)
+        expected = [{key: value for key, value in row.items() if key not in ("seconds", "wave_seconds", "folder")}
+                    for row in self.rows()]
+        shutil.rmtree(self.output)
+        address = self.folder / "address.json"
+        quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+        shells = [subprocess.Popen(["dask-scheduler", "--scheduler-file", address, "--port", "0", "--no-dashboard",
+                                    "--interface", "lo"], **quiet)]
+        try:
+            shells += [subprocess.Popen(["dask-worker", "--scheduler-file", address, "--nthreads", "1", "--no-dashboard",
+                                         "--local-directory", self.folder / "scratch"], **quiet) for _ in range(2)]
+            while not address.exists():
+                time.sleep(0.1)
+            found = json.loads(address.read_text())["address"]
+            self.sweep(*TWO_BY_TWO, "--scheduler", found)
+        finally:
+            for shell in shells:
+                shell.terminate()
+                shell.wait()
+        self.assertEqual([{key: row[key] for key in expected[0]} for row in self.rows()], expected)
+
+
+@unittest.skipUnless(SUITE == "Search", "another suite")
+class Search(InAFolder):
+    def frequency(self, thickness):
+        done = run(PROGRAMS[0], QUICK, "--output", self.folder / "by_hand", *settings(
+            f"Stator/Base thickness = {thickness}", "Output/VTU = false"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        summary = json.loads((self.folder / "by_hand" / "stator" / "summary.json").read_text())
+        return next(quantity for quantity in summary["quantities"]
+                    if quantity["name"] == "frequency" and quantity["family"] == "out-of-plane")
+
+    def test_finds_the_thickness_for_a_frequency(self):
+        said = self.sweep("--solve", "Stator/Base thickness = 4e-3:8e-3", "--for", "frequency = 33e3")
+        [row] = rows_of(self.output / "table.csv")
+        found = self.frequency(row["Stator/Base thickness"])
+        self.assertLess(abs(found["value"] - 33e3), found["error"])
+        self.assertIn(f"Stator/Base thickness = {row['Stator/Base thickness']} +-", said)
+
+    def test_finds_the_optimum_where_a_limit_is(self):
+        # The frequency grows with the thickness, so that the best motor is where the limit is reached.
+        said = self.sweep("--vary", "Stator/Base thickness = 4e-3:5e-3", "--maximise", "frequency", "--subject-to",
+                          "frequency < 31e3", "--trials", "25")
+        self.assertIn("the best of 25 motors", said)
+        thickness = said.split("--set 'Stator/Base thickness = ")[1].split("'")[0]
+        found = self.frequency(thickness)
+        self.assertLess(found["value"] - found["error"], 31e3)
+        self.assertGreater(found["value"], 0.99 * 31e3)
+        # Started again, it finds the same, and computes nothing.
+        before = {path: path.stat().st_mtime_ns for path in self.output.glob("waves/*/wave.json")}
+        again = self.sweep("--vary", "Stator/Base thickness = 4e-3:5e-3", "--maximise", "frequency", "--subject-to",
+                           "frequency < 31e3", "--trials", "25")
+        self.assertIn(f"--set 'Stator/Base thickness = {thickness}'", again)
+        self.assertEqual({path: path.stat().st_mtime_ns for path in self.output.glob("waves/*/wave.json")}, before)
+
+    def test_compares_two_motors(self):
+        self.sweep("--vary", "Friction/Dynamic coefficient = 0.3, 0.4")
+        rows = rows_of(self.output / "table.csv")
+        done = run(COMPARE, *(row["folder"] for row in rows))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stdout, r"Friction/Dynamic coefficient +0.3 +0.4\n")
+        lines = {line.split("  ")[1].strip(): line for line in done.stdout.splitlines() if line.startswith("  ")}
+        self.assertTrue(lines["frequency"].endswith(" none"), lines["frequency"])
+        loss = [(float(row["friction_loss_mW at 0.05"]), float(row["friction_loss_error_mW at 0.05"])) for row in rows]
+        is_real = abs(loss[1][0] - loss[0][0]) > loss[0][1] + loss[1][1]
+        self.assertIn(" real" if is_real else " open: ", lines["friction_loss at 0.05"])
+        same = run(COMPARE, rows[0]["folder"], rows[0]["folder"])
+        self.assertIn("all entries are the same", same.stdout)
+        self.assertNotIn(" real", same.stdout)
+        self.assertNotIn(" open", same.stdout)
+
+
+@unittest.skipUnless(SUITE == "Mistakes", "another suite")
+class Mistakes(InAFolder):
+    def test_are_told_in_one_line(self):
+        for options, words in (
+                ([], "no --vary"),
+                (["--vary", "Loading/Preload"], 'expected "Section/Entry = value"'),
+                (["--vary", "Loading/Preload = 1:x:3"], '"x" is not a number'),
+                (["--vary", "Loading/Preload = 3:1:3"], "increasing"),
+                (["--vary", "Loading/Preload = 1:3:1"], "at least 2"),
+                (["--vary", "Loading/Preload = -1:3:4:log"], "positive"),
+                (["--vary", "Loading/Preload = 1:3"], "without a number of values"),
+                (["--vary", "Loading/Preloud = 1, 2"], 'did you mean "Loading/Preload"'),
+                (["--set", "Loading/Preloud = 1", "--vary", "Loading/Preload = 1, 2"], '--set "Loading/Preloud"'),
+                (["--vary", "Loading/Preload = 1:3", "--sample", "sobol=3"], "lhs=COUNT"),
+                (["--vary", "Loading/Preload = 1:3", "--maximise", "efficiency >"], "name of a quantity"),
+                (["--vary", "Loading/Preload = 1:3", "--maximise", "efficiency at 0.1", "--subject-to", "speed"], "QUANTITY >"),
+                (["--vary", "Loading/Preload = 1:3", "--maximise", "efficiency at 0.1", "--subject-to", "stall_torque > 1"],
+                 "whole curve"),
+                (["--solve", "Loading/Preload = 1:3"], "--for go together"),
+                (["--solve", "Loading/Preload = 1:3", "--for", "frequency"], "QUANTITY = number"),
+                (["--solve", "Loading/Preload = 1:3", "--vary", "Loading/Preload = 1, 2", "--for", "frequency = 3"], "--vary"),
+                (["--vary", "Loading/Preload = 1, 2", "--scheduler", "tcp://127.0.0.1:9"], "does not answer")):
+            with self.subTest(options):
+                self.assertIn(words, self.refused(*options))
+
+    def test_a_file_that_is_not_there(self):
+        done = run(SWEEP, self.folder / "nothing.prm", "--programs", PROGRAMS[0].parent, *TWO_BY_TWO)
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
+        self.assertIn("nothing.prm", done.stderr)
+
+    def test_quantities_that_no_motor_has(self):
+        done = run(*command("--output", self.output, "--vary", "Stator/Base thickness = 4e-3:5e-3", "--maximise", "frequncy",
+                            "--trials", "2"))
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
+        self.assertIn("there are: frequency", done.stderr)
+
+
+@unittest.skipUnless(SUITE == "Mistakes", "another suite")
+class Values(unittest.TestCase):
+    def test_of_ranges(self):
+        self.assertEqual(varied("--vary", "a/b = 1:2:3").values, ("1", "1.5", "2"))
+        self.assertEqual(varied("--vary", "a/b = 1:100:3:log").values, ("1", "10", "100"))
+        self.assertEqual(varied("--vary", "a/b = solid, shell").values, ("solid", "shell"))
+        self.assertEqual(len(combinations([varied("--vary", "a/b = 1:2:3"), varied("--vary", "a/c = x, y")])), 6)
+
+    def test_of_a_latin_hypercube_fill_each_part_once(self):
+        ranges = [varied("--vary", "a/b = 1:2"), varied("--vary", "a/c = 1:1000:log"), varied("--vary", "a/d = x, y")]
+        sample = latin_hypercube(ranges, 50, seed=3)
+        self.assertEqual(sorted(int(50 * (float(row["a/b"]) - 1)) for row in sample), list(range(50)))
+        self.assertEqual(sorted(int(50 * math.log10(float(row["a/c"])) / 3) for row in sample), list(range(50)))
+        self.assertEqual(sum(row["a/d"] == "x" for row in sample), 25)
+        self.assertEqual(sample, latin_hypercube(ranges, 50, seed=3))
+        self.assertNotEqual(sample, latin_hypercube(ranges, 50, seed=4))
+
+    def test_of_limits(self):
+        self.assertEqual((limit("", "f = 1:2").low, limit("", "f = 1:2").high), (1, 2))
+        self.assertEqual((limit("", "f at 0.10 > 3").name, limit("", "f > 3").low), ("f at 0.1", 3))
+        for text in ("f = 1", "f = 2:1", "> 3", "f > x", "f >= 3"):
+            with self.assertRaises(CaseError):
+                limit("--subject-to", text)
+
+    def test_on_a_pareto_front_are_beaten_by_none(self):
+        dice = random.Random(7)
+        points = [(dice.randrange(20), dice.randrange(20)) for _ in range(100)]
+        beaten = {one for one in points for other in points
+                  if other != one and other[0] >= one[0] and other[1] >= one[1]}
+        self.assertEqual(pareto_front(points, lambda point: point), sorted(set(points) - beaten))
+
+
+if __name__ == "__main__":
+    unittest.main()
