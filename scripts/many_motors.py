@@ -58,13 +58,14 @@ class Family:
         try:
             text = self.prm.read_text()
             defaults = entries_of(self.said("--help").splitlines())
-            self.entries = {**defaults, **entries_of(text.splitlines()), **self.settings}
+            self.entries = {**defaults, **entries_of(text.splitlines())}
             self.basis = self.said("--version") + text
         except (OSError, ValueError, LookupError, subprocess.CalledProcessError) as error:
             raise CaseError(f"{' '.join(str(error).split())}; check the name of the parameter file, and run "
                             "scripts/setup.sh if the programs are not built") from None
         for entry in settings:
             self.check_name("--set", entry)
+        self.entries.update(self.settings)
 
     def said(self, option):
         return subprocess.run([self.programs / "contact", option], capture_output=True, text=True, check=True).stdout
