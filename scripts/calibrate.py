@@ -86,11 +86,10 @@ def draw(output, title, measured, surrogate, best, chain):
     figure, axes = plt.subplots(figsize=(5, 3.8), layout="constrained")
     figure.suptitle(title, fontsize=10)
     speeds = np.linspace(surrogate.speeds[0], surrogate.speeds[-1], 200)
-    curves = [PchipInterpolator(surrogate.speeds, surrogate.torques(place))(speeds) for place in chain[::max(1, len(chain) // 400)]]
-    low, high = np.percentile(curves, (2.5, 97.5), axis=0)
+    curves = PchipInterpolator(surrogate.speeds, surrogate.torques(np.vstack([best, chain])), axis=1)(speeds)
+    low, high = np.percentile(curves[1:], (2.5, 97.5), axis=0)
     axes.fill_betweenx(speeds / RPM, low * 1e3, high * 1e3, color=BLUE, alpha=0.25, lw=0, label="95 % of the fits")
-    axes.plot(PchipInterpolator(surrogate.speeds, surrogate.torques(best))(speeds) * 1e3, speeds / RPM, color=BLUE, lw=1,
-              label="best fit")
+    axes.plot(curves[0] * 1e3, speeds / RPM, color=BLUE, lw=1, label="best fit")
     axes.errorbar(measured.torque * 1e3, measured.speed / RPM, xerr=measured.torque_error * 1e3, yerr=measured.speed_error / RPM,
                   fmt="o", color=ORANGE, ms=3, capsize=2, lw=0.8, label="measured")
     axes.set(xlabel="torque (mN m)", ylabel="speed (rpm)")

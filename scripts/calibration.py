@@ -50,9 +50,9 @@ class Surrogate:
     def basis(self, places):
         return np.prod(np.atleast_2d(places)[:, None, :] ** self.powers, axis=2)
 
-    def torques(self, place):
-        """At all speeds."""
-        return (self.basis(place) @ self.coefficients)[0]
+    def torques(self, places):
+        """(place, speed)"""
+        return self.basis(places) @ self.coefficients
 
 
 @dataclass(frozen=True)
@@ -72,10 +72,10 @@ class Posterior:
     def __init__(self, surrogate, measured):
         self.surrogate, self.measured = surrogate, measured
 
-    def residuals_and_deviations(self, place):
-        """N m, of each measured point."""
-        speeds, torques = self.surrogate.speeds, self.surrogate.torques(place)
-        curve = PchipInterpolator(speeds, torques, extrapolate=True)
+    def residuals_and_deviations(self, places):
+        """N m, (place, measured point)."""
+        speeds = self.surrogate.speeds
+        curve = PchipInterpolator(speeds, self.surrogate.torques(places), axis=1)
         at = np.clip(self.measured.speed, speeds[0], speeds[-1])
         model_error = np.interp(at, speeds, self.surrogate.errors)
         deviation = np.sqrt(self.measured.torque_error ** 2 + (curve(at, 1) * self.measured.speed_error) ** 2 +
@@ -84,14 +84,13 @@ class Posterior:
 
     def scaled(self, place):
         residual, deviation = self.residuals_and_deviations(place)
-        return residual / deviation
+        return (residual / deviation)[0]
 
-    def log_probability(self, place):
-        """Uniform within the ranges."""
-        if np.any(place < 0) or np.any(place > 1):
-            return -math.inf
-        residual, deviation = self.residuals_and_deviations(place)
-        return -0.5 * np.sum((residual / deviation) ** 2) - np.sum(np.log(deviation))
+    def log_probability(self, places):
+        """Of each place; uniform within the ranges before anything was measured."""
+        residual, deviation = self.residuals_and_deviations(places)
+        found = -0.5 * np.sum((residual / deviation) ** 2, axis=1) - np.sum(np.log(deviation), axis=1)
+        return np.where(np.all((places >= 0) & (places <= 1), axis=1), found, -math.inf)
 
     def best(self, n_entries, dice):
         """The place of the least squares, from several starts."""
@@ -102,7 +101,7 @@ class Posterior:
     def sample(self, best, dice):
         """Places drawn from the posterior probability. @throws CaseError if the chain is too short"""
         starts = np.clip(best + 1e-3 * dice.standard_normal((N_WALKERS, len(best))), LEAST_MARGIN, 1 - LEAST_MARGIN)
-        sampler = emcee.EnsembleSampler(N_WALKERS, len(best), self.log_probability)
+        sampler = emcee.EnsembleSampler(N_WALKERS, len(best), self.log_probability, vectorize=True)
         sampler.random_state = np.random.RandomState(dice.integers(2 ** 31)).get_state()
         sampler.run_mcmc(starts, N_STEPS)
         correlation = float(np.max(sampler.get_autocorr_time(quiet=True)))

@@ -80,38 +80,36 @@ def draw(trial, one):
 
 def explore(engine, family, all_varied, aim, study, n_trials, coarse):
     """Motors at a coarse target, as the sampler draws them; rows of all."""
-    n_before = len(study.get_trials(deepcopy=False, states=[optuna.trial.TrialState.COMPLETE]))
-    if n_before:
-        print(f"{n_before} motors are known already")
-    running, rows = {}, {}
+    complete = [optuna.trial.TrialState.COMPLETE]
+    n_started = len(study.get_trials(deepcopy=False, states=complete))
+    if n_started:
+        print(f"{n_started} motors are known already")
+    running, rows = {}, {}  # trials, which may ask for the same motor, and what is found, by folder
 
-    def start():
-        trial = study.ask()
-        motor = family.motor({one.entry: draw(trial, one) for one in all_varied}, aim.is_of_wave(), **coarse)
-        if motor.task.folder in rows or any(motor.task.folder == folder for folder in running):
-            study.tell(trial, state=optuna.trial.TrialState.FAIL)  # the same once more
-            return 1
-        running[motor.task.folder] = trial
-        engine.submit(motor)
-        return 1
+    def finish(row):
+        for trial in running.pop(row.folder):
+            trial.set_user_attr("excesses", aim.excesses(row))
+            trial.set_user_attr("entries", row.varied)
+            study.tell(trial, aim.of(row)[0] if row.outcome == "certified" else 0.)
 
-    n_started = n_before
     while n_started < n_trials or running:
         while n_started < n_trials and len(running) < engine.n_workers():
-            n_started += start()
-        if not running:
-            continue
-        motor, outcome = engine.next_done()
-        row = rows[motor.task.folder] = row_of(motor, outcome)
-        trial = running.pop(motor.task.folder)
-        trial.set_user_attr("excesses", aim.excesses(row))
-        trial.set_user_attr("entries", dict(motor.varied))
-        study.tell(trial, aim.of(row)[0] if row.outcome == "certified" else 0.)
-        tell(n_started - len(running), n_trials, row, aim)
+            trial = study.ask()
+            n_started += 1
+            motor = family.motor({one.entry: draw(trial, one) for one in all_varied}, aim.is_of_wave(), **coarse)
+            running.setdefault(motor.task.folder, []).append(trial)
+            if motor.task.folder in rows:
+                finish(rows[motor.task.folder])
+            else:
+                engine.submit(motor)
+        if running:
+            row = row_of(*engine.next_done())
+            rows[row.folder] = row
+            finish(row)
+            tell(n_started - sum(map(len, running.values())), n_trials, row, aim)
     # Motors of an interrupted study are in their folders.
-    known = [family.motor(trial.user_attrs["entries"], aim.is_of_wave(), **coarse)
-             for trial in study.get_trials(deepcopy=False, states=[optuna.trial.TrialState.COMPLETE])]
-    return rows_of(engine, known)
+    return rows_of(engine, [family.motor(trial.user_attrs["entries"], aim.is_of_wave(), **coarse)
+                            for trial in study.get_trials(deepcopy=False, states=complete)])
 
 
 def tell(number, count, row, aim):
