@@ -87,7 +87,7 @@ class Calibration(unittest.TestCase):
 
     def test_by_one_command(self):
         output = self.folder / "calibration"
-        done = run(ROOT / "scripts" / "calibrate.py", QUICK, self.write_measured(3), "--fit", RANGE, "--output", output,
+        done = run(ROOT / "scripts" / "calibrate.py", QUICK, self.write_measured(3), "--fit", RANGE, "--output", output, "--motors", "6",
                    "--programs", PROGRAMS[0].parent, *settings("Friction/Law = coulomb", "Accuracy/Contact target = 0.2"))
         self.assertEqual(done.returncode, 0, done.stderr)
         found = json.loads((output / "calibration.json").read_text())["entries"]["Friction/Dynamic coefficient"]
