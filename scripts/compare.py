@@ -53,7 +53,7 @@ def verdict(first, second, one, other):
 
 def print_entries(motors):
     """Those that are not the same in all motors."""
-    names = [name for name in motors[0].entries if len({motor.entries.get(name) for motor in motors}) > 1]
+    names = [name for name in motors[0].entries if name != "Output/Directory" and len({motor.entries.get(name) for motor in motors}) > 1]
     print("entries that differ" if names else "all entries are the same")
     width = max(map(len, names), default=0)
     for name in sorted(names, key=lambda name: name.startswith(COARSENESS)):
