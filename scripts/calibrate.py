@@ -24,7 +24,7 @@ import sys
 sys.dont_write_bytecode = True
 import numpy as np
 from calibration import Measured, Posterior, Surrogate, n_terms
-from case import CaseError, read_table
+from case import CaseError, read_table, run_script
 from drawing import BLUE, ORANGE, plt, save
 from many_motors import Engine, Family
 from motor_results import RPM
@@ -160,9 +160,4 @@ def main(arguments):
 
 
 if __name__ == "__main__":
-    try:
-        main(sys.argv[1:])
-    except CaseError as problem:
-        sys.exit(f"calibrate: {problem}")
-    except KeyboardInterrupt:
-        sys.exit("calibrate: interrupted; start it again to go on")
+    run_script("calibrate", main)

@@ -41,6 +41,16 @@ def has_results(case_folder, program):
     return not words_of_failure(case_folder, program) and os.path.exists(os.path.join(case_folder, program, "summary.json"))
 
 
+def run_script(name, main):
+    """Ends a script with the one line of a mistake, or of an interruption after which it can go on."""
+    try:
+        main(sys.argv[1:])
+    except CaseError as problem:
+        sys.exit(f"{name}: {problem}")
+    except KeyboardInterrupt:
+        sys.exit(f"{name}: interrupted; start it again to go on")
+
+
 def entries_of(lines):
     """The entries of a parameter file: "Section/Entry" -> text."""
     entries, sections = {}, []

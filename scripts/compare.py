@@ -11,7 +11,7 @@ import os
 import sys
 
 sys.dont_write_bytecode = True
-from case import CaseError, known
+from case import CaseError, known, run_script
 from contact_case import ContactCase
 from drawing import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, figures_folder, plt, save
 from motor_results import quantities_of
@@ -117,7 +117,4 @@ def main(folders):
 
 
 if __name__ == "__main__":
-    try:
-        main(sys.argv[1:])
-    except CaseError as problem:
-        sys.exit(f"compare: {problem}")
+    run_script("compare", main)

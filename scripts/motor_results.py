@@ -9,7 +9,6 @@ from losses_case import read_case
 
 RPM = math.pi / 30
 POINT_UNITS = {"rpm": "rpm", "mNm": "mN m", "mW": "mW"}
-WAVE_UNITS = {"frequency": "Hz", "phi_edge": "deg", "modal_mass": "kg"}
 NOT_SHOWN = re.compile(r"strain_energy_.*|(tangential|radial)_loss|rotor_power_per_loss_factor")
 
 
@@ -24,9 +23,13 @@ class Quantity:
 
 def wave_quantities_of(folder):
     """Frequency and shape of the wave of a case. @throws CaseError"""
-    case = Case(folder)
+    return of_wave(Case(folder))
+
+
+def of_wave(case):
+    """The same of a case that has been read."""
     if not case.wave:
-        raise CaseError(f"{folder}: the wave of the motor is not among the modes")
+        raise CaseError(f"{case.folder}: the wave of the motor is not among the modes")
     found = {"frequency": Quantity(case.wave["natural_frequency_Hz"], case.wave["natural_frequency_error_Hz"], "Hz")}
     for quantity in case.summary["quantities"]:
         name = quantity["name"]
@@ -59,10 +62,10 @@ def quantities_of(folder):
     """All quantities of a case whose three programs have run: name -> Quantity. Those of operating points are called
     "efficiency at 0.1" if the torques were given; of a whole curve there are the speed without load, the torque at
     stall and the largest efficiency and output power. @throws CaseError"""
-    _, contact, losses, notes = read_case(folder)
+    case, contact, losses, notes = read_case(folder)
     if losses is None:
         raise CaseError("; ".join(notes) or f"{folder} has no results of the program losses")
-    found, points = wave_quantities_of(folder), losses.points_with(contact)
+    found, points = of_wave(case), losses.points_with(contact)
     is_curve = contact.parameters["Loading/Values"] == "curve"
     for row in points:
         here = of_point(row)

@@ -113,7 +113,6 @@ def explore(engine, family, all_varied, aim, study, n_trials, coarse):
 
 
 def tell(number, count, row, aim):
-    inputs = ", ".join(f"{entry.rpartition('/')[2]} = {text}" for entry, text in row.varied.items())
     if row.outcome == "certified":
         quantity = row.quantities[aim.name]
         said = f"{aim.name} = {quantity.value:.5g} +- {quantity.error:.2g} {quantity.unit}".rstrip()
@@ -121,7 +120,7 @@ def tell(number, count, row, aim):
         said += f"; not {', '.join(broken)}" if broken else ""
     else:
         said = f"{row.outcome}: {row.message}"
-    print(f"{number} of {count}: {inputs}: {said}", flush=True)
+    print(f"{number} of {count}: {row.inputs()}: {said}", flush=True)
 
 
 def rows_of(engine, motors):

@@ -29,7 +29,7 @@ import time
 from dataclasses import replace
 
 sys.dont_write_bytecode = True
-from case import CaseError
+from case import CaseError, run_script
 from goals import limit, loading_for, name_of, target
 from many_motors import Engine, Family
 from optimum import Aim, optimise
@@ -56,8 +56,7 @@ class Progress:
         self.n_done += 1
         elapsed = time.monotonic() - self.begin
         left = elapsed / self.n_done * (self.count - self.n_done)
-        inputs = ", ".join(f"{entry.rpartition('/')[2]} = {text}" for entry, text in row.varied.items())
-        print(f"{self.n_done} of {self.count}: {inputs}: {row.outcome}, {row.wave_seconds + row.seconds:.1f} s; "
+        print(f"{self.n_done} of {self.count}: {row.inputs()}: {row.outcome}, {row.wave_seconds + row.seconds:.1f} s; "
               f"{self.n_done / elapsed * 3600:.0f} motors per hour, {in_words(left)} left", flush=True)
         if row.message:
             print(f"    {row.message}", flush=True)
@@ -206,9 +205,4 @@ def main(arguments):
 
 
 if __name__ == "__main__":
-    try:
-        main(sys.argv[1:])
-    except CaseError as problem:
-        sys.exit(f"sweep: {problem}")
-    except KeyboardInterrupt:
-        sys.exit("sweep: interrupted; start it again to go on")
+    run_script("sweep", main)

@@ -22,6 +22,10 @@ class Row:
     wave_seconds: float
     quantities: dict = field(default_factory=dict)
 
+    def inputs(self):
+        """The entries that vary, without their sections, on one line."""
+        return ", ".join(f"{entry.rpartition('/')[2]} = {text}" for entry, text in self.varied.items())
+
 
 def row_of(motor, outcome):
     """@param outcome how the motor has ended"""
