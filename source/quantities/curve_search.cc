@@ -208,7 +208,8 @@ namespace ringmotor
     requests     = {{Control::speed, 0.}};
     stalled      = point_of(steps.plain(reached_level), 0);
     stall_torque = stalled.result.torque;
-    find_held_torque();
+    if (may_stand_still())
+      find_held_torque();
     const double most = rotor_sticks() ? borne_torque() : stall_torque;
     if (parameters.loading.control == Control::torque)
       for (const double torque : parameters.loading.values)
@@ -264,18 +265,21 @@ namespace ringmotor
 
   void CurveSearch::find_held_torque()
   {
-    // Where nearly all contact points stick at rest, friction balances any torque, and the computed
-    // one is meaningless. A fraction of what friction can bear is prescribed instead.
-    constexpr double asked = 0.25;
-    if (!nearly_sticks())
-      return;
-    known.clear();
-    requests              = {{Control::torque, asked * borne_torque()}};
-    const CurvePoint held = point_of(steps.plain(reached_level), 0);
-    if (!stands_still(held))
-      return;
-    stalled      = held;
-    stall_torque = held.request.value;
+    // Where friction balances any torque at rest, the computed one is meaningless. The largest of
+    // some fractions of what friction can bear under which the rotor stands still is prescribed
+    // instead, if it stands still without load.
+    for (const double share : {0., 0.04, 0.1, 0.25})
+    {
+      known.clear();
+      requests              = {{Control::torque, share * borne_torque()}};
+      const CurvePoint held = point_of(steps.plain(reached_level), 0);
+      if (!stands_still(held))
+        return;
+      if (share == 0.)
+        continue;
+      stalled      = held;
+      stall_torque = held.request.value;
+    }
   }
 
   double CurveSearch::borne_torque() const
@@ -284,9 +288,9 @@ namespace ringmotor
            motor().nodes.front().radius;
   }
 
-  bool CurveSearch::nearly_sticks() const
+  bool CurveSearch::may_stand_still() const
   {
-    return stalled.result.stick_fraction > 0.9;
+    return stalled.result.stick_fraction > 0.5;
   }
 
   std::vector<unsigned int> CurveSearch::all_requests() const

@@ -41,7 +41,7 @@ namespace ringmotor
       }
       return starts;
     }
-    if (nearly_sticks()) // under all torques alike
+    if (may_stand_still()) // under all torques alike
       starts.assign(wanted.size(), stalled);
     return starts;
   }

@@ -152,10 +152,10 @@ namespace ringmotor
     CurveSetting other_scheme() const;
     /** All of these that serve to estimate an error of this motor. */
     std::vector<CurveSetting> changed_motors() const;
-    /** Loads a rotor that nearly sticks at rest, to see whether it stands still. */
+    /** Loads a rotor that may stand still more and more, to see under which torques it does. */
     void find_held_torque();
-    /** Whether nearly all points stick at stall. */
-    bool nearly_sticks() const;
+    /** Whether so many points stick at rest that friction may balance any torque. */
+    bool may_stand_still() const;
     /** The torque (N m) that friction bears if all contact points slip the same way. */
     double borne_torque() const;
     /** That to which errors of a quantity are related: the fastest speed or, if larger, half that
