@@ -14,11 +14,8 @@ a Markov chain, which also count the error bars of the motors and what the polyn
 Writes calibration.json (values, 95 % intervals, correlations), the motor at the best values, and a figure of curve, band and data
 into output/FILE_calibration (or --output DIR).
 """
-import argparse
 import json
 import math
-import os
-import pathlib
 import sys
 
 sys.dont_write_bytecode = True
@@ -26,11 +23,12 @@ import numpy as np
 from calibration import Measured, Posterior, Surrogate, n_terms
 from case import CaseError, read_table, run_script
 from drawing import BLUE, ORANGE, plt, save
-from many_motors import Engine, Family
+from many_motors import Engine
+from motor_options import family_of, motors_parser
 from motor_results import RPM
 from scipy.interpolate import PchipInterpolator
-from sweep import PROGRAMS, print_inputs, sweep
-from variation import entry_and_value, latin_hypercube, number_text, ranged
+from sweep import print_inputs, sweep
+from variation import latin_hypercube, number_text, ranged
 
 MOST_SPEEDS = 12  # at which each motor is computed
 INTERVAL = (2.5, 50., 97.5)  # per cent of the chain
@@ -113,22 +111,14 @@ def report(output, fitted, posterior, best, chain):
     print(f"chi squared {chi_squared:.3g} for {n_free} degrees of freedom")
     if n_free > 0 and chi_squared > n_free + 4 * math.sqrt(2 * n_free):
         print("warning: no motor of these ranges explains the curve within its deviations")
-    (pathlib.Path(output) / "calibration.json").write_text(json.dumps(result, indent=1) + "\n")
+    (output / "calibration.json").write_text(json.dumps(result, indent=1) + "\n")
 
 
 def parse(arguments):
-    first, usage, rest = __doc__.split("\n\n", 2)
-    parser = argparse.ArgumentParser(description=first, usage=usage[7:], epilog=rest,
-                                     formatter_class=argparse.RawTextHelpFormatter)
-    parser.add_argument("prm", metavar="FILE.prm"), parser.add_argument("measured", metavar="MEASURED.csv")
+    parser = motors_parser(__doc__)
+    parser.add_argument("measured", metavar="MEASURED.csv")
     parser.add_argument("--fit", action="append", required=True, metavar="'Section/Entry = low:high'")
-    parser.add_argument("--set", action="append", default=[], metavar="'Section/Entry = value'", dest="settings")
     parser.add_argument("--motors", type=int, metavar="N", help="to be computed; by default twice the terms of the polynomials")
-    parser.add_argument("--seed", type=int, default=1, help="of the sample and the chain")
-    parser.add_argument("--workers", type=int, default=os.cpu_count(), metavar="N")
-    parser.add_argument("--scheduler", metavar="ADDRESS")
-    parser.add_argument("--output", metavar="DIR")
-    parser.add_argument("--programs", metavar="DIR", default=PROGRAMS, help="where stator, contact and losses are")
     return parser.parse_args(arguments)
 
 
@@ -136,10 +126,8 @@ def main(arguments):
     options = parse(arguments)
     fitted, measured = [ranged("--fit", text) for text in options.fit], read_measured(options.measured)
     speeds = speeds_for(measured)
-    output = options.output or f"output/{pathlib.Path(options.prm).stem}_calibration"
-    loading = {"Loading/Control": "speed", "Loading/Values": ", ".join(map(number_text, speeds))}
-    family = Family(options.prm, {**dict(entry_and_value("--set", text) for text in options.settings), **loading}, output,
-                    options.programs)
+    family = family_of(options, "calibration",
+                       **{"Loading/Control": "speed", "Loading/Values": ", ".join(map(number_text, speeds))})
     for one in fitted:
         family.check_name("--fit", one.entry)
     dice = np.random.default_rng(options.seed)
@@ -152,10 +140,10 @@ def main(arguments):
         posterior = Posterior(surrogate, measured)
         best = posterior.best(len(fitted), dice)
         chain = posterior.sample(best, dice)
-        report(output, fitted, posterior, best, chain)
+        report(family.output, fitted, posterior, best, chain)
         [row] = sweep(engine, family, [{one.entry: one.at(share) for one, share in zip(fitted, best)}])
-    draw(output, family.entries["Motor/Name"], measured, surrogate, best, chain)
-    print(f"the motor at the best values is in {row.folder}; the figure in {output}")
+    draw(family.output, family.entries["Motor/Name"], measured, surrogate, best, chain)
+    print(f"the motor at the best values is in {row.folder}; the figure in {options.output}")
     print_inputs(row)
 
 

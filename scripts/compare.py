@@ -7,6 +7,7 @@ Usage: scripts/compare.py CASE_A CASE_B...      e.g. scripts/compare.py output/c
 Every other case is compared with CASE_A. A difference is real if it exceeds the sum of both error bars, and open if it does not:
 then the target and the time are given with which it could be decided. Writes CASE_A/figures/compare.png and .svg.
 """
+import itertools
 import os
 import sys
 
@@ -53,7 +54,8 @@ def verdict(first, second, one, other):
 
 def print_entries(motors):
     """Those that are not the same in all motors."""
-    names = [name for name in motors[0].entries if name != "Output/Directory" and len({motor.entries.get(name) for motor in motors}) > 1]
+    names = [name for name in motors[0].entries
+             if name != "Output/Directory" and len({motor.entries.get(name) for motor in motors}) > 1]
     print("entries that differ" if names else "all entries are the same")
     width = max(map(len, names), default=0)
     for name in sorted(names, key=lambda name: name.startswith(COARSENESS)):
@@ -80,7 +82,7 @@ def print_differences(first, second):
 def draw(motors):
     """Torque-speed curves with their bars, and relative differences of all quantities."""
     figure, (curve, bars) = plt.subplots(1, 2, figsize=(9, 4), layout="constrained")
-    for motor, color in zip(motors, COLORS):
+    for motor, color in zip(motors, itertools.cycle(COLORS)):
         curve.errorbar([row["torque_mNm"] for row in motor.curve], [row["speed_rpm"] for row in motor.curve],
                        xerr=[row["torque_error_mNm"] for row in motor.curve],
                        yerr=[row["speed_error_rpm"] for row in motor.curve], fmt="o-", color=color, ms=2.5, lw=0.9,
@@ -89,7 +91,7 @@ def draw(motors):
     curve.legend(frameon=False)
     names = [name for name, one in motors[0].quantities.items()
              if one.value and all(name in motor.quantities for motor in motors)]
-    for motor, color in zip(motors[1:], COLORS[1:]):
+    for motor, color in zip(motors[1:], itertools.cycle(COLORS[1:])):
         for place, name in enumerate(names):
             one, other = motors[0].quantities[name], motor.quantities[name]
             bars.errorbar(100 * (other.value / one.value - 1), place, xerr=100 * (one.error + other.error) / abs(one.value),

@@ -4,10 +4,11 @@ import difflib
 import hashlib
 import json
 import logging
-import os
 import pathlib
+import shutil
 import subprocess
 import sys
+import tempfile
 from dataclasses import dataclass
 
 import motor_task
@@ -97,10 +98,11 @@ class Engine:
     def __init__(self, n_workers, scheduler=None):
         dask.config.set({"distributed.comm.timeouts.connect": "10s"})
         logging.getLogger("distributed").setLevel(logging.CRITICAL)
-        self.cluster = None
+        self.cluster, self.scratch = None, None
         if not scheduler:
+            self.scratch = tempfile.mkdtemp(prefix="ringmotor_workers_")
             self.cluster = LocalCluster(n_workers=n_workers, threads_per_worker=1, dashboard_address=None,
-                                        silence_logs=logging.CRITICAL)
+                                        silence_logs=logging.CRITICAL, local_directory=self.scratch)
         try:
             self.client = Client(self.cluster or scheduler)
         except (OSError, ValueError) as error:
@@ -116,6 +118,7 @@ class Engine:
         self.client.close()
         if self.cluster:
             self.cluster.close()
+            shutil.rmtree(self.scratch, ignore_errors=True)
 
     def n_workers(self):
         return max(1, sum(worker["nthreads"] for worker in self.client.scheduler_info()["workers"].values()))

@@ -165,8 +165,8 @@ def optimise(engine, family, all_varied, aim, loading, own_target, n_trials, see
         all_rows += [(target, row) for row in rows]
         chosen = contenders(rows, aim)
         if not chosen:
-            raise CaseError(f"none of {len(rows)} motors keeps {', '.join(map(str, aim.limits))}: widen the ranges or "
-                            "the limits, or ask for more with --trials")
+            kept = f"keeps {', '.join(map(str, aim.limits))}" if aim.limits else "is certified"
+            raise CaseError(f"none of {len(rows)} motors {kept}: widen the ranges or the limits, or ask for more with --trials")
         if len(chosen) > MOST_CANDIDATES:
             print(f"{len(chosen)} motors may be the best; the first {MOST_CANDIDATES} of them go on")
             chosen = chosen[:MOST_CANDIDATES]

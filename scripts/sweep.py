@@ -16,13 +16,15 @@ ranges low:high; --solve 'Section/Entry = low:high' --for 'QUANTITY = NUMBER' fo
       --subject-to 'frequency = 28e3:32e3' --subject-to 'no_load_speed > 60'
   scripts/sweep.py prm/quick.prm --solve 'Stator/Base thickness = 4e-3:8e-3' --for 'frequency = 43e3'
 
+--uncertainty COUNT draws motors whose loss factors, friction and Young moduli deviate as the section Uncertainty of the
+parameter file says, and adds what follows for each quantity to its numerical error:
+
+  scripts/sweep.py prm/quick.prm --set 'Uncertainty/Friction = 0.1' --set 'Uncertainty/Young moduli = 0.02' --uncertainty 40
+
 Results are in output/FILE_sweep (or --output DIR): table.csv and table.h5 with inputs, quantities, errors, seconds and the
 words of motors that were refused; figures of each quantity over the varied entries; one folder for each motor. A sweep
 that was interrupted goes on when it is started again; motors that are there are not computed twice.
 """
-import argparse
-import os
-import pathlib
 import shlex
 import sys
 import time
@@ -31,16 +33,14 @@ from dataclasses import replace
 sys.dont_write_bytecode = True
 from case import CaseError, run_script
 from goals import limit, loading_for, name_of, target
-from many_motors import Engine, Family
-from optimum import Aim, optimise
+from many_motors import Engine
+from motor_options import family_of, motors_parser
 from solution import solve
 from sweep_figures import draw_optimum, draw_sweep
 from sweep_table import row_of, write_table
-from variation import combinations, entry_and_value, latin_hypercube, ranged, varied
+from uncertainty import draw_spreads, in_words, motor_of, sample_of, spreads_of, uncertain_inputs, write_spreads
+from variation import combinations, latin_hypercube, ranged, varied
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
-# Installed, the programs are not beside the sources.
-PROGRAMS = ROOT / "build" / "bin" if (ROOT / "CMakeLists.txt").exists() else ROOT.parent.parent / "bin"
 INTERVAL = 30.  # seconds between tables of a sweep that is not finished
 
 
@@ -57,12 +57,12 @@ class Progress:
         elapsed = time.monotonic() - self.begin
         left = elapsed / self.n_done * (self.count - self.n_done)
         print(f"{self.n_done} of {self.count}: {row.inputs()}: {row.outcome}, {row.wave_seconds + row.seconds:.1f} s; "
-              f"{self.n_done / elapsed * 3600:.0f} motors per hour, {in_words(left)} left", flush=True)
+              f"{self.n_done / elapsed * 3600:.0f} motors per hour, {duration(left)} left", flush=True)
         if row.message:
             print(f"    {row.message}", flush=True)
 
 
-def in_words(seconds):
+def duration(seconds):
     if seconds < 100:
         return f"{seconds:.0f} s"
     if seconds < 6000:
@@ -97,13 +97,8 @@ def sample_size(text):
 
 
 def parse(arguments):
-    first, usage, rest = __doc__.split("\n\n", 2)
-    parser = argparse.ArgumentParser(description=first, usage=usage[7:], epilog=rest,
-                                     formatter_class=argparse.RawTextHelpFormatter)
-    parser.add_argument("prm", metavar="FILE.prm")
+    parser = motors_parser(__doc__)
     parser.add_argument("--vary", action="append", default=[], metavar="'Section/Entry = VALUES'")
-    parser.add_argument("--set", action="append", default=[], metavar="'Section/Entry = value'", dest="settings",
-                        help="an entry for all motors")
     parser.add_argument("--sample", metavar="lhs=COUNT", help="draw so many motors instead of all combinations")
     parser.add_argument("--wave-only", action="store_true", help="the program stator alone: frequencies, shape of the wave")
     parser.add_argument("--maximise", metavar="QUANTITY")
@@ -112,21 +107,19 @@ def parse(arguments):
     parser.add_argument("--trials", type=int, default=60, metavar="N", help="motors of the coarse search for an optimum")
     parser.add_argument("--solve", metavar="'Section/Entry = low:high'")
     parser.add_argument("--for", metavar="'QUANTITY = NUMBER'", dest="goal")
-    parser.add_argument("--seed", type=int, default=1, help="of a sample or a search")
-    parser.add_argument("--workers", type=int, default=os.cpu_count(), metavar="N",
-                        help="motors at the same time on this machine, by default as many as it has cores")
-    parser.add_argument("--scheduler", metavar="ADDRESS", help="of a Dask scheduler with workers of its own")
-    parser.add_argument("--output", metavar="DIR")
-    parser.add_argument("--programs", metavar="DIR", default=PROGRAMS, help="where stator, contact and losses are")
+    parser.add_argument("--uncertainty", type=int, metavar="COUNT", help="motors of a sample of uncertain inputs")
     options = parser.parse_args(arguments)
-    kinds = [name for name in ("maximise", "minimise", "solve") if getattr(options, name)]
+    kinds = [name for name in ("maximise", "minimise", "solve", "uncertainty") if getattr(options, name)]
     if len(kinds) > 1:
         raise CaseError(f"--{kinds[0]} and --{kinds[1]} exclude each other")
     if bool(options.solve) != bool(options.goal):
         raise CaseError("--solve and --for go together: --solve 'Stator/Base thickness = 1e-3:3e-3' --for 'frequency = 43e3'")
-    if options.solve and options.vary or not options.solve and not options.vary:
-        raise CaseError("--solve varies one entry only: leave out --vary" if options.solve else
-                        "no --vary: nothing varies; example: --vary 'Wave/Amplitude = 1e-6, 2e-6'")
+    if options.vary and (options.solve or options.uncertainty):
+        raise CaseError(f"--{kinds[0]} chooses the motors: leave out --vary")
+    if options.uncertainty is not None and options.uncertainty < 4:
+        raise CaseError(f"--uncertainty {options.uncertainty}: expected a number of motors, at least 4, better 40")
+    if not (options.vary or options.solve or options.uncertainty):
+        raise CaseError("no --vary: nothing varies; example: --vary 'Wave/Amplitude = 1e-6, 2e-6'")
     return options
 
 
@@ -148,6 +141,7 @@ def run_sweep(options, family, all_varied):
 
 
 def run_optimisation(options, family, all_varied):
+    from optimum import Aim, optimise  # pylint: disable=import-outside-toplevel # slow to import
     option = "--maximise" if options.maximise else "--minimise"
     aim = Aim(name_of(option, options.maximise or options.minimise), 1 if options.maximise else -1,
               tuple(limit("--subject-to", text) for text in options.subject_to))
@@ -188,16 +182,33 @@ def run_solution(options, family):
         raise CaseError(f"{name} = {value:g} is outside the error bar: the quantity may jump within the range")
 
 
+def run_uncertainty(options, family):
+    inputs = uncertain_inputs(family.entries)
+    deviates = sample_of(inputs, options.uncertainty, options.seed)
+    chosen = [motor_of(inputs, row, family.entries) for row in [[0.] * len(inputs), *deviates]]
+    with Engine(options.workers, options.scheduler) as engine:
+        nominal, *rows = sweep(engine, family, chosen, options.wave_only)
+    write_table(family.output, [nominal, *rows])
+    if not nominal.quantities:
+        raise CaseError(f"the motor itself is {nominal.outcome}: {nominal.message}")
+    spreads = spreads_of(nominal, rows, inputs, deviates)
+    write_spreads(family.output / "uncertainty.csv", spreads)
+    draw_spreads(family.output, f"{family.entries['Motor/Name']}: {len(rows)} motors with uncertain inputs", spreads)
+    print("\nvalue +- numerical error +- standard deviation by the inputs:")
+    print("\n".join(in_words(one) for one in spreads))
+    print(f"tables and figure in {options.output}")
+
+
 def main(arguments):
     options = parse(arguments)
     all_varied = [varied("--vary", text) for text in options.vary]
-    options.output = options.output or f"output/{pathlib.Path(options.prm).stem}_sweep"
-    family = Family(options.prm, dict(entry_and_value("--set", text) for text in options.settings), options.output,
-                    options.programs)
+    family = family_of(options, "sweep")
     for one in all_varied:
         family.check_name("--vary", one.entry)
     if options.solve:
         run_solution(options, family)
+    elif options.uncertainty:
+        run_uncertainty(options, family)
     elif options.maximise or options.minimise:
         run_optimisation(options, family, all_varied)
     else:

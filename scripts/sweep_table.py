@@ -9,6 +9,8 @@ import h5py
 import numpy as np
 from motor_results import quantities_of, wave_quantities_of
 
+MOST_IN_LINE = 4
+
 
 @dataclass(frozen=True)
 class Row:
@@ -23,8 +25,17 @@ class Row:
     quantities: dict = field(default_factory=dict)
 
     def inputs(self):
-        """The entries that vary, without their sections, on one line."""
-        return ", ".join(f"{entry.rpartition('/')[2]} = {text}" for entry, text in self.varied.items())
+        """The entries that vary on one line, with as much of their sections as tells them apart; if there are many, the
+        folder, which is in the table."""
+        if len(self.varied) > MOST_IN_LINE:
+            return os.path.basename(self.folder)
+        return ", ".join(f"{name} = {text}" for name, text in zip(short_names(self.varied), self.varied.values()))
+
+
+def short_names(entries):
+    """Names of entries without their sections, or with the last one if two have the same."""
+    last = [entry.rpartition("/")[2] for entry in entries]
+    return [name if last.count(name) == 1 else "/".join(entry.split("/")[-2:]) for entry, name in zip(entries, last)]
 
 
 def row_of(motor, outcome):

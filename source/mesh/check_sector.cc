@@ -277,7 +277,7 @@ namespace ringmotor
   UserError mesh_file_error(const std::string &file, const std::string &found,
                             const std::string &what_to_do)
   {
-    return UserError("Stator/Mesh file = " + quoted(file) + ": " + found + "; " + what_to_do);
+    return UserError("Stator/Mesh file = " + in_quotes(file) + ": " + found + "; " + what_to_do);
   }
 
   void check_sector(const SectorMesh &mesh, const std::string &file)

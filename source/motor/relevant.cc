@@ -31,6 +31,7 @@ namespace ringmotor
       parameters.motor.name                   = defaults.motor.name;
       parameters.motor.accepts_unusual_values = defaults.motor.accepts_unusual_values;
       parameters.modes                        = defaults.modes;
+      parameters.uncertainty                  = defaults.uncertainty;
       parameters.output                       = defaults.output;
       reset_loss_factors(parameters.materials);
       for (const auto &effect : all_effects())

@@ -21,19 +21,19 @@ namespace ringmotor
                       "; write the file again with the program it comes from");
     }
 
-    std::string quoted(const std::string &text)
+    std::string in_quotes(const std::string &text)
     {
       return "'" + text + "'";
     }
 
     std::string dataset_called(const std::string &name)
     {
-      return "dataset " + quoted(name);
+      return "dataset " + in_quotes(name);
     }
 
     std::string attribute_called(const std::string &object, const std::string &name)
     {
-      return "attribute " + quoted(name) + " of " + quoted(object);
+      return "attribute " + in_quotes(name) + " of " + in_quotes(object);
     }
 
     bool are_finite(const std::vector<double> &values)
@@ -133,7 +133,7 @@ namespace ringmotor
   {
     const auto found_format = attribute<std::string>("/", "format");
     if (found_format != format)
-      reject(path, "", "the format " + quoted(found_format), quoted(format));
+      reject(path, "", "the format " + in_quotes(found_format), in_quotes(format));
     const auto found_version = attribute<unsigned int>("/", "format_version");
     if (found_version != format_version)
       reject(path, "", "version " + std::to_string(found_version) + " of its format",
@@ -161,7 +161,7 @@ namespace ringmotor
       reject(path, dataset_called(name), to_text(found_dims), to_text(dims));
     const auto found_unit = attribute<std::string>(name, "unit");
     if (found_unit != unit)
-      reject(path, dataset_called(name), "the unit " + quoted(found_unit), quoted(unit));
+      reject(path, dataset_called(name), "the unit " + in_quotes(found_unit), in_quotes(unit));
 
     std::size_t n_values = 1;
     for (const std::size_t size : found_dims)

@@ -19,10 +19,10 @@ namespace ringmotor
     {
       if (text.find_first_of(",\"\r\n") == std::string::npos)
         return text;
-      std::string quoted = "\"";
+      std::string in_quotes = "\"";
       for (const char letter : text)
-        quoted += letter == '"' ? "\"\"" : std::string(1, letter);
-      return quoted + '"';
+        in_quotes += letter == '"' ? "\"\"" : std::string(1, letter);
+      return in_quotes + '"';
     }
 
     template <typename Number>

@@ -70,7 +70,7 @@ namespace ringmotor
       else if (is_number && rest && rest->empty() &&
                !std::isfinite(std::strtod(value.c_str(), nullptr)))
         guess = "is not a finite number";
-      return " = " + quoted(value) + " " + guess + "; allowed: " + entry.allowed;
+      return " = " + in_quotes(value) + " " + guess + "; allowed: " + entry.allowed;
     }
 
     /** Passes one assignment to the handler, whose actions write to the parameters. */
@@ -79,7 +79,7 @@ namespace ringmotor
     {
       const auto *const entry = declared.find(assignment.path);
       if (entry == nullptr)
-        throw UserError(assignment.place + ": unknown entry " + quoted(assignment.path) + "; " +
+        throw UserError(assignment.place + ": unknown entry " + in_quotes(assignment.path) + "; " +
                         declared.advice_for_entry(assignment.path));
 
       std::vector<std::string> names;

@@ -53,7 +53,7 @@ namespace ringmotor
     void check_mesh_file(const std::string &file)
     {
       std::error_code no_throw;
-      const std::string found = "Stator/Mesh file = " + quoted(file) + " ";
+      const std::string found = "Stator/Mesh file = " + in_quotes(file) + " ";
       if (!std::filesystem::exists(file, no_throw))
         throw UserError(
             found + "does not exist; a relative path is searched in the folder of the parameter "
@@ -84,7 +84,7 @@ namespace ringmotor
       if (stator.piezoceramic_element == ElementKind::shell)
         throw UserError(
             "Stator/Piezoceramic element = shell is incompatible with Stator/Mesh file = " +
-            quoted(stator.mesh_file) +
+            in_quotes(stator.mesh_file) +
             ", which has the ceramic ring in its solid cells; allowed: solid");
       check_mesh_file(stator.mesh_file);
       return;
@@ -100,7 +100,7 @@ namespace ringmotor
     {
       const StatorGeometry &stator = parameters.stator;
       if (!stator.mesh_file.empty())
-        throw UserError("Stator/Mesh file = " + quoted(stator.mesh_file) +
+        throw UserError("Stator/Mesh file = " + in_quotes(stator.mesh_file) +
                         " is not available in the program contact, which builds its own tooth "
                         "from the dimensions; allowed: none, or the program stator alone");
       check_cross_section(stator, parameters.motor.n_teeth);

@@ -98,7 +98,7 @@ namespace ringmotor
   void check_rotor(const RotorGeometry &rotor)
   {
     if (!rotor.mesh_file.empty())
-      throw UserError("Rotor/Mesh file = " + quoted(rotor.mesh_file) +
+      throw UserError("Rotor/Mesh file = " + in_quotes(rotor.mesh_file) +
                       " is not available in this version; leave it out");
     check_order("Lip inner radius", rotor.lip_inner_radius, "Lip outer radius",
                 rotor.lip_outer_radius);

@@ -43,6 +43,7 @@ namespace ringmotor
     declare_section("Contact", contact);
     declare_section("Time", time);
     declare_section("Accuracy", accuracy);
+    declare_section("Uncertainty", uncertainty);
     declare_section("Effects", effects);
     declare_section("Output", output);
   }
@@ -117,7 +118,7 @@ namespace ringmotor
     const PrmFile file = parse_prm(text, name);
     for (const PrmFile::Section &section : file.sections)
       if (!declared.has_section(section.path))
-        throw UserError(section.place + ": unknown subsection " + quoted(section.path) + "; " +
+        throw UserError(section.place + ": unknown subsection " + in_quotes(section.path) + "; " +
                         declared.advice_for_section(section.path));
     assign_all(file.assignments, declared, prm);
 

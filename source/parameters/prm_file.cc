@@ -85,7 +85,8 @@ namespace ringmotor
       if (!subsections.empty())
       {
         place = opened_at.back();
-        fail("subsection " + quoted(subsections.back()) + " is never closed; add a line \"end\"");
+        fail("subsection " + in_quotes(subsections.back()) +
+             " is never closed; add a line \"end\"");
       }
       return std::move(file);
     }
@@ -108,7 +109,7 @@ namespace ringmotor
         fail("include is not supported: a parameter file is self-contained; copy the lines of the "
              "included file here, or vary single entries with --set");
       else
-        fail("cannot understand " + quoted(line) +
+        fail("cannot understand " + in_quotes(line) +
              "; allowed: subsection Name, set Entry = value, end, # comment");
     }
 
@@ -135,7 +136,8 @@ namespace ringmotor
       const std::size_t equals = assignment.find('=');
       const std::string entry  = tidy(assignment.substr(0, equals));
       if (equals == std::string::npos || entry.empty())
-        fail("cannot understand " + quoted("set " + assignment) + "; write \"set Entry = value\"");
+        fail("cannot understand " + in_quotes("set " + assignment) +
+             "; write \"set Entry = value\"");
       file.assignments.push_back({path_of(subsections, entry),
                                   trim_copy(assignment.substr(equals + 1)), place, line_number});
     }
@@ -148,7 +150,7 @@ namespace ringmotor
 
   PrmFile::Assignment parse_override(const std::string &text)
   {
-    const std::string place  = "--set " + quoted(text);
+    const std::string place  = "--set " + in_quotes(text);
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos)
       throw UserError(place + ": no equals sign; write --set 'Section/Entry = value'");
@@ -163,7 +165,7 @@ namespace ringmotor
     return {boost::algorithm::join(names, "/"), trim_copy(text.substr(equals + 1)), place};
   }
 
-  std::string quoted(const std::string &text)
+  std::string in_quotes(const std::string &text)
   {
     const std::size_t longest = 80;
     std::string visible       = text.substr(0, longest);

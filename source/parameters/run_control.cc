@@ -154,6 +154,18 @@ namespace ringmotor
         "wave, on finer and finer meshes; used with Mode = fixed only.");
   }
 
+  void Uncertainty::declare(ParameterHandler &prm)
+  {
+    const Notation<double> deviation = number_within(0., 0.5, "a number from 0 to 0.5");
+    add_entry(prm, "Loss factors", loss_factors, deviation,
+              "Relative standard deviation of the loss factor of each material, here and below "
+              "for samples of motors by scripts/sweep.py --uncertainty. Units: none.");
+    add_entry(prm, "Friction", friction, deviation,
+              "That of the coefficients of friction, which vary together. Units: none.");
+    add_entry(prm, "Young moduli", young_moduli, deviation,
+              "That of the Young modulus of each material. Units: none.");
+  }
+
   void Effects::declare(ParameterHandler &prm)
   {
     const auto add_effect =

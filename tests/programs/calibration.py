@@ -20,7 +20,7 @@ from program import QUICK, ROOT, rows_of, run, settings  # noqa: E402
 
 sys.path.insert(0, str(ROOT / "scripts"))
 import numpy as np  # noqa: E402
-from calibrate import interval_of, read_measured, speeds_for, surrogate_of  # noqa: E402
+from calibrate import interval_of, main, read_measured, speeds_for, surrogate_of  # noqa: E402
 from calibration import Measured, Posterior, Surrogate  # noqa: E402
 from case import CaseError  # noqa: E402
 from many_motors import Engine, Family  # noqa: E402
@@ -103,11 +103,11 @@ class Calibration(unittest.TestCase):
                             ("torque_mNm,speed_rpm,speed_error_rpm\n1,2,1\n", "two different speeds")):
             path = self.folder / "mistake.csv"
             path.write_text(text)
-            done = run(ROOT / "scripts" / "calibrate.py", QUICK, path, "--fit", RANGE, "--programs", PROGRAMS[0].parent)
-            self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
-            self.assertIn(words, done.stderr)
+            with self.assertRaisesRegex(CaseError, words):
+                main([str(word) for word in (QUICK, path, "--fit", RANGE, "--programs", PROGRAMS[0].parent)])
         done = run(ROOT / "scripts" / "calibrate.py", QUICK, good, "--fit", "Friction/Dynamic = 0.1:0.2", "--programs",
                    PROGRAMS[0].parent)
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
         self.assertIn("there is no such entry", done.stderr)
 
 

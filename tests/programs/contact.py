@@ -10,7 +10,6 @@ the motor turns at 85.3 rpm without load (see tests/quantities/motor.cc).
 import json
 import pathlib
 import re
-import shutil
 import sys
 import tempfile
 import unittest

@@ -11,7 +11,6 @@ files: resume.py and tests/fuzz.
 import os
 import pathlib
 import shutil
-import subprocess
 import sys
 import tempfile
 import unittest

@@ -8,8 +8,6 @@ Usage: tests/programs/installation.py BUILD_DIR [unittest arguments]
 import json
 import os
 import pathlib
-import shutil
-import subprocess
 import sys
 import tempfile
 import unittest

@@ -8,7 +8,6 @@ Leaks: of programs built with -DRINGMOTOR_SANITIZERS=ON, no memory that ringmoto
 of its own. Valgrind: programs built without read no memory that was not written, which those tools do not see.
 """
 import os
-import pathlib
 import subprocess
 import sys
 import tempfile

@@ -27,7 +27,10 @@ sys.path.insert(0, str(ROOT / "scripts"))
 import h5py  # noqa: E402
 from case import CaseError  # noqa: E402
 from goals import limit  # noqa: E402
+from sweep import main  # noqa: E402
 from sweep_figures import pareto_front  # noqa: E402
+from sweep_table import short_names  # noqa: E402
+from uncertainty import motor_of, sample_of, uncertain_inputs  # noqa: E402
 from variation import combinations, latin_hypercube, varied  # noqa: E402
 
 SUITE, PROGRAMS = sys.argv.pop(1), [pathlib.Path(sys.argv.pop(1)) for _ in range(3)]
@@ -55,12 +58,12 @@ class InAFolder(unittest.TestCase):
         return done.stdout
 
     def refused(self, *options):
-        """The one line with which a sweep refuses its options, before it has computed anything."""
-        done = run(*command("--output", self.output, *options))
-        self.assertEqual(done.returncode, 1, done.stdout)
-        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+        """The line with which a sweep refuses its options, before it has computed anything."""
+        with self.assertRaises(CaseError) as caught:
+            main([str(word) for word in command("--output", self.output, *options)[1:]])
         self.assertFalse((self.output / "waves").exists())
-        return done.stderr
+        self.assertNotIn("\n", str(caught.exception))
+        return str(caught.exception)
 
 
 @unittest.skipUnless(SUITE == "Table", "another suite")
@@ -178,6 +181,20 @@ class Search(InAFolder):
         self.assertIn(f"--set 'Stator/Base thickness = {thickness}'", again)
         self.assertEqual({path: path.stat().st_mtime_ns for path in self.output.glob("waves/*/wave.json")}, before)
 
+    def test_turns_uncertain_inputs_into_bars(self):
+        # Frequencies grow with the root of all moduli: the logarithmic slopes of each add up to a half.
+        deviation, count = 0.02, 12
+        said = self.sweep("--wave-only", "--uncertainty", str(count), *settings(f"Uncertainty/Young moduli = {deviation}"))
+        self.assertEqual(len(rows_of(self.output / "table.csv")), 1 + count)
+        rows = {row["quantity"]: row for row in rows_of(self.output / "uncertainty.csv")}
+        frequency = {name: float(text) for name, text in rows["frequency"].items() if name not in ("quantity", "unit")}
+        shares = [frequency[f"share of Materials/{material}/Young modulus"] for material in ("Stator metal", "Piezoceramic")]
+        slopes = [math.sqrt(share) * frequency["deviation_of_inputs"] / frequency["value"] / deviation for share in shares]
+        self.assertAlmostEqual(sum(slopes), 0.5, delta=0.005)
+        self.assertTrue(0.99 < sum(shares) <= 1)  # nearly linear, and nothing else counts
+        self.assertRegex(said, r"frequency = [\d.]+ Hz \+- [\d.]+ Hz \(numerical\) \+- [\d.]+ Hz \(inputs, \d+ % of it from Materials/Stator metal")
+        self.assertTrue((self.output / "figures" / "uncertainty.svg").exists())
+
     def test_compares_two_motors(self):
         self.sweep("--vary", "Friction/Dynamic coefficient = 0.3, 0.4")
         rows = rows_of(self.output / "table.csv")
@@ -216,6 +233,9 @@ class Mistakes(InAFolder):
                 (["--solve", "Loading/Preload = 1:3"], "--for go together"),
                 (["--solve", "Loading/Preload = 1:3", "--for", "frequency"], "QUANTITY = number"),
                 (["--solve", "Loading/Preload = 1:3", "--vary", "Loading/Preload = 1, 2", "--for", "frequency = 3"], "--vary"),
+                (["--uncertainty", "40"], "no input is uncertain"),
+                (["--uncertainty", "1"], "at least 4"),
+                (["--uncertainty", "40", "--vary", "Loading/Preload = 1, 2"], "leave out --vary"),
                 (["--vary", "Loading/Preload = 1, 2", "--scheduler", "tcp://127.0.0.1:9"], "does not answer")):
             with self.subTest(options):
                 self.assertIn(words, self.refused(*options))
@@ -248,6 +268,26 @@ class Values(unittest.TestCase):
         self.assertEqual(sum(row["a/d"] == "x" for row in sample), 25)
         self.assertEqual(sample, latin_hypercube(ranges, 50, seed=3))
         self.assertNotEqual(sample, latin_hypercube(ranges, 50, seed=4))
+
+    def test_of_uncertain_inputs(self):
+        entries = {"Uncertainty/Loss factors": "0.5", "Uncertainty/Friction": "0.1", "Uncertainty/Young moduli": "0",
+                   "Materials/Stator metal/Loss factor": "0.4", "Materials/Rotor metal/Loss factor": "0",
+                   "Materials/Stator metal/Young modulus": "2e11", "Friction/Dynamic coefficient": "0.2",
+                   "Friction/Static coefficient": "0.3"}
+        inputs = uncertain_inputs(entries)
+        self.assertEqual([one.name for one in inputs], ["Materials/Stator metal/Loss factor", "Friction"])
+        motor = motor_of(inputs, [1., -1.], entries)
+        self.assertAlmostEqual(float(motor["Materials/Stator metal/Loss factor"]), 0.4 * math.exp(0.5), 7)
+        self.assertAlmostEqual(float(motor["Friction/Dynamic coefficient"]), 0.2 * math.exp(-0.1), 7)
+        self.assertAlmostEqual(float(motor["Friction/Static coefficient"]), 0.3 * math.exp(-0.1), 7)
+        self.assertEqual(motor_of(inputs, [9., 0.], entries)["Materials/Stator metal/Loss factor"], "1")
+        sample = sample_of(inputs, 1000, 1)
+        self.assertAlmostEqual(float(sample.mean()), 0., 2)
+        self.assertAlmostEqual(float(sample.std()), 1., 1)
+
+    def test_in_words_tell_entries_apart(self):
+        self.assertEqual(short_names(["Wave/Amplitude", "Materials/A/Density", "Materials/B/Density"]),
+                         ["Amplitude", "A/Density", "B/Density"])
 
     def test_of_limits(self):
         self.assertEqual((limit("", "f = 1:2").low, limit("", "f = 1:2").high), (1, 2))

@@ -33,6 +33,7 @@ namespace ringmotor
     Contact contact;
     Time time;
     Accuracy accuracy;
+    Uncertainty uncertainty;
     Effects effects;
     Output output;
 

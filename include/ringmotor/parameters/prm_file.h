@@ -49,7 +49,7 @@ namespace ringmotor
   PrmFile::Assignment parse_override(const std::string &text);
 
   /** @p text in quotes for a one-line message: without control characters, not too long. */
-  std::string quoted(const std::string &text);
+  std::string in_quotes(const std::string &text);
 
   /** The first few of @p names, separated by commas, and how many more there are. */
   std::string some_of(const std::vector<std::string> &names);

@@ -62,6 +62,18 @@ namespace ringmotor
     void declare(dealii::ParameterHandler &prm);
   };
 
+  /** How well the inputs of a motor are known: relative standard deviations. The programs compute
+   * the motor as it is given; scripts/sweep.py draws samples of uncertain motors. */
+  struct Uncertainty
+  {
+    double loss_factors = 0.; ///< of each material
+    double friction     = 0.; ///< of both coefficients together
+    double young_moduli = 0.; ///< of each material
+
+    /** Declares the entries; reading them changes the members. */
+    void declare(dealii::ParameterHandler &prm);
+  };
+
   enum class EffectChoice
   {
     off,

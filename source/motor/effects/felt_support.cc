@@ -19,7 +19,7 @@ namespace ringmotor::effects
         const StatorGeometry &stator = parameters.stator;
         if (!stator.mesh_file.empty())
           throw UserError(given(parameters) + " is incompatible with Stator/Mesh file = " +
-                          quoted(stator.mesh_file) + "; allowed: off");
+                          in_quotes(stator.mesh_file) + "; allowed: off");
         if (felt.felt_inner_radius.value_or(0.) > stator.base_inner_radius ||
             felt.felt_outer_radius.value_or(stator.base_outer_radius) < stator.base_outer_radius)
           throw UserError(

@@ -20,8 +20,8 @@ namespace ringmotor::effects
       {
         const StatorGeometry &stator = parameters.stator;
         if (!stator.mesh_file.empty())
-          throw UserError(given(parameters) +
-                          " is incompatible with Stator/Mesh file = " + quoted(stator.mesh_file) +
+          throw UserError(given(parameters) + " is incompatible with Stator/Mesh file = " +
+                          in_quotes(stator.mesh_file) +
                           ", where the edges of the teeth are not known; allowed: off");
         const double largest = 0.1 * stator.tooth_height * stator.tooth_height;
         if (stator.target_plate_area <= largest)
