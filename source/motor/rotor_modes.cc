@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/mpi.h>
+
 #include <ringmotor/motor/motor_model.h>
 #include <ringmotor/motor/rotor_modes.h>
 #include <ringmotor/motor/smooth_loads.h>
@@ -70,7 +72,7 @@ namespace ringmotor
   }
 
   LipModes::LipModes(const Parameters &parameters, const unsigned int level, const double frequency,
-                     const unsigned int n_harmonics)
+                     const unsigned int n_harmonics, const MPI_Comm communicator)
       : n_teeth(parameters.motor.n_teeth), modes(n_teeth / 2 + 1)
   {
     const RotorBody body(parameters, discretisation(level));
@@ -83,12 +85,17 @@ namespace ringmotor
         modes[mode.nodal_diameter].push_back(
             {std::sqrt(mode.eigenvalue), on_surface(body.sector, displacements, mode)});
     };
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+    unsigned int next_rank     = 0;
+    const auto is_mine         = [&]
+    { return next_rank++ % n_ranks == Utilities::MPI::this_mpi_process(communicator); };
     if (model.rotor_moves_as_whole)
     {
       const double up_to = 2. / 3. * n_harmonics * frequency;
       ModeSolver solver(body.sector);
       for (unsigned int k = 2; k < modes.size(); ++k)
-        take(solver.below(k, std::pow(up_to, 2)));
+        if (is_mine())
+          take(solver.below(k, std::pow(up_to, 2)));
     }
     else
     {
@@ -97,7 +104,7 @@ namespace ringmotor
       ResponseModes responses(body.sector);
       for (const auto &[k, harmonics] : harmonics_by_diameter(parameters.motor, n_harmonics))
       {
-        if (k < 2)
+        if (k < 2 || !is_mine())
           continue;
         std::vector<double> frequencies;
         for (const unsigned int harmonic : harmonics)
@@ -107,6 +114,11 @@ namespace ringmotor
                                   std::max(harmonics.back(), least_harmonic) * frequency));
       }
     }
+    if (n_ranks > 1)
+      for (const auto &of_rank : Utilities::MPI::all_gather(communicator, modes))
+        for (std::size_t k = 0; k < modes.size(); ++k)
+          if (!of_rank[k].empty())
+            modes[k] = of_rank[k];
     if (!model.rotor_gives_way_along)
       for (auto &of_diameter : modes)
         for (LipMode &mode : of_diameter)
@@ -132,16 +144,17 @@ namespace ringmotor
     return at_nodes;
   }
 
-  RotorVibration::RotorVibration(const Parameters &parameters, const double frequency)
-      : parameters(parameters), frequency(frequency)
+  RotorVibration::RotorVibration(const Parameters &parameters, const double frequency,
+                                 const MPI_Comm communicator)
+      : parameters(parameters), frequency(frequency), communicator(communicator)
   {
   }
 
   const LipModes &RotorVibration::level(const unsigned int level) const
   {
     if (!levels[level])
-      levels[level] =
-          std::make_shared<const LipModes>(parameters, level, frequency, n_harmonics[level]);
+      levels[level] = std::make_shared<const LipModes>(parameters, level, frequency,
+                                                       n_harmonics[level], communicator);
     return *levels[level];
   }
 } // namespace ringmotor

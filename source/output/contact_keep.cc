@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/timer.h>
+
 #include <ringmotor/motor/relevant.h>
 #include <ringmotor/output/contact_keep.h>
 #include <ringmotor/output/files.h>
@@ -10,6 +12,7 @@
 #include <filesystem>
 #include <iomanip>
 #include <limits>
+#include <map>
 #include <sstream>
 
 namespace ringmotor
@@ -114,30 +117,54 @@ namespace ringmotor
     Utilities::MPI::broadcast(communicator, 0); // no rank continues before the folders exist
   }
 
-  CondensedMotor ContactKeep::motor(const Parameters &parameters, const unsigned int level,
-                                    const std::optional<unsigned int> &modes_level,
-                                    const std::function<CondensedMotor()> &condense)
+  std::optional<TimedMotor> ContactKeep::read(const std::string &path, const std::string &key)
   {
-    const std::string modes = modes_level ? "_modes_" + std::to_string(*modes_level) : "",
-                      path  = motors + "interface_mesh_" + std::to_string(level) + modes;
-    const bool is_first     = Utilities::MPI::this_mpi_process(communicator) == 0;
-    const std::string key   = condensation_key(parameters, wave, level) + modes;
+    Timer timer;
     KeptContent kept;
-    if (is_first)
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
       kept = read_kept_file(path, key);
-    const std::string bytes =
-        Utilities::MPI::broadcast(communicator, kept.bytes.value_or(std::string()));
-    if (!bytes.empty())
-    {
-      log.line("condensation of interface mesh " + std::to_string(level) + " read from " + path);
-      return from_bytes<CondensedMotor>(bytes);
-    }
     if (!kept.problem.empty())
       log.line("kept condensation " + path + " " + kept.problem + ": computed anew");
-    CondensedMotor motor = condense();
-    if (is_first)
-      write_kept_file(path, key, to_bytes(motor));
-    return motor;
+    const std::string bytes =
+        Utilities::MPI::broadcast(communicator, kept.bytes.value_or(std::string()));
+    if (bytes.empty())
+      return {};
+    log.line("condensation read from " + path);
+    return TimedMotor{from_bytes<CondensedMotor>(bytes), timer.wall_time()};
+  }
+
+  std::vector<TimedMotor> ContactKeep::condensed(const Parameters &parameters,
+                                                 const std::vector<unsigned int> &levels,
+                                                 const std::optional<unsigned int> &modes_level,
+                                                 const Condense &condense)
+  {
+    const std::string modes = modes_level ? "_modes_" + std::to_string(*modes_level) : "";
+    const auto its_path     = [&](const unsigned int level)
+    { return motors + "interface_mesh_" + std::to_string(level) + modes; };
+    const auto its_key = [&](const unsigned int level)
+    { return condensation_key(parameters, wave, level) + modes; };
+
+    std::map<unsigned int, TimedMotor> known;
+    std::vector<unsigned int> missing;
+    for (const unsigned int level : levels)
+      if (std::optional<TimedMotor> kept = read(its_path(level), its_key(level)))
+        known.emplace(level, std::move(*kept));
+      else
+        missing.push_back(level);
+    if (!missing.empty())
+    {
+      std::vector<TimedMotor> computed = condense(missing);
+      for (std::size_t i = 0; i < missing.size(); ++i)
+      {
+        if (Utilities::MPI::this_mpi_process(communicator) == 0)
+          write_kept_file(its_path(missing[i]), its_key(missing[i]), to_bytes(computed[i].motor));
+        known.emplace(missing[i], std::move(computed[i]));
+      }
+    }
+    std::vector<TimedMotor> all;
+    for (const unsigned int level : levels)
+      all.push_back(std::move(known.at(level)));
+    return all;
   }
 
   std::vector<CurvePoint>

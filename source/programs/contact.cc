@@ -48,7 +48,8 @@ namespace ringmotor
       void study(const bool resumes);
 
     private:
-      CondensedMotor condense(const unsigned int level, const unsigned int modes_level);
+      std::vector<TimedMotor> condense(const std::vector<unsigned int> &levels,
+                                       const unsigned int modes_level);
       std::vector<CurvePoint> find(const Parameters &of_points, const CondensedMotor &motor,
                                    const CurveSetting &setting,
                                    const std::vector<PointRequest> &requests,
@@ -99,8 +100,8 @@ namespace ringmotor
           wave(read_stator_wave(parameters.output.directory + "/stator/modes.h5", parameters)),
           effects(choose_effects()), parameters(effects.parameters()),
           search(this->parameters, wave.relative_error, 2. * numbers::PI / wave.angular_frequency,
-                 {[this](const unsigned int level, const unsigned int modes_level)
-                  { return condense(level, modes_level); },
+                 {[this](const std::vector<unsigned int> &levels, const unsigned int modes_level)
+                  { return condense(levels, modes_level); },
                   [this](const Parameters &of_points, const CondensedMotor &motor,
                          const CurveSetting &setting, const std::vector<PointRequest> &requests,
                          const std::vector<CurvePoint> &starts)
@@ -154,23 +155,33 @@ namespace ringmotor
       run_study(folder, "contact", given, study, resumes, log);
     }
 
-    CondensedMotor ContactProgram::condense(const unsigned int level,
-                                            const unsigned int modes_level)
+    std::vector<TimedMotor> ContactProgram::condense(const std::vector<unsigned int> &levels,
+                                                     const unsigned int modes_level)
     {
-      const auto scope    = phases.measure("condensation, interface mesh " + std::to_string(level));
-      const auto condense = [&]
+      const bool needs_modes = motor_model(parameters).rotor_needs_modes();
+      const auto one         = [&](const unsigned int level)
       {
+        const auto scope = phases.measure("condensation, interface mesh " + std::to_string(level));
         return condense_motor(parameters, wave, ContactDiscretisation::level(level), modes_level,
                               &effects.vibration());
       };
-      std::optional<unsigned int> of_rotor;
-      if (motor_model(parameters).rotor_needs_modes())
-        of_rotor = modes_level;
-      CondensedMotor motor = keep->motor(parameters, level, of_rotor, condense);
-      log.line("interface mesh " + std::to_string(level) + ": " +
-               std::to_string(motor.nodes.size()) + " contact nodes per tooth, " +
-               std::to_string(motor.n_dofs) + " dofs condensed");
-      return motor;
+      const auto all = [&](const std::vector<unsigned int> &missing)
+      {
+        if (needs_modes) // by all ranks together, before each condenses other motors
+        {
+          const auto scope = phases.measure("vibrations of the rotor");
+          effects.vibration().level(modes_level - 1);
+          effects.vibration().level(modes_level);
+        }
+        return condense_motors(missing, one, MPI_COMM_WORLD);
+      };
+      std::vector<TimedMotor> motors = keep->condensed(
+          parameters, levels, needs_modes ? std::make_optional(modes_level) : std::nullopt, all);
+      for (std::size_t i = 0; i < levels.size(); ++i)
+        log.line("interface mesh " + std::to_string(levels[i]) + ": " +
+                 std::to_string(motors[i].motor.nodes.size()) + " contact nodes per tooth, " +
+                 std::to_string(motors[i].motor.n_dofs) + " dofs condensed");
+      return motors;
     }
 
     std::vector<CurvePoint> ContactProgram::find(const Parameters &of_points,

@@ -15,8 +15,8 @@ namespace ringmotor
   } // namespace
 
   ChosenEffects::ChosenEffects(const Parameters &given, const StatorWave &wave)
-      : uniform_vibration(on_uniform_ring(given), wave.angular_frequency), chosen(given),
-        own_vibration(uniform_vibration)
+      : uniform_vibration(on_uniform_ring(given), wave.angular_frequency, MPI_COMM_WORLD),
+        chosen(given), own_vibration(uniform_vibration)
   {
     constexpr unsigned int n_harmonics = 6, level = 1;
     const Scene scene{
@@ -29,7 +29,8 @@ namespace ringmotor
         [&]() -> const LipAmplification &
         { return lip.emplace(given, uniform_vibration.level(level), level, n_harmonics); }};
     rows = choose_effects(chosen, EffectStage::contact, scene, given.accuracy.contact_target);
-    own_vibration = is_marched(chosen) ? RotorVibration(chosen, wave.angular_frequency)
-                                       : uniform_vibration; // with its computed results
+    own_vibration = is_marched(chosen)
+                        ? RotorVibration(chosen, wave.angular_frequency, MPI_COMM_WORLD)
+                        : uniform_vibration; // with its computed results
   }
 } // namespace ringmotor

@@ -6,7 +6,6 @@
 #include <ringmotor/quantities/curve_search.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numeric>
 #include <set>
@@ -56,6 +55,7 @@ namespace ringmotor
           ", but Accuracy/Contact target = " + short_text(accuracy.strictest_target()) +
           "; run the program stator with these parameters (and Accuracy/Mode = adaptive) first");
     reached_level = is_fixed ? accuracy.interface_refinement : 1;
+    condense({reached_level, compared_with(reached_level)});
     find_requests(steps.first_parts());
     while (true)
     {
@@ -98,6 +98,7 @@ namespace ringmotor
     sources.before_refinement(reached_level + 1, motor_seconds[reached_level],
                               point_seconds(steps.plain(reached_level)));
     ++reached_level;
+    outline.clear();
     motors.erase(motors.begin(), motors.lower_bound(compared_with(reached_level)));
   }
 
@@ -105,6 +106,7 @@ namespace ringmotor
   {
     ++modes_level;
     motors.clear();
+    condense({reached_level, compared_with(reached_level)});
     if (!is_marched(parameters)) // where nothing starts from known points
       with_coarser_modes = std::move(known);
     known.clear();
@@ -159,17 +161,26 @@ namespace ringmotor
         "; choose a larger one" + (is_marched(parameters) ? ", or a smaller Time/Time step" : ""));
   }
 
+  void CurveSearch::condense(const std::vector<unsigned int> &levels)
+  {
+    std::vector<unsigned int> missing;
+    for (const unsigned int level : levels)
+      if (motors.count(level) == 0)
+        missing.push_back(level);
+    if (missing.empty())
+      return;
+    std::vector<TimedMotor> condensed = sources.motors(missing, modes_level);
+    for (std::size_t i = 0; i < missing.size(); ++i)
+    {
+      motor_seconds[missing[i]] = condensed[i].seconds;
+      motors[missing[i]] = std::make_unique<const CondensedMotor>(std::move(condensed[i].motor));
+    }
+  }
+
   const CondensedMotor &CurveSearch::motor_of(const unsigned int level)
   {
-    auto &motor = motors[level];
-    if (!motor)
-    {
-      const auto begin = std::chrono::steady_clock::now();
-      motor            = std::make_unique<const CondensedMotor>(sources.motor(level, modes_level));
-      motor_seconds[level] =
-          std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    }
-    return *motor;
+    condense({level});
+    return *motors.at(level);
   }
 
   bool CurveSearch::needs_window(const CurveSetting &setting) const
@@ -209,7 +220,10 @@ namespace ringmotor
     stalled      = point_of(steps.plain(reached_level), 0);
     stall_torque = stalled.result.torque;
     if (may_stand_still())
+    {
+      outline = {stalled}; // nearly the same under all torques
       find_held_torque();
+    }
     const double most = rotor_sticks() ? borne_torque() : stall_torque;
     if (parameters.loading.control == Control::torque)
       for (const double torque : parameters.loading.values)
@@ -243,6 +257,7 @@ namespace ringmotor
     for (const unsigned int i : all_requests())
       shape.push_back(point_of(setting, i));
     shape.push_back(stalled);
+    outline = shape;
     // Without load, a rotor that hardly slips on the wave may stand still: its curve has no shape.
     return stands_still(shape.front()) ? rising_torques() : points_along_curve(shape, n_points);
   }

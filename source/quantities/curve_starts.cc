@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/quantities/curve_search.h>
 #include <ringmotor/quantities/mesh_transfer.h>
+#include <ringmotor/quantities/point_quantities.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace ringmotor
 {
@@ -41,9 +43,20 @@ namespace ringmotor
       }
       return starts;
     }
-    if (may_stand_still()) // under all torques alike
-      starts.assign(wanted.size(), stalled);
+    if (!outline.empty())
+      for (const unsigned int request : wanted)
+        starts.push_back(nearest_of_outline(requests[request]));
     return starts;
+  }
+
+  const CurvePoint &CurveSearch::nearest_of_outline(const PointRequest &request) const
+  {
+    const PointQuantity &load = prescribed(request);
+    const auto distance       = [&](const CurvePoint &point)
+    { return std::abs(load.value(point) - request.value); };
+    return *std::min_element(outline.begin(), outline.end(),
+                             [&](const CurvePoint &one, const CurvePoint &other)
+                             { return distance(one) < distance(other); });
   }
 
   bool CurveSearch::has_all(const KnownPoints &points, const CurveSetting &setting,

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/timer.h>
+
 #include <ringmotor/motor/relevant.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/quantities/marched_point.h>
@@ -177,6 +180,29 @@ namespace ringmotor
     return requests;
   }
 
+  std::vector<TimedMotor>
+  condense_motors(const std::vector<unsigned int> &levels,
+                  const std::function<CondensedMotor(unsigned int level)> &condense,
+                  const MPI_Comm communicator)
+  {
+    const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator),
+                       n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+    std::vector<TimedMotor> motors(levels.size());
+    for (unsigned int i = rank; i < levels.size(); i += n_ranks)
+    {
+      Timer timer;
+      motors[i].motor   = condense(levels[i]);
+      motors[i].seconds = timer.wall_time();
+    }
+    if (n_ranks > 1)
+      for (unsigned int i = 0; i < levels.size(); ++i)
+      {
+        motors[i].motor   = Utilities::MPI::broadcast(communicator, motors[i].motor, i % n_ranks);
+        motors[i].seconds = Utilities::MPI::broadcast(communicator, motors[i].seconds, i % n_ranks);
+      }
+    return motors;
+  }
+
   std::vector<CurvePoint> find_points(const Parameters &parameters, const CondensedMotor &motor,
                                       const CurveSetting &setting,
                                       const std::vector<PointRequest> &requests,
@@ -188,8 +214,10 @@ namespace ringmotor
                        n_ranks = Utilities::MPI::n_mpi_processes(communicator);
     OperatingPointFinder finder(with_parts_of_a_step(parameters, setting.n_parts), motor, memory,
                                 setting);
+    // Neighbours on the curve to the same rank: each is the best start for the next one.
+    const auto first_of = [&](const unsigned int r) { return r * requests.size() / n_ranks; };
     std::vector<CurvePoint> mine;
-    for (unsigned int i = rank; i < requests.size(); i += n_ranks)
+    for (std::size_t i = first_of(rank); i < first_of(rank + 1); ++i)
     {
       mine.push_back(finder.find(requests[i], starts.empty() ? nullptr : &starts[i]));
       after_point(mine.back());
@@ -198,8 +226,8 @@ namespace ringmotor
       return mine;
     const std::vector<std::vector<CurvePoint>> all = Utilities::MPI::all_gather(communicator, mine);
     std::vector<CurvePoint> points;
-    for (unsigned int i = 0; i < requests.size(); ++i)
-      points.push_back(all[i % n_ranks][i / n_ranks]);
+    for (const std::vector<CurvePoint> &of_rank : all)
+      points.insert(points.end(), of_rank.begin(), of_rank.end());
     return points;
   }
 

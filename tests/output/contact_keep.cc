@@ -173,12 +173,19 @@ namespace
     std::pair<std::string, std::string> motor()
     {
       said.str("");
-      const CondensedMotor motor = keep(false).motor(parameters, 0, {}, condense);
+      const CondensedMotor motor = condensed(keep(false));
       return {to_bytes(motor), said.str()};
     }
 
-    std::function<CondensedMotor()> condense = [this]
-    { return condense_motor(parameters, *wave, ContactDiscretisation::level(0)); };
+    CondensedMotor condensed(ContactKeep store)
+    {
+      const auto condense = [this](const std::vector<unsigned int> &)
+      {
+        return std::vector<TimedMotor>{
+            {condense_motor(parameters, *wave, ContactDiscretisation::level(0)), 0.}};
+      };
+      return store.condensed(parameters, {0}, {}, condense).front().motor;
+    }
 
     static std::string without_seconds(std::vector<CurvePoint> points)
     {
@@ -240,7 +247,7 @@ TEST_F(ContactKeepFiles, PointsThatAreMissingComeOutTheSameToTheLastBit)
 {
   parameters.friction.law                = FrictionLaw::static_dynamic;
   parameters.friction.static_coefficient = 0.48;
-  const CondensedMotor motor             = keep(false).motor(parameters, 0, {}, condense);
+  const CondensedMotor motor             = condensed(keep(false));
   for (const unsigned int n_left : {1u, 2u, 3u})
   {
     const auto points = [&](ContactKeep store, const unsigned int n)
@@ -256,7 +263,7 @@ TEST_F(ContactKeepFiles, PointsThatAreMissingComeOutTheSameToTheLastBit)
 
 TEST_F(ContactKeepFiles, PointsAreThereUnlessDamagedOrOfAnotherLoad)
 {
-  const CondensedMotor motor = keep(false).motor(parameters, 0, {}, condense);
+  const CondensedMotor motor = condensed(keep(false));
   const auto report          = [&]()
   {
     said.str("");

@@ -25,7 +25,7 @@ namespace
   CurveSearch::Sources made_up_sources(const double a, const double b)
   {
     CurveSearch::Sources sources;
-    sources.motor = [](unsigned int, unsigned int)
+    sources.motors = [](const std::vector<unsigned int> &levels, unsigned int)
     {
       CondensedMotor motor;
       motor.n_teeth           = 90;
@@ -34,7 +34,7 @@ namespace
       motor.nodes  = {{1., 0., 1., {}}, {2., 0., 1., {}}, {1., 0.1, 1., {}}, {2., 0.1, 1., {}}};
       motor.faces  = {{0, 1, 2, 3}};
       motor.degree = 1;
-      return motor;
+      return std::vector<TimedMotor>(levels.size(), {motor, 0.});
     };
     sources.points = [a, b](const Parameters &, const CondensedMotor &, const CurveSetting &setting,
                             const std::vector<PointRequest> &requests,
@@ -216,12 +216,16 @@ TEST(CurveErrorBars, LeadToFinerModesWhereTheseMatterMost)
   for (const auto &[c, level] : {std::pair(1., 1u), std::pair(3., 2u)})
   {
     CurveSearch::Sources sources = made_up_sources(0.02, 0.);
-    sources.motor = [of_all = sources.motor](const unsigned int mesh, const unsigned int modes)
+    sources.motors =
+        [of_all = sources.motors](const std::vector<unsigned int> &levels, const unsigned int modes)
     {
-      CondensedMotor motor = of_all(mesh, modes);
-      motor.modes_level    = modes;
-      motor.modes          = {{{1e5, {}}}};
-      return motor;
+      std::vector<TimedMotor> motors = of_all(levels, modes);
+      for (TimedMotor &timed : motors)
+      {
+        timed.motor.modes_level = modes;
+        timed.motor.modes       = {{{1e5, {}}}};
+      }
+      return motors;
     };
     sources.points = [error = c, of_all = sources.points](
                          const Parameters &all, const CondensedMotor &motor,

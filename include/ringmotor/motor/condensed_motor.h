@@ -107,6 +107,13 @@ namespace ringmotor
     }
   };
 
+  /** A motor, and the time (s, wall clock) that it took to condense or to read it. */
+  struct TimedMotor
+  {
+    CondensedMotor motor;
+    double seconds = 0.;
+  };
+
   /** The largest relative change of the tangential motion of the tooth tops due to the inertia of
    * the teeth. */
   double tooth_inertia_indicator(const Parameters &parameters, const StatorWave &wave);

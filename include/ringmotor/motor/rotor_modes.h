@@ -38,9 +38,9 @@ namespace ringmotor
   {
   public:
     /** @param level of the mesh; @param frequency rad/s, of the wave; @param n_harmonics of the
-     * wave that may matter */
+     * wave that may matter; @param communicator of the ranks that share the nodal diameters */
     LipModes(const Parameters &parameters, const unsigned int level, const double frequency,
-             const unsigned int n_harmonics);
+             const unsigned int n_harmonics, MPI_Comm communicator = MPI_COMM_SELF);
 
     /** The rotor's discretisation for its modes at a level. */
     static ContactDiscretisation discretisation(const unsigned int level);
@@ -52,6 +52,12 @@ namespace ringmotor
     {
       double angular_frequency;
       std::vector<double> motion; ///< of the half sector's lip, real field, then imaginary one
+
+      template <class Archive>
+      void serialize(Archive &archive, const unsigned int)
+      {
+        archive &angular_frequency &motion;
+      }
     };
     const std::vector<LipMode> &of_diameter(const unsigned int k) const { return modes[k]; }
 
@@ -72,14 +78,17 @@ namespace ringmotor
     /** The harmonics of the wave in which bodies vibrate; in all others they respond as at rest. */
     static constexpr std::array<unsigned int, finest_level + 1> n_harmonics{{9, 13, 20, 30}};
 
-    /** @param frequency rad/s, of the wave */
-    RotorVibration(const Parameters &parameters, const double frequency);
+    /** @param frequency rad/s, of the wave @param communicator of the ranks that share the work:
+     * they must ask for the same levels together */
+    RotorVibration(const Parameters &parameters, const double frequency,
+                   MPI_Comm communicator = MPI_COMM_SELF);
 
     const LipModes &level(const unsigned int level) const;
 
   private:
     Parameters parameters;
     double frequency;
+    MPI_Comm communicator;
     mutable std::array<std::shared_ptr<const LipModes>, finest_level + 1> levels;
   };
 } // namespace ringmotor

@@ -37,11 +37,15 @@ namespace ringmotor
     ContactKeep(const std::string &folder, const StatorWave &wave, const bool resumes, Log &log,
                 MPI_Comm communicator);
 
-    /** The condensed motor with ContactDiscretisation::level(): read or computed.
-     * @param modes_level of its rotor; none if it has no modes */
-    CondensedMotor motor(const Parameters &parameters, const unsigned int level,
-                         const std::optional<unsigned int> &modes_level,
-                         const std::function<CondensedMotor()> &condense);
+    /** Computes motors of some levels. */
+    using Condense =
+        std::function<std::vector<TimedMotor>(const std::vector<unsigned int> &levels)>;
+    /** Condensed motors with ContactDiscretisation::level(): read or, if missing, computed.
+     * @param modes_level of their rotor; none if it has no modes */
+    std::vector<TimedMotor> condensed(const Parameters &parameters,
+                                      const std::vector<unsigned int> &levels,
+                                      const std::optional<unsigned int> &modes_level,
+                                      const Condense &condense);
 
     /** find_points(): missing points are computed and kept immediately. */
     std::vector<CurvePoint> points(
@@ -64,6 +68,8 @@ namespace ringmotor
       unsigned int found = 0, recalled = 0, damaged = 0; // found: computed by this run
     };
     class Points;
+
+    std::optional<TimedMotor> read(const std::string &path, const std::string &key);
 
     const std::string motors, points_folder;
     const StatorWave &wave;

@@ -26,7 +26,10 @@ namespace ringmotor
     /** Functions that compute motors and points. Collective: called on all ranks. */
     struct Sources
     {
-      std::function<CondensedMotor(unsigned int level, unsigned int modes_level)> motor;
+      /** Motors at several levels, which ranks can share. */
+      std::function<std::vector<TimedMotor>(const std::vector<unsigned int> &levels,
+                                            unsigned int modes_level)>
+          motors;
       std::function<std::vector<CurvePoint>(const Parameters &, const CondensedMotor &,
                                             const CurveSetting &, const std::vector<PointRequest> &,
                                             const std::vector<CurvePoint> &starts)>
@@ -84,6 +87,8 @@ namespace ringmotor
       return level == 0 ? 1 : level - 1;
     }
 
+    /** Condenses those that are missing of some levels. */
+    void condense(const std::vector<unsigned int> &levels);
     const CondensedMotor &motor_of(const unsigned int level);
     /** Whether the error of the averaging window is taken from points of this setting. */
     bool needs_window(const CurveSetting &setting) const;
@@ -99,10 +104,12 @@ namespace ringmotor
     using KnownPoints = std::map<CurveSetting, std::map<unsigned int, CurvePoint>>;
     static bool has_all(const KnownPoints &points, const CurveSetting &setting,
                         const std::vector<unsigned int> &wanted);
-    /** Points from which others can be started: with coarser modes, with longer steps, or on
-     * another mesh. */
+    /** Points from which others can be started: with coarser modes, with longer steps, on another
+     * mesh, or near them on the first curve. */
     std::vector<CurvePoint> starts_for(const CurveSetting &setting,
                                        const std::vector<unsigned int> &wanted);
+    /** The point of the #outline that is nearest to a request: the most similar load. */
+    const CurvePoint &nearest_of_outline(const PointRequest &request) const;
     /** Steps of twice the length, if they divide the pitch; those of plain() for a changed motor.
      */
     CurveSetting longer_steps(const CurveSetting &setting) const;
@@ -177,6 +184,9 @@ namespace ringmotor
     const unsigned int finest_level;
     CurvePoint stalled;       ///< on the first mesh; the loaded point if the rotor sticks
     double stall_torque = 0.; ///< N m; of the first motor that was computed
+    /** The first points of all, on the first mesh, from which others start: at rest if the rotor
+     * may stand still, then those that tell the shape of the curve. */
+    std::vector<CurvePoint> outline;
     std::vector<PointRequest> requests;
     unsigned int reached_level = 0;
     unsigned int modes_level;          ///< of the rotor, see RotorVibration

@@ -176,6 +176,13 @@ namespace ringmotor
   /** The points that Loading/Values lists; none for a curve, see points_along_curve(). */
   std::vector<PointRequest> listed_points(const Loading &loading);
 
+  /** Motors at several levels, each condensed by one of the ranks and known to all.
+   * @param condense computes the motor of a level */
+  std::vector<TimedMotor>
+  condense_motors(const std::vector<unsigned int> &levels,
+                  const std::function<CondensedMotor(unsigned int level)> &condense,
+                  MPI_Comm communicator);
+
   /**
    * Finds several points with the steps of @p setting, distributed over the ranks of
    * @p communicator and returned on all of them. @p motor must have its mesh and wave. @p starts is
