@@ -109,7 +109,7 @@ def parse(arguments):
     parser.add_argument("--for", metavar="'QUANTITY = NUMBER'", dest="goal")
     parser.add_argument("--uncertainty", type=int, metavar="COUNT", help="motors of a sample of uncertain inputs")
     options = parser.parse_args(arguments)
-    kinds = [name for name in ("maximise", "minimise", "solve", "uncertainty") if getattr(options, name)]
+    kinds = [name for name in ("sample", "maximise", "minimise", "solve", "uncertainty") if getattr(options, name)]
     if len(kinds) > 1:
         raise CaseError(f"--{kinds[0]} and --{kinds[1]} exclude each other")
     if bool(options.solve) != bool(options.goal):

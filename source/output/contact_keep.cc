@@ -117,7 +117,8 @@ namespace ringmotor
     Utilities::MPI::broadcast(communicator, 0); // no rank continues before the folders exist
   }
 
-  std::optional<TimedMotor> ContactKeep::read(const std::string &path, const std::string &key)
+  std::optional<TimedMotor> ContactKeep::read(const unsigned int level, const std::string &path,
+                                              const std::string &key)
   {
     Timer timer;
     KeptContent kept;
@@ -129,7 +130,7 @@ namespace ringmotor
         Utilities::MPI::broadcast(communicator, kept.bytes.value_or(std::string()));
     if (bytes.empty())
       return {};
-    log.line("condensation read from " + path);
+    log.line("condensation of interface mesh " + std::to_string(level) + " read from " + path);
     return TimedMotor{from_bytes<CondensedMotor>(bytes), timer.wall_time()};
   }
 
@@ -147,7 +148,7 @@ namespace ringmotor
     std::map<unsigned int, TimedMotor> known;
     std::vector<unsigned int> missing;
     for (const unsigned int level : levels)
-      if (std::optional<TimedMotor> kept = read(its_path(level), its_key(level)))
+      if (std::optional<TimedMotor> kept = read(level, its_path(level), its_key(level)))
         known.emplace(level, std::move(*kept));
       else
         missing.push_back(level);

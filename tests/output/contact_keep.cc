@@ -41,6 +41,7 @@ namespace
       "Materials/Piezoceramic/Loss factor", "Materials/Rotor metal/Loss factor",
       "Materials/Target plate/Loss factor", "Support/Felt thickness", "Support/Felt modulus",
       "Support/Felt loss factor", "Support/Felt inner radius", "Support/Felt outer radius",
+      "Uncertainty/Loss factors", "Uncertainty/Friction", "Uncertainty/Young moduli",
       // entries of effects that are off
       "Stator/Target plate cross-section", "Materials/Target plate/Young modulus",
       "Materials/Target plate/Poisson ratio", "Materials/Target plate/Density",

@@ -7,6 +7,8 @@
 #include "support/motor_model.h"
 
 #include <ringmotor/motor/marching.h>
+#include <ringmotor/motor/rotor_modes.h>
+#include <ringmotor/output/kept_file.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/quantities/torque_speed.h>
 
@@ -166,5 +168,43 @@ TEST(MotorIndependenceRanks, SameResultsOnTwo)
     EXPECT_NEAR(two[i].result.speed, one[i].result.speed, 1e-7 * one[0].result.speed) << i;
     EXPECT_NEAR(two[i].result.torque, one[i].result.torque, 1e-9) << i;
     EXPECT_EQ(two[i].fields.force.size(), one[i].fields.force.size()) << i;
+  }
+}
+
+TEST(MotorIndependenceRanks, SameVibrationsAndMotorsOnTwo)
+{
+  Parameters parameters            = reference_motor();
+  parameters.effects.rotor_inertia = EffectChoice::on;
+  const StatorWave wave            = stator_wave(parameters);
+  const RotorVibration one(parameters, wave.angular_frequency),
+      two(parameters, wave.angular_frequency, MPI_COMM_WORLD);
+  unsigned int n_modes = 0;
+  for (unsigned int k = 0; k <= parameters.motor.n_teeth / 2; ++k)
+  {
+    const auto &alone = one.level(1).of_diameter(k), &shared = two.level(1).of_diameter(k);
+    ASSERT_EQ(alone.size(), shared.size()) << k;
+    n_modes += alone.size();
+    for (unsigned int i = 0; i < alone.size(); ++i)
+      EXPECT_NEAR(shared[i].angular_frequency, alone[i].angular_frequency,
+                  1e-10 * alone[i].angular_frequency)
+          << k;
+  }
+  EXPECT_GT(n_modes, 20u);
+
+  two.level(0); // by both ranks together, before each condenses a motor of its own
+  const auto motors_on = [&](const RotorVibration &vibration, MPI_Comm communicator)
+  {
+    const auto condense = [&](const unsigned int level) {
+      return condense_motor(parameters, wave, ContactDiscretisation::level(level), 1, &vibration);
+    };
+    return condense_motors({0, 1}, condense, communicator);
+  };
+  const std::vector<TimedMotor> alone  = motors_on(two, MPI_COMM_SELF),
+                                shared = motors_on(two, MPI_COMM_WORLD);
+  ASSERT_EQ(shared.size(), 2u);
+  for (unsigned int i = 0; i < 2; ++i)
+  {
+    EXPECT_EQ(to_bytes(shared[i].motor), to_bytes(alone[i].motor)) << i;
+    EXPECT_GT(shared[i].seconds, 0.);
   }
 }

@@ -69,7 +69,8 @@ namespace ringmotor
     };
     class Points;
 
-    std::optional<TimedMotor> read(const std::string &path, const std::string &key);
+    std::optional<TimedMotor> read(const unsigned int level, const std::string &path,
+                                   const std::string &key);
 
     const std::string motors, points_folder;
     const StatorWave &wave;
