@@ -101,7 +101,7 @@ class Engine:
         self.cluster, self.scratch = None, None
         if not scheduler:
             self.scratch = tempfile.mkdtemp(prefix="ringmotor_workers_")
-            self.cluster = LocalCluster(n_workers=n_workers, threads_per_worker=1, dashboard_address=None,
+            self.cluster = LocalCluster(n_workers=n_workers, threads_per_worker=1, dashboard_address=":0",
                                         silence_logs=logging.CRITICAL, local_directory=self.scratch)
         try:
             self.client = Client(self.cluster or scheduler)
