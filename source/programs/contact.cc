@@ -12,7 +12,7 @@
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/programs/interruption.h>
 #include <ringmotor/programs/price_forecast.h>
-#include <ringmotor/programs/run_program.h>
+#include <ringmotor/programs/program.h>
 #include <ringmotor/programs/run_results.h>
 #include <ringmotor/programs/run_study.h>
 #include <ringmotor/programs/time_limit.h>
@@ -306,24 +306,22 @@ namespace ringmotor
       return summary;
     }
   } // namespace
-} // namespace ringmotor
 
-int main(int argc, char **argv)
-{
-  using namespace ringmotor;
-  return run_program(argc, argv,
-                     {"contact",
-                      "Computes speed, torque and friction loss of the motor with stick and slip.",
-                      [](const Parameters &parameters)
-                      {
-                        check_for_contact(parameters);
-                        law_of(parameters.friction).check(parameters.friction);
-                        check_effects(parameters, EffectStage::contact);
-                      },
-                      [](const Parameters &parameters) { ContactProgram(parameters).run(false); },
-                      [](const Parameters &parameters, const bool resumes)
-                      { ContactProgram(parameters).study(resumes); },
-                      [](const Parameters &parameters) { ContactProgram(parameters).run(true); },
-                      [](const Parameters &parameters)
-                      { ContactKeep::clear(results_folder("contact", parameters)); }});
-}
+  Program contact_program()
+  {
+    return {"contact",
+            "Computes speed, torque and friction loss of the motor with stick and slip.",
+            [](const Parameters &parameters)
+            {
+              check_for_contact(parameters);
+              law_of(parameters.friction).check(parameters.friction);
+              check_effects(parameters, EffectStage::contact);
+            },
+            [](const Parameters &parameters) { ContactProgram(parameters).run(false); },
+            [](const Parameters &parameters, const bool resumes)
+            { ContactProgram(parameters).study(resumes); },
+            [](const Parameters &parameters) { ContactProgram(parameters).run(true); },
+            [](const Parameters &parameters)
+            { ContactKeep::clear(results_folder("contact", parameters)); }};
+  }
+} // namespace ringmotor

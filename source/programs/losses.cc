@@ -8,7 +8,7 @@
 #include <ringmotor/output/text.h>
 #include <ringmotor/output/vtu.h>
 #include <ringmotor/parameters/errors.h>
-#include <ringmotor/programs/run_program.h>
+#include <ringmotor/programs/program.h>
 #include <ringmotor/programs/run_results.h>
 
 #include <deal.II/base/mpi.h>
@@ -106,19 +106,16 @@ namespace ringmotor
       log.line("results in " + folder);
     }
   } // namespace
-} // namespace ringmotor
 
-int main(int argc, char **argv)
-{
-  using namespace ringmotor;
-  return run_program(argc, argv,
-                     {"losses",
-                      "Computes losses and efficiency of the motor at its operating points.",
-                      [](const Parameters &parameters)
-                      {
-                        check_for_losses(parameters);
-                        law_of(parameters.friction).check(parameters.friction);
-                        check_effects(parameters, EffectStage::contact);
-                      },
-                      [](const Parameters &parameters) { LossesProgram(parameters).run(); }});
-}
+  Program losses_program()
+  {
+    return {"losses", "Computes losses and efficiency of the motor at its operating points.",
+            [](const Parameters &parameters)
+            {
+              check_for_losses(parameters);
+              law_of(parameters.friction).check(parameters.friction);
+              check_effects(parameters, EffectStage::contact);
+            },
+            [](const Parameters &parameters) { LossesProgram(parameters).run(); }};
+  }
+} // namespace ringmotor

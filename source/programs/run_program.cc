@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/output/files.h>
+#include <ringmotor/output/log.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/programs/blas_kernel.h>
 #include <ringmotor/programs/case_lock.h>
+#include <ringmotor/programs/command_line.h>
 #include <ringmotor/programs/interruption.h>
 #include <ringmotor/programs/run_program.h>
 #include <ringmotor/programs/run_results.h>
@@ -11,8 +13,7 @@
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
 
-#include <getopt.h>
-
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -21,7 +22,6 @@
 #include <optional>
 #include <sstream>
 #include <thread>
-#include <tuple>
 #include <vector>
 
 namespace ringmotor
@@ -33,172 +33,93 @@ namespace ringmotor
       return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
     }
 
-    using Work = std::function<void(const Parameters &)>;
-
-    struct CommandLine
-    {
-      std::string file;
-      std::vector<std::string> overrides;
-      bool check = false, study = false, resume = false, clear = false, help = false,
-           version = false;
-    };
-
-    /** The options of a program, as shown in its usage. */
-    std::string options_of(const Program &program)
-    {
-      return std::string(" [--output DIR] [--check]") +
-             (program.study ? " [--study [--resume]]" : "") +
-             (program.resume ? " [--resume]" : "") + (program.clear ? " [--clear]" : "");
-    }
-
-    void check_options(const CommandLine &line, const Program &program)
-    {
-      const std::vector<std::tuple<std::string, bool, bool>> works{
-          {"--resume", line.resume && !line.study, static_cast<bool>(program.resume)},
-          {"--study", line.study, static_cast<bool>(program.study)},
-          {"--clear", line.clear, static_cast<bool>(program.clear)},
-          {"--check", line.check, true}};
-      std::string first;
-      for (const auto &[option, is_given, is_there] : works)
-      {
-        if (!is_given)
-          continue;
-        if (!is_there)
-          throw UserError(option + " is not available for the program " + program.name +
-                          "; leave it out");
-        if (!first.empty())
-          throw UserError(first + " cannot be combined with " + option + "; omit one of them");
-        first = option;
-      }
-    }
-
-    CommandLine read_command_line(int argc, char **argv, const Program &program)
-    {
-      const option options[] = {{"set", required_argument, nullptr, 's'},
-                                {"output", required_argument, nullptr, 'o'},
-                                {"check", no_argument, nullptr, 'k'},
-                                {"study", no_argument, nullptr, 't'},
-                                {"resume", no_argument, nullptr, 'r'},
-                                {"clear", no_argument, nullptr, 'c'},
-                                {"help", no_argument, nullptr, 'h'},
-                                {"version", no_argument, nullptr, 'v'},
-                                {nullptr, 0, nullptr, 0}};
-      const std::string usage =
-          "; usage: " + program.name + " FILE.prm [--set 'Section/Entry = value']..." +
-          options_of(program) + ", or " + program.name + " --help for all entries";
-      CommandLine line;
-      opterr = 0;
-      for (int found; (found = getopt_long(argc, argv, ":h", options, nullptr)) != -1;)
-        switch (found)
-        {
-        case 's':
-          line.overrides.emplace_back(optarg);
-          break;
-        case 'o':
-          line.overrides.push_back("Output/Directory = " + std::string(optarg));
-          break;
-        case 'k':
-          line.check = true;
-          break;
-        case 't':
-          line.study = true;
-          break;
-        case 'r':
-          line.resume = true;
-          break;
-        case 'c':
-          line.clear = true;
-          break;
-        case 'h':
-          line.help = true;
-          break;
-        case 'v':
-          line.version = true;
-          break;
-        case ':':
-          throw UserError("the option " + std::string(argv[optind - 1]) + " needs a value" + usage);
-        default:
-          throw UserError("unknown option " + std::string(argv[optind - 1]) + usage);
-        }
-      if (line.help || line.version)
-        return line;
-      check_options(line, program);
-      if (argc - optind != 1)
-        throw UserError(
-            (optind == argc ? "no parameter file given" : "more than one parameter file given") +
-            usage);
-      line.file = argv[optind];
-      return line;
-    }
-
     std::string describe_blas()
     {
       const std::string kernel = blas_kernel();
       return kernel.empty() ? "a BLAS other than OpenBLAS" : "BLAS kernel " + kernel;
     }
 
-    void print_help(const Program &program)
+    /** What happens at the moment, for the message of an error. */
+    struct Doing
     {
-      std::cout << "# " << program.name << " FILE.prm [--set 'Section/Sub/Entry = value']..."
-                << options_of(program) << " [--help] [--version]\n# " << program.purpose
-                << "\n# --check checks the parameters and computes nothing.";
-      if (program.study)
-        std::cout
-            << "\n# --study measures the cost of accuracy: many settings of the discretisation, "
-               "each "
-               "with its\n# distance from the best one and its seconds; with --resume it goes on "
-               "after an interruption.";
-      if (program.resume)
-        std::cout << "\n# --resume continues after an interruption: finished operating points are "
-                     "not computed again.";
-      if (program.clear)
-        std::cout << "\n# --clear removes the files kept for later runs, and computes nothing.";
-      std::cout << "\n# A parameter file looks like this; the values are those of the reference "
-                   "motor.\n\n";
-      print_parameters(std::cout, Parameters());
-    }
+      std::string name;     ///< of the program
+      std::string noted_in; ///< file that keeps the message, empty before the work begins
+    };
 
-    Work work_of(const CommandLine &line, const Program &program)
+    void do_work(const Program &program, const CommandLine &line, const Parameters &parameters)
     {
       if (line.study)
-        return [&](const Parameters &parameters) { program.study(parameters, line.resume); };
-      return line.resume ? program.resume : line.clear ? program.clear : program.run;
+        program.study(parameters, line.resume);
+      else if (line.clear)
+        program.clear ? program.clear(parameters) : void();
+      else if (line.resume && program.resume)
+        program.resume(parameters);
+      else
+        program.run(parameters);
     }
 
-    /** Does the work in the folder of the case, which nobody else uses meanwhile.
-     * @param noted_in where the message of an error is kept, empty before the work begins */
-    void work_in_folder(const Program &program, const Work &do_it, const Parameters &parameters,
-                        std::string &noted_in)
+    /** Does the work in the folder of the case, which nobody else uses meanwhile. */
+    void work_in_folder(const std::vector<Program> &programs, const CommandLine &line,
+                        const Parameters &parameters, Doing &doing)
     {
       std::optional<CaseLock> lock;
       if (is_first_rank())
-      {
         lock.emplace(parameters.output.directory);
-        tell_when_interrupted(program.name +
-                              ": interrupted; no results of this run are kept: start it again");
-        noted_in = failure_file(program.name, parameters);
-        std::remove(noted_in.c_str());
+      for (const Program &program : programs)
+      {
+        doing.name = program.name;
+        if (is_first_rank())
+        {
+          tell_when_interrupted(program.name +
+                                ": interrupted; no results of this run are kept: start it again");
+          doing.noted_in = failure_file(program.name, parameters);
+          std::remove(doing.noted_in.c_str());
+        }
+        forget_peak_memory();
+        do_work(program, line, parameters);
       }
-      do_it(parameters);
     }
 
-    void work(int argc, char **argv, const Program &program, std::string &noted_in)
+    /** The programs to run: those from the first one asked for, and where the modes of the rotor or
+     * of a tooth are asked for, which have no wave for the others, that one alone. */
+    std::vector<Program> programs_to_run(const Process &process, const CommandLine &line,
+                                         const Parameters &parameters)
     {
-      const CommandLine line = read_command_line(argc, argv, program);
-      if (line.version && is_first_rank())
-        std::cout << program.name << " of ringmotor " << version << " (" << git_revision << "), "
-                  << describe_blas() << '\n';
-      else if (line.help && is_first_rank())
-        print_help(program);
-      if (line.version || line.help)
-        return;
-      const Parameters parameters = read_parameters(line.file, line.overrides);
-      program.check(parameters);
+      std::vector<Program> programs = process.programs;
+      if (line.from)
+        programs.erase(programs.begin(), std::find_if(programs.begin(), programs.end(),
+                                                      [&](const Program &program)
+                                                      { return program.name == *line.from; }));
+      if (parameters.modes.body != Body::stator)
+        programs.resize(1, programs.front());
+      return programs;
+    }
+
+    void work(const CommandLine &line, const Process &process, Doing &doing)
+    {
+      const Parameters parameters         = read_parameters(line.file, line.overrides);
+      const std::vector<Program> programs = programs_to_run(process, line, parameters);
+      for (const Program &program : programs)
+        program.check(parameters);
       if (!line.check)
-        work_in_folder(program, work_of(line, program), parameters, noted_in);
+        work_in_folder(programs, line, parameters, doing);
       else if (is_first_rank())
-        std::cout << program.name << ": the parameters are valid; results would be written to "
-                  << results_folder(program.name, parameters) << std::endl;
+        std::cout << process.name << ": the parameters are valid; results would be written to "
+                  << (programs.size() > 1 ? parameters.output.directory + "/"
+                                          : results_folder(programs.front().name, parameters))
+                  << std::endl;
+    }
+
+    void answer_or_work(int argc, char **argv, const Process &process, Doing &doing)
+    {
+      const CommandLine line = read_command_line(argc, argv, process);
+      if (!line.version && !line.help)
+        work(line, process, doing);
+      else if (line.version && is_first_rank())
+        std::cout << process.name << " of ringmotor " << version << " (" << git_revision << "), "
+                  << describe_blas() << '\n';
+      else if (is_first_rank())
+        print_help(std::cout, process);
     }
 
     /** Prints once and ends all ranks: a rank that fails alone would leave the others waiting. */
@@ -228,22 +149,22 @@ namespace ringmotor
     setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
   }
 
-  int run_program(int argc, char **argv, const Program &program)
+  int run_program(int argc, char **argv, const Process &process)
   {
     restart_with_faster_blas_kernel(argv);
     spare_the_network_search();
     std::signal(SIGXFSZ, SIG_IGN); // a file grown too large must be an error that can be reported
     const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-    std::string noted_in;
+    Doing doing{process.name, {}};
     const auto failed = [&](const std::string &message, const int status)
     {
-      note_failure(noted_in, message);
-      return fail(program.name, message, status);
+      note_failure(doing.noted_in, message);
+      return fail(doing.name, message, status);
     };
     try
     {
       reserve_blas_memory();
-      work(argc, argv, program, noted_in);
+      answer_or_work(argc, argv, process, doing);
       return 0;
     }
     catch (const UserError &error)

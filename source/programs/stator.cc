@@ -6,7 +6,7 @@
 #include <ringmotor/output/text.h>
 #include <ringmotor/output/vtu.h>
 #include <ringmotor/parameters/errors.h>
-#include <ringmotor/programs/run_program.h>
+#include <ringmotor/programs/program.h>
 #include <ringmotor/programs/run_results.h>
 #include <ringmotor/programs/run_study.h>
 #include <ringmotor/programs/time_limit.h>
@@ -288,20 +288,18 @@ namespace ringmotor
           add_quantities(summary, {on_body_mesh(name, units::one, {gap, gap_error})}, seconds);
     }
   } // namespace
-} // namespace ringmotor
 
-int main(int argc, char **argv)
-{
-  using namespace ringmotor;
-  return run_program(argc, argv,
-                     {"stator", "Computes natural modes of the stator and its travelling wave.",
-                      [](const Parameters &parameters)
-                      {
-                        check_for_stator(parameters);
-                        if (parameters.modes.body == Body::stator)
-                          check_effects(parameters, EffectStage::stator);
-                      },
-                      [](const Parameters &parameters) { StatorProgram(parameters).run(); },
-                      [](const Parameters &parameters, const bool resumes)
-                      { StatorProgram(parameters).study(resumes); }});
-}
+  Program stator_program()
+  {
+    return {"stator", "Computes natural modes of the stator and its travelling wave.",
+            [](const Parameters &parameters)
+            {
+              check_for_stator(parameters);
+              if (parameters.modes.body == Body::stator)
+                check_effects(parameters, EffectStage::stator);
+            },
+            [](const Parameters &parameters) { StatorProgram(parameters).run(); },
+            [](const Parameters &parameters, const bool resumes)
+            { StatorProgram(parameters).study(resumes); }};
+  }
+} // namespace ringmotor

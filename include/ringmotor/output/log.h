@@ -78,4 +78,7 @@ namespace ringmotor
 
   /** Largest resident memory of this process so far, in MB (1e6 bytes). */
   double peak_memory_MB();
+
+  /** Begins anew: the largest memory is that from now on, where the system allows that. */
+  void forget_peak_memory();
 } // namespace ringmotor

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/parameters/parameters.h>
-
-#include <functional>
-#include <string>
+#include <ringmotor/programs/process.h>
 
 namespace ringmotor
 {
@@ -15,25 +12,13 @@ namespace ringmotor
    */
   void spare_the_network_search();
 
-  /** A program: what its main() hands to run_program(). */
-  struct Program
-  {
-    std::string name, purpose;
-    /** What checks the parameters for contradictions, and what does the work. */
-    std::function<void(const Parameters &)> check, run;
-    /** The option `--study`, alone or with `--resume`. */
-    std::function<void(const Parameters &, bool resumes)> study = {};
-    /** The options `--resume` and `--clear`. Options that a program does not have are refused. */
-    std::function<void(const Parameters &)> resume = {}, clear = {};
-  };
-
   /**
-   * Everything a program's main() does around its work: selects a fast BLAS kernel, starts MPI,
-   * reads the command line `FILE.prm [--set 'Section/Sub/Entry = value']... [--output DIR]
-   * [--check] [--study] [--resume] [--clear] [--help] [--version]` and the parameters, checks them
-   * and, in a folder that it locks, does the work; turns errors into one line on standard error and
-   * an exit status: 0 done and certified, 1 the user's mistake, 2 a computation that failed. The
-   * message of an error in the work is kept in the folder of the case, see failure_file().
+   * Everything main() does around the work of one or several programs: selects a fast BLAS kernel,
+   * starts MPI, reads the command line (see CommandLine) and the parameters, checks them for all
+   * programs before the first one runs and, in a folder that it locks, does the work; turns errors
+   * into one line on standard error and an exit status: 0 done and certified, 1 the user's mistake,
+   * 2 a computation that failed. The message of an error in the work is kept in the folder of the
+   * case, see failure_file(). Programs behind one that fails do not run.
    */
-  int run_program(int argc, char **argv, const Program &program);
+  int run_program(int argc, char **argv, const Process &process);
 } // namespace ringmotor

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/parameters/errors.h>
+#include <ringmotor/programs/command_line.h>
+
+#include <getopt.h>
+
+#include <algorithm>
+#include <ostream>
+#include <tuple>
+
+namespace ringmotor
+{
+  namespace
+  {
+    /** Whether one of the programs has it. */
+    template <typename Option>
+    bool has(const Process &process, Option Program::*const option)
+    {
+      return std::any_of(process.programs.begin(), process.programs.end(),
+                         [&](const Program &program)
+                         { return static_cast<bool>(program.*option); });
+    }
+
+    bool has_several(const Process &process)
+    {
+      return process.programs.size() > 1;
+    }
+
+    /** A study measures one program. */
+    bool has_study(const Process &process)
+    {
+      return !has_several(process) && has(process, &Program::study);
+    }
+
+    std::string names_after_the_first(const Process &process)
+    {
+      std::string names;
+      for (auto program = process.programs.begin() + 1; program != process.programs.end();
+           ++program)
+        names += (names.empty() ? "" : " or ") + program->name;
+      return names;
+    }
+
+    /** The options of a process, as shown in its usage. */
+    std::string options_of(const Process &process)
+    {
+      return std::string(" [--output DIR] [--check]") +
+             (has_several(process) ? " [--from PROGRAM]" : "") +
+             (has_study(process) ? " [--study [--resume]]" : "") +
+             (has(process, &Program::resume) ? " [--resume]" : "") +
+             (has(process, &Program::clear) ? " [--clear]" : "");
+    }
+
+    void check_from(const std::optional<std::string> &from, const Process &process)
+    {
+      if (!from)
+        return;
+      if (!has_several(process))
+        throw UserError("--from is not available for the program " + process.name +
+                        "; leave it out");
+      if (std::none_of(process.programs.begin() + 1, process.programs.end(),
+                       [&](const Program &program) { return program.name == *from; }))
+        throw UserError("--from " + *from + ": expected " + names_after_the_first(process));
+    }
+
+    void check_options(const CommandLine &line, const Process &process)
+    {
+      const std::vector<std::tuple<std::string, bool, bool>> works{
+          {"--resume", line.resume && !line.study, has(process, &Program::resume)},
+          {"--study", line.study, has_study(process)},
+          {"--clear", line.clear, has(process, &Program::clear)},
+          {"--check", line.check, true}};
+      std::string first;
+      for (const auto &[option, is_given, is_there] : works)
+      {
+        if (!is_given)
+          continue;
+        if (!is_there)
+          throw UserError(option + " is not available for the program " + process.name +
+                          "; leave it out");
+        if (!first.empty())
+          throw UserError(first + " cannot be combined with " + option + "; omit one of them");
+        first = option;
+      }
+      check_from(line.from, process);
+    }
+  } // namespace
+
+  CommandLine read_command_line(int argc, char **argv, const Process &process)
+  {
+    const option options[] = {
+        {"set", required_argument, nullptr, 's'},  {"output", required_argument, nullptr, 'o'},
+        {"from", required_argument, nullptr, 'f'}, {"check", no_argument, nullptr, 'k'},
+        {"study", no_argument, nullptr, 't'},      {"resume", no_argument, nullptr, 'r'},
+        {"clear", no_argument, nullptr, 'c'},      {"help", no_argument, nullptr, 'h'},
+        {"version", no_argument, nullptr, 'v'},    {nullptr, 0, nullptr, 0}};
+    const std::string usage = "; usage: " + process.name +
+                              " FILE.prm [--set 'Section/Entry = value']..." + options_of(process) +
+                              ", or " + process.name + " --help for all entries";
+    CommandLine line;
+    opterr = 0;
+    for (int found; (found = getopt_long(argc, argv, ":h", options, nullptr)) != -1;)
+      switch (found)
+      {
+      case 's':
+        line.overrides.emplace_back(optarg);
+        break;
+      case 'o':
+        line.overrides.push_back("Output/Directory = " + std::string(optarg));
+        break;
+      case 'f':
+        line.from = optarg;
+        break;
+      case 'k':
+        line.check = true;
+        break;
+      case 't':
+        line.study = true;
+        break;
+      case 'r':
+        line.resume = true;
+        break;
+      case 'c':
+        line.clear = true;
+        break;
+      case 'h':
+        line.help = true;
+        break;
+      case 'v':
+        line.version = true;
+        break;
+      case ':':
+        throw UserError("the option " + std::string(argv[optind - 1]) + " needs a value" + usage);
+      default:
+        throw UserError("unknown option " + std::string(argv[optind - 1]) + usage);
+      }
+    if (line.help || line.version)
+      return line;
+    check_options(line, process);
+    if (argc - optind != 1)
+      throw UserError(
+          (optind == argc ? "no parameter file given" : "more than one parameter file given") +
+          usage);
+    line.file = argv[optind];
+    return line;
+  }
+
+  void print_help(std::ostream &out, const Process &process)
+  {
+    out << "# " << process.name << " FILE.prm [--set 'Section/Sub/Entry = value']..."
+        << options_of(process) << " [--help] [--version]\n# " << process.purpose
+        << "\n# --check checks the parameters and computes nothing.";
+    if (has_several(process))
+      out << "\n# --from PROGRAM begins with " << names_after_the_first(process)
+          << ", on what those before it have found in an earlier run.";
+    if (has_study(process))
+      out << "\n# --study measures the cost of accuracy: many settings of the discretisation, each "
+             "with its\n# distance from the best one and its seconds; with --resume it goes on "
+             "after an interruption.";
+    if (has(process, &Program::resume))
+      out << "\n# --resume continues after an interruption: finished operating points are not "
+             "computed again.";
+    if (has(process, &Program::clear))
+      out << "\n# --clear removes the files kept for later runs, and computes nothing.";
+    out << "\n# A parameter file looks like this; the values are those of the reference motor.\n\n";
+    print_parameters(out, Parameters());
+  }
+} // namespace ringmotor
