@@ -49,10 +49,10 @@ def run_program(name, task, *words):
                           preexec_fn=die_with_parent, check=False,
                           env=dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1"))
     said = [line for line in done.stderr.splitlines() if line.strip()]
-    message = said[-1].partition(": ")[2] if said and done.returncode else ""
+    speaker, _, message = said[-1].partition(": ") if said and done.returncode else (name, "", "")
     if done.returncode not in OUTCOMES:  # killed: not an outcome, the engine tries again
         raise RuntimeError(f"{name} ended with status {done.returncode} {message}")
-    return Outcome(OUTCOMES[done.returncode], name, time.monotonic() - begin, message)
+    return Outcome(OUTCOMES[done.returncode], speaker, time.monotonic() - begin, message)
 
 
 def known_outcome(path):
@@ -88,12 +88,10 @@ def run_on_wave(task, wave_folder):
     shutil.copytree(pathlib.Path(wave_folder) / "stator", part)
     part.rename(folder / "stator")
     kept = folder / "contact" / "kept"
-    contact = run_program("contact", task, *(["--resume"] if kept.is_dir() else []))
-    if contact.outcome != "certified":
-        return contact
-    shutil.rmtree(kept, ignore_errors=True)  # large, and of no use to any other motor
-    losses = run_program("losses", task)
-    return Outcome(losses.outcome, losses.program, contact.seconds + losses.seconds, losses.message)
+    found = run_program("motor", task, "--from", "contact", *(["--resume"] if kept.is_dir() else []))
+    if found.outcome == "certified":
+        shutil.rmtree(kept, ignore_errors=True)  # large, and of no use to any other motor
+    return found
 
 
 def run_motor(task, wave_folder, wave):

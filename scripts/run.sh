@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# From a parameter file to a report: sets up and builds if needed, looks at the parameters of all programs, runs stator
-# and, on the wave that it finds, contact and losses; draws the figures and writes report.html (unless Output/Figures =
+# From a parameter file to a report: sets up and builds if needed, looks at the parameters of all programs, runs stator,
+# contact and losses one after the other; draws the figures and writes report.html (unless Output/Figures =
 # false) and prints a one-page summary. Options are those of the programs.
 # Usage: scripts/run.sh FILE.prm [--set 'Section/Entry = value']... [--output DIR] [--check] [--study] [--resume]
 # With --check: looks at the parameters, and nothing else. With --study: what accuracy costs of stator and of contact,
@@ -10,7 +10,7 @@ set -euo pipefail
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
 bin=$root/build/bin
 [[ -e $root/CMakeLists.txt ]] || bin=$(cd "$root/../../bin" && pwd) # installed: nothing to be built
-programs=("$bin/stator" "$bin/contact" "$bin/losses")
+programs=("$bin/stator" "$bin/contact" "$bin/losses" "$bin/motor")
 
 is_built() {
   [[ -e $root/CMakeLists.txt ]] || return 0
@@ -41,23 +41,16 @@ done
 resume=()
 ! $is_resumed || resume=(--resume)
 
+[[ $mode != check ]] || exec "$bin/motor" "${options[@]}" --check
+
 # Before the first second is spent: what is wrong with the parameters of any program.
-checked=$("$bin/stator" "${options[@]}" --check)
-results=${checked##* to } # where those of stator would be
-if [[ $results != */stator/ ]]; then # of the rotor or a tooth, which have no figures
-  case $mode in
-    check) echo "$checked" ;;
-    study) exec "$bin/stator" "${options[@]}" --study "${resume[@]}" ;;
-    run) exec "$bin/stator" "${options[@]}" ;;
-  esac
-  exit
+checked=$("$bin/motor" "${options[@]}" --check)
+results=${checked##* to } # where they would be
+if [[ $results == */rotor/ || $results == */tooth/ ]]; then # which have no figures
+  [[ $mode == run ]] || exec "$bin/stator" "${options[@]}" --study "${resume[@]}"
+  exec "$bin/stator" "${options[@]}"
 fi
-"$bin/losses" "${options[@]}" --check > /dev/null
-case_folder=${results%/stator/}
-if [[ $mode == check ]]; then
-  echo "the parameters of stator, contact and losses are valid; results would be written to $case_folder"
-  exit 0
-fi
+case_folder=${results%/}
 
 if [[ $mode == study ]]; then
   "$bin/stator" "${options[@]}" --study "${resume[@]}"
@@ -68,11 +61,12 @@ fi
 
 # Where a program fails, the page tells so beside the results of those before it.
 rm -f "$case_folder/report.html"
-"$bin/stator" "${options[@]}"
-status=0
-{ "$bin/contact" "${options[@]}" "${resume[@]}" && "$bin/losses" "${options[@]}"; } || status=$?
+status=0 begun=$EPOCHSECONDS
+"$bin/motor" "${options[@]}" "${resume[@]}" || status=$?
+used=$case_folder/stator/used.prm
+(($(stat -c %Y "$used" 2> /dev/null || echo 0) >= begun)) || exit "$status" # stator has failed, or another run is there
 
-figures=$(sed -n '/^subsection Output/,/^end/s/^ *set Figures *= *//p' "$results/used.prm")
+figures=$(sed -n '/^subsection Output/,/^end/s/^ *set Figures *= *//p' "$used")
 if [[ $figures == true ]]; then
   "$root/scripts/figures.py" "$case_folder"
   "$root/scripts/report.py" "$case_folder"

@@ -60,34 +60,24 @@ namespace ringmotor
     density = material.density;
   }
 
-  void SolidElement::matrices(FullMatrix<double> &stiffness, FullMatrix<double> &mass)
+  void SolidElement::stiffness_matrix(FullMatrix<double> &stiffness)
   {
     gradients.reinit(n_points, 3 * n_nodes);
     weighted_gradients.reinit(n_points, 3 * n_nodes);
-    values.reinit(n_points, n_nodes);
-    weighted_values.reinit(n_points, n_nodes);
     for (unsigned int q = 0; q < n_points; ++q)
-    {
-      const double weight = scalar_values.JxW(q);
       for (unsigned int i = 0; i < n_nodes; ++i)
       {
-        values(q, i)                 = scalar_values.shape_value(i, q);
-        weighted_values(q, i)        = weight * values(q, i);
         const Tensor<1, 3> &gradient = scalar_values.shape_grad(i, q);
         for (unsigned int d = 0; d < 3; ++d)
         {
           gradients(q, d * n_nodes + i)          = gradient[d];
-          weighted_gradients(q, d * n_nodes + i) = weight * gradient[d];
+          weighted_gradients(q, d * n_nodes + i) = scalar_values.JxW(q) * gradient[d];
         }
       }
-    }
-    // Two dense products (BLAS) contain every integral of a pair of shape functions; Hooke's law
-    // only combines them. At high degree this is several times faster than a loop over strains.
+    // A dense product (BLAS) contains every integral of a pair of shape functions; Hooke's law only
+    // combines them. At high degree this is several times faster than a loop over strains.
     gram.reinit(3 * n_nodes, 3 * n_nodes);
-    overlap.reinit(n_nodes, n_nodes);
     gradients.Tmmult(gram, weighted_gradients);
-    values.Tmmult(overlap, weighted_values);
-
     for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
     {
       const auto [component_i, node_i] = fe.system_to_component_index(i);
@@ -98,12 +88,31 @@ namespace ringmotor
         { return gram(derivative_i * n_nodes + node_i, derivative_j * n_nodes + node_j); };
         stiffness(i, j) =
             lambda * integral(component_i, component_j) + mu * integral(component_j, component_i);
-        mass(i, j) = 0.;
         if (component_i == component_j)
-        {
           stiffness(i, j) += mu * (integral(0, 0) + integral(1, 1) + integral(2, 2));
-          mass(i, j) = density * overlap(node_i, node_j);
-        }
+      }
+    }
+  }
+
+  void SolidElement::mass_matrix(FullMatrix<double> &mass)
+  {
+    values.reinit(n_points, n_nodes);
+    weighted_values.reinit(n_points, n_nodes);
+    for (unsigned int q = 0; q < n_points; ++q)
+      for (unsigned int i = 0; i < n_nodes; ++i)
+      {
+        values(q, i)          = scalar_values.shape_value(i, q);
+        weighted_values(q, i) = scalar_values.JxW(q) * values(q, i);
+      }
+    overlap.reinit(n_nodes, n_nodes);
+    values.Tmmult(overlap, weighted_values);
+    for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
+    {
+      const auto [component_i, node_i] = fe.system_to_component_index(i);
+      for (unsigned int j = 0; j < fe.n_dofs_per_cell(); ++j)
+      {
+        const auto [component_j, node_j] = fe.system_to_component_index(j);
+        mass(i, j) = component_i == component_j ? density * overlap(node_i, node_j) : 0.;
       }
     }
   }

@@ -3,9 +3,6 @@
 #include <ringmotor/structure/blas.h>
 #include <ringmotor/structure/condensation_reduced.h>
 #include <ringmotor/structure/dense_ldlt.h>
-#include <ringmotor/structure/sparse_ldlt.h>
-
-#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 
@@ -38,12 +35,21 @@ namespace ringmotor
       AssertThrow(!at_interface[dof] || !sector.dependent().is_constrained(dof),
                   ExcMessage("an interface must not depend on other nodes"));
     for (const unsigned int part : {0u, 1u})
-      condense(part, shift, with_interior);
+      choose_kept(part);
+    factors = std::make_unique<SectorFactors>(
+        sector,
+        SectorFactors::PerField<std::vector<unsigned int>>{{fields[0].kept, fields[1].kept}},
+        supports);
+    factors->factorise(shift);
+    for (const unsigned int part : {0u, 1u})
+      fields[part].matrix = factors->matrix(part);
+    if (!with_interior)
+      factors.reset();
   }
 
   Condensation::~Condensation() = default;
 
-  void Condensation::condense(const unsigned int part, const double shift, const bool with_interior)
+  void Condensation::choose_kept(const unsigned int part)
   {
     const CyclicSector::RealField &real_field = sector.field(part);
     Field &field                              = fields[part];
@@ -67,31 +73,13 @@ namespace ringmotor
         field.row_of_dof[dof] = row[number];
       }
 
-    SymmetricTriplets triplets = sector.shifted_stiffness(part, shift);
-    unsigned int size          = real_field.size;
-    const bool is_root_rank    = Utilities::MPI::this_mpi_process(sector.communicator()) == 0;
+    unsigned int size = real_field.size;
     for (unsigned int s = 0; s < supports.size(); ++s)
       if (supports[s].part == part)
       {
-        if (is_root_rank) // entries are summed over the ranks
-        {
-          for (const auto &[dof, load] : supports[s].load)
-            if (real_field.number[dof] != none)
-              triplets.add(size, real_field.number[dof], load);
-          triplets.add(size, size, 0.);
-        }
         field.unknown.push_back(sector.n_unknowns() + s);
         field.kept.push_back(size++);
       }
-    auto factors = std::make_unique<SparseLDLT>(size, sector.communicator(), field.kept);
-    factors->factorise(triplets);
-    field.matrix             = factors->schur_complement();
-    const std::size_t n_rows = field.kept.size();
-    for (std::size_t column = 0; column < n_rows; ++column)
-      for (std::size_t row = 0; row < column; ++row)
-        field.matrix[column * n_rows + row] = field.matrix[row * n_rows + column];
-    if (with_interior)
-      field.factors = std::move(factors);
   }
 
   Condensation::Reduced Condensation::layout(const unsigned int k,

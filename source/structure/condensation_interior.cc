@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/structure/condensation_reduced.h>
-#include <ringmotor/structure/sparse_ldlt.h>
 
 #include <algorithm>
 
@@ -13,11 +12,19 @@ namespace ringmotor
     constexpr unsigned int none = numbers::invalid_unsigned_int;
   }
 
-  std::vector<double> Condensation::field_solutions(const Reduced &reduced, const unsigned int part,
-                                                    const std::vector<double> &unknowns) const
+  SectorFactors::PerField<std::vector<double>>
+  Condensation::field_solutions(const Reduced &reduced, const std::vector<double> &unknowns) const
   {
-    const std::size_t n_rows = fields[part].kept.size(), n_loads = unknowns.size() / reduced.size;
-    std::vector<double> kept(n_loads * n_rows, 0.);
+    const std::size_t n_loads = unknowns.size() / reduced.size;
+    SectorFactors::PerField<std::vector<double>> kept, no_loads;
+    for (const unsigned int part : {0u, 1u})
+    {
+      const std::size_t n_rows = fields[part].kept.size();
+      kept[part].assign(n_loads * n_rows, 0.);
+      const auto n_supports = std::count_if(supports.begin(), supports.end(),
+                                            [&](const auto &s) { return s.part == part; });
+      no_loads[part].assign(n_loads * (sector.field(part).size + n_supports), 0.);
+    }
     for (std::size_t l = 0; l < n_loads; ++l)
     {
       const double *stays = unknowns.data() + l * reduced.size;
@@ -25,31 +32,28 @@ namespace ringmotor
       for (std::size_t column = 0; column < reduced.size; ++column)
         for (std::size_t i = 0; i < cut.size(); ++i)
           cut[i] -= reduced.cut_response[column * cut.size() + i] * stays[column];
-      for (std::size_t row = 0; row < n_rows; ++row)
-        for (const Reduced::Part &entry : reduced.rows[part][row])
-          kept[l * n_rows + row] += entry.factor * (reduced.place[entry.unknown] != none
-                                                        ? stays[reduced.place[entry.unknown]]
-                                                        : cut[reduced.cut_place[entry.unknown]]);
+      for (const unsigned int part : {0u, 1u})
+        for (std::size_t row = 0; row < fields[part].kept.size(); ++row)
+          for (const Reduced::Part &entry : reduced.rows[part][row])
+            kept[part][l * fields[part].kept.size() + row] +=
+                entry.factor * (reduced.place[entry.unknown] != none
+                                    ? stays[reduced.place[entry.unknown]]
+                                    : cut[reduced.cut_place[entry.unknown]]);
     }
-    SparseLDLT &factors     = *fields[part].factors;
-    const auto n_of_field   = std::count_if(supports.begin(), supports.end(),
-                                            [&](const auto &s) { return s.part == part; });
-    const std::size_t width = sector.field(part).size + n_of_field;
-    factors.condense(std::vector<double>(n_loads * width, 0.));
-    return factors.expand(std::move(kept));
+    factors->condense(no_loads);
+    return factors->expand(kept);
   }
 
   std::vector<SectorMotion> Condensation::interior(const unsigned int k,
                                                    const std::vector<unsigned int> &held,
                                                    const std::vector<CondensationLoad> &loads) const
   {
-    AssertThrow(fields[0].factors, ExcMessage("the inside of this body has not been kept"));
+    AssertThrow(factors, ExcMessage("the inside of this body has not been kept"));
     if (loads.empty())
       return {};
     const Reduced reduced              = reduce(k, held);
     const std::vector<double> unknowns = solutions(reduced, held, loads);
-    const std::array<std::vector<double>, 2> solved{
-        {field_solutions(reduced, 0, unknowns), field_solutions(reduced, 1, unknowns)}};
+    const auto solved                  = field_solutions(reduced, unknowns);
     std::vector<SectorMotion> motions;
     for (std::size_t l = 0; l < loads.size(); ++l)
     {

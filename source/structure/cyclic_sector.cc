@@ -12,7 +12,7 @@ namespace ringmotor
 
   CyclicSector::CyclicSector(const SectorMesh &mesh, const MaterialTable &materials,
                              const unsigned int degree)
-      : SectorElements(mesh, materials, degree), matrices(*this)
+      : SectorElements(mesh, materials, degree)
   {
     if (mesh.form == SectorForm::half)
       number_half_sector();
@@ -134,13 +134,7 @@ namespace ringmotor
     return ties;
   }
 
-  SymmetricTriplets CyclicSector::shifted_stiffness(const unsigned int part,
-                                                    const double shift) const
-  {
-    return matrices.shifted(fields[part].number, shift);
-  }
-
-  std::array<Vector<double>, 2> CyclicSector::to_fields(const unsigned int k,
+  std::array<Vector<double>, 2> CyclicSector::fields_of(const unsigned int k,
                                                         const std::vector<double> &unknowns) const
   {
     const std::array<double, 4> factor = factors(wave_functions(k));
@@ -179,7 +173,9 @@ namespace ringmotor
   void CyclicSector::multiply_mass(const unsigned int k, const std::vector<double> &unknowns,
                                    std::vector<double> &product) const
   {
-    product = to_unknowns(k, matrices.multiply_mass(to_fields(k, unknowns)));
+    if (!mass)
+      mass = std::make_unique<SectorMass>(*this);
+    product = to_unknowns(k, mass->multiply(fields_of(k, unknowns)));
     Utilities::MPI::sum(product, communicator(), product);
   }
 
@@ -205,7 +201,7 @@ namespace ringmotor
 
   SectorMotion CyclicSector::expand(const unsigned int k, const std::vector<double> &unknowns) const
   {
-    return to_motion(to_fields(k, unknowns));
+    return to_motion(fields_of(k, unknowns));
   }
 
   std::vector<double> CyclicSector::loads_of(const unsigned int k, const SectorMotion &forces) const

@@ -100,6 +100,16 @@ namespace ringmotor
     return dofs;
   }
 
+  std::vector<SectorElements::Dof> SectorElements::dofs_on(const Cell &cell,
+                                                           const BarElement &bar) const
+  {
+    const std::vector<Dof> cell_dofs = dofs_of(cell);
+    std::vector<Dof> dofs;
+    for (const unsigned int i : bar.local_dofs())
+      dofs.push_back(cell_dofs[i]);
+    return dofs;
+  }
+
   void SectorElements::for_each_owned_cell(
       const std::function<void(const Cell &, SolidElement &)> &visit) const
   {

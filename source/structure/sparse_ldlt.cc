@@ -4,8 +4,10 @@
 
 #include <dmumps_c.h>
 
+#include <cmath>
 #include <new>
 #include <string>
+#include <utility>
 
 namespace ringmotor
 {
@@ -19,6 +21,45 @@ namespace ringmotor
     int &control(const int i) { return data.icntl[i - 1]; }
     int information(const int i) const { return data.infog[i - 1]; }
   };
+
+  void SymmetricElements::add(const std::vector<unsigned int> &rows,
+                              const FullMatrix<double> &matrix)
+  {
+    AssertDimension(rows.size(), matrix.m());
+    for (const unsigned int row : rows)
+      variables.push_back(1 + static_cast<int>(row));
+    begin.push_back(1 + static_cast<int>(variables.size()));
+    for (unsigned int column = 0; column < rows.size(); ++column)
+      for (unsigned int row = column; row < rows.size(); ++row)
+        values.push_back(matrix(column, row)); // symmetric; along the rows in memory
+  }
+
+  namespace
+  {
+    template <typename Number>
+    void append_from(std::vector<Number> &all, const std::vector<std::vector<Number>> &by_rank)
+    {
+      for (const std::vector<Number> &part : by_rank)
+        all.insert(all.end(), part.begin(), part.end());
+    }
+
+    /** The elements of all ranks on rank 0, none on the others. */
+    SymmetricElements gathered(SymmetricElements mine, MPI_Comm communicator)
+    {
+      if (Utilities::MPI::n_mpi_processes(communicator) == 1)
+        return mine;
+      SymmetricElements all;
+      std::vector<int> sizes;
+      for (std::size_t e = 0; e + 1 < mine.begin.size(); ++e)
+        sizes.push_back(mine.begin[e + 1] - mine.begin[e]);
+      append_from(all.variables, Utilities::MPI::gather(communicator, mine.variables));
+      append_from(all.values, Utilities::MPI::gather(communicator, mine.values));
+      for (const std::vector<int> &part : Utilities::MPI::gather(communicator, sizes))
+        for (const int size : part)
+          all.begin.push_back(all.begin.back() + size);
+      return all;
+    }
+  } // namespace
 
   SparseLDLT::SparseLDLT(const unsigned int size, MPI_Comm communicator,
                          const std::vector<unsigned int> &kept)
@@ -37,10 +78,9 @@ namespace ringmotor
     mumps->control(4) = 0;
     // approximate minimum fill: a quarter of PORD's operations on these matrices
     mumps->control(7)  = 2;
-    mumps->control(8)  = 1; // scaling by the diagonal: enough for one kind of unknown, and cheap
+    mumps->control(5)  = 1; // elements, all of them on rank 0
+    mumps->control(8)  = 0; // scale() does it: MUMPS does not scale elements
     mumps->control(13) = 1; // no parallel root: there MUMPS does not count negative pivots
-    // Every rank provides its own entries; a single rank avoids redistributing them.
-    mumps->control(18) = Utilities::MPI::n_mpi_processes(communicator) > 1 ? 3 : 0;
     if (!kept_rows.empty())
     {
       schur.resize(kept_rows.size() * kept_rows.size());
@@ -62,13 +102,48 @@ namespace ringmotor
     dmumps_c(&mumps->data);
   }
 
-  void SparseLDLT::factorise(SymmetricTriplets &triplets)
+  void SparseLDLT::scale(SymmetricElements &elements)
   {
-    // MUMPS reads one set or the other, depending on ICNTL(18).
-    mumps->data.nnz = mumps->data.nnz_loc = static_cast<MUMPS_INT8>(triplets.rows.size());
-    mumps->data.irn = mumps->data.irn_loc = triplets.rows.data();
-    mumps->data.jcn = mumps->data.jcn_loc = triplets.columns.data();
-    mumps->data.a = mumps->data.a_loc = triplets.values.data();
+    row_scale.assign(mumps->data.n, 0.);
+    const auto for_each_entry = [&](const auto &visit)
+    {
+      std::size_t entry = 0;
+      for (std::size_t e = 0; e + 1 < elements.begin.size(); ++e)
+        for (int column = elements.begin[e] - 1; column < elements.begin[e + 1] - 1; ++column)
+          for (int row = column; row < elements.begin[e + 1] - 1; ++row)
+            visit(elements.variables[row] - 1, elements.variables[column] - 1,
+                  elements.values[entry++]);
+    };
+    for_each_entry(
+        [&](const int row, const int column, const double value)
+        {
+          if (row == column)
+            row_scale[row] += value;
+        });
+    for (double &factor : row_scale)
+      factor = factor == 0. ? 1. : 1. / std::sqrt(std::abs(factor));
+    for (const int row : kept_rows)
+      row_scale[row - 1] = 1.;
+    broadcast(row_scale); // only rank 0 has the elements
+    for_each_entry([&](const int row, const int column, double &value)
+                   { value *= row_scale[row] * row_scale[column]; });
+  }
+
+  void SparseLDLT::apply_scale(std::vector<double> &sides) const
+  {
+    const std::size_t size = row_scale.size();
+    for (std::size_t i = 0; i < sides.size(); ++i)
+      sides[i] *= row_scale[i % size];
+  }
+
+  void SparseLDLT::factorise(SymmetricElements elements)
+  {
+    elements = gathered(std::move(elements), communicator);
+    scale(elements);
+    mumps->data.nelt   = static_cast<int>(elements.begin.size()) - 1;
+    mumps->data.eltptr = elements.begin.data();
+    mumps->data.eltvar = elements.variables.data();
+    mumps->data.a_elt  = elements.values.data();
     if (!analysed)
       run(1, "analysis");
     analysed = true;
@@ -97,13 +172,16 @@ namespace ringmotor
     mumps->data.nrhs = static_cast<int>(sides.size() / mumps->data.n);
     mumps->data.lrhs = mumps->data.n;
     mumps->data.rhs  = sides.data();
+    apply_scale(sides);
     run(3, "solution");
+    apply_scale(sides);
     broadcast(sides);
   }
 
   std::vector<double> SparseLDLT::condense(const std::vector<double> &all_right_hand_sides)
   {
-    right_hand_sides    = all_right_hand_sides;
+    right_hand_sides = all_right_hand_sides;
+    apply_scale(right_hand_sides);
     mumps->data.nrhs    = static_cast<int>(right_hand_sides.size() / mumps->data.n);
     mumps->data.lrhs    = mumps->data.n;
     mumps->data.rhs     = right_hand_sides.data();
@@ -121,6 +199,7 @@ namespace ringmotor
     mumps->data.redrhs = kept_solutions.data();
     mumps->control(26) = 2;
     run(3, "expansion");
+    apply_scale(right_hand_sides);
     broadcast(right_hand_sides);
     return right_hand_sides;
   }

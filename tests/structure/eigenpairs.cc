@@ -7,9 +7,10 @@
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/structure/dense_ldlt.h>
 #include <ringmotor/structure/modes.h>
-#include <ringmotor/structure/sparse_ldlt.h>
 
 #include <gtest/gtest.h>
+
+#include <support/triplets.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +19,7 @@
 #include <set>
 
 using namespace ringmotor;
+using ringmotor::tests::SymmetricTriplets;
 
 namespace
 {

@@ -2,14 +2,17 @@
 #pragma once
 
 #include <ringmotor/structure/condensation.h>
-#include <ringmotor/structure/sparse_ldlt.h>
 
 #include <gtest/gtest.h>
+
+#include <support/triplets.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <numeric>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -43,9 +46,11 @@ namespace ringmotor::tests
         : n_unknowns(sector.n_unknowns()), size(n_unknowns + conditions.size()),
           factors(size, MPI_COMM_SELF)
     {
+      SectorStiffness stiffness(sector, std::vector<bool>(sector.n_dofs(), true));
+      stiffness.compute(shift);
       SymmetricTriplets triplets;
       for (const unsigned int part : {0u, 1u})
-        add_field(sector, k, part, shift, triplets);
+        add_field(sector, k, part, stiffness, triplets);
       for (unsigned int c = 0; c < conditions.size(); ++c)
       {
         triplets.add(n_unknowns + c, n_unknowns + c, 0.);
@@ -66,7 +71,7 @@ namespace ringmotor::tests
 
   private:
     static void add_field(const CyclicSector &sector, const unsigned int k, const unsigned int part,
-                          const double shift, SymmetricTriplets &triplets)
+                          const SectorStiffness &stiffness, SymmetricTriplets &triplets)
     {
       const CyclicSector::RealField &field = sector.field(part);
       std::vector<std::vector<std::pair<unsigned int, double>>> terms(field.size);
@@ -74,17 +79,26 @@ namespace ringmotor::tests
         terms[number].emplace_back(unknown, 1.);
       for (const CyclicSector::Tie &tie : sector.ties(part, k))
         terms[field.cut[tie.position]].emplace_back(tie.unknown, tie.factor);
-      const SymmetricTriplets entries = sector.shifted_stiffness(part, shift);
-      for (std::size_t e = 0; e < entries.values.size(); ++e)
+      for (const SectorStiffness::Element &element : stiffness.elements())
       {
-        const int row = entries.rows[e] - 1, column = entries.columns[e] - 1;
-        // An entry below the diagonal also stands for the one above it.
-        for (const auto &[a, factor_a] : terms[row])
-          for (const auto &[b, factor_b] : terms[column])
-            if (row != column || a >= b)
-              triplets.add(a, b,
-                           (a == b && row != column ? 2. : 1.) * factor_a * factor_b *
-                               entries.values[e]);
+        std::set<unsigned int> unknowns;
+        for (const auto dof : element.dofs)
+          if (field.number[dof] != dealii::numbers::invalid_unsigned_int)
+            for (const auto &term : terms[field.number[dof]])
+              unknowns.insert(term.first);
+        const std::vector<unsigned int> rows(unknowns.begin(), unknowns.end());
+        dealii::FullMatrix<double> follow(element.dofs.size(), rows.size()),
+            half(element.dofs.size(), rows.size()), whole(rows.size(), rows.size());
+        for (unsigned int i = 0; i < element.dofs.size(); ++i)
+          if (const unsigned int number = field.number[element.dofs[i]];
+              number != dealii::numbers::invalid_unsigned_int)
+            for (const auto &[unknown, factor] : terms[number])
+              follow(i, std::distance(unknowns.begin(), unknowns.find(unknown))) += factor;
+        if (rows.empty())
+          continue;
+        element.matrix.mmult(half, follow);
+        follow.Tmmult(whole, half);
+        triplets.SymmetricElements::add(rows, whole);
       }
     }
 

@@ -14,6 +14,8 @@
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/sparse_matrix.h>
 
+#include <support/triplets.h>
+
 #include <cmath>
 #include <functional>
 #include <random>

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <ringmotor/elements/shell.h>
-#include <ringmotor/structure/sparse_ldlt.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_handler.h>
@@ -15,6 +14,8 @@
 #include <deal.II/grid/tria.h>
 
 #include <gtest/gtest.h>
+
+#include <support/triplets.h>
 
 #include <algorithm>
 #include <array>

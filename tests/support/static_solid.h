@@ -2,7 +2,6 @@
 #pragma once
 
 #include <ringmotor/elements/solid.h>
-#include <ringmotor/structure/sparse_ldlt.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_handler.h>
@@ -10,6 +9,8 @@
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/mapping_q.h>
+
+#include <support/triplets.h>
 
 #include <functional>
 #include <map>

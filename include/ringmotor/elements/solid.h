@@ -36,7 +36,13 @@ namespace ringmotor
 
     /** Stiffness in N/m and consistent mass in kg of the cell; both symmetric and filled
      * completely. */
-    void matrices(dealii::FullMatrix<double> &stiffness, dealii::FullMatrix<double> &mass);
+    void matrices(dealii::FullMatrix<double> &stiffness, dealii::FullMatrix<double> &mass)
+    {
+      stiffness_matrix(stiffness);
+      mass_matrix(mass);
+    }
+    void stiffness_matrix(dealii::FullMatrix<double> &stiffness);
+    void mass_matrix(dealii::FullMatrix<double> &mass);
 
     /** Twice the strain energy in the cell, u.K u in N m, of each displacement in @p fields. */
     std::vector<double> stiffness_products(const std::vector<dealii::Vector<double>> &fields);

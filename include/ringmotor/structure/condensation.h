@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/structure/cyclic_sector.h>
+#include <ringmotor/structure/sector_factors.h>
 
 #include <deal.II/lac/full_matrix.h>
 
@@ -12,21 +12,6 @@
 
 namespace ringmotor
 {
-  /** The sum of coefficient * value over some degrees of freedom, in the axes of their nodes. */
-  using LinearForm = std::vector<std::pair<SectorNodes::Dof, double>>;
-
-  /**
-   * A load that acts against a rigid or near-rigid motion, which nothing or almost nothing else
-   * constrains. Its mean displacement, the sum over @p load, is constrained to zero, and the load
-   * becomes the reaction. Finally the reaction must equal the load that the body actually carries,
-   * and that displacement becomes an unknown again, see SupportMotion.
-   */
-  struct CondensationSupport
-  {
-    unsigned int part; ///< 0: a load on the real field, 1: on the imaginary one
-    LinearForm load;   ///< N, for the meshed part of the sector
-  };
-
   /** Response of a body to a unit displacement of one support, the others being fixed. */
   struct SupportMotion
   {
@@ -41,8 +26,6 @@ namespace ringmotor
     std::vector<double> driven; ///< m, of the driven degrees of freedom, real field, then imaginary
     std::vector<double> supports; ///< m, of each constrained support
   };
-
-  class SparseLDLT;
 
   /**
    * Static condensation of a cyclic sector: an elastic body (vibrating at one frequency) as seen
@@ -60,7 +43,7 @@ namespace ringmotor
      * displacement. Their degrees of freedom must be independent.
      * @param driven degrees of freedom with a given motion, none of them on a cut
      * @param shift omega^2 in rad^2/s^2; 0: static
-     * @param with_interior keeps what interior() needs: the factors of both fields
+     * @param with_interior keeps what interior() needs: the factors
      * @throws ComputationError if a body without its interface is singular
      */
     Condensation(const CyclicSector &sector, const std::vector<LinearForm> &interface,
@@ -95,11 +78,11 @@ namespace ringmotor
       std::vector<unsigned int> row_of_dof; ///< in the matrix, of retained degrees of freedom
       std::vector<unsigned int> unknown;    ///< by row, of those not on the cut
       std::vector<double> matrix;           ///< by columns
-      std::unique_ptr<SparseLDLT> factors;  ///< if they are kept
     };
     struct Reduced;
 
-    void condense(const unsigned int part, const double shift, const bool with_interior);
+    /** Which rows the matrix of a field has. */
+    void choose_kept(const unsigned int part);
     /** Which unknowns are retained when the cut is eliminated; how rows depend on all unknowns. */
     Reduced layout(const unsigned int k, const std::vector<unsigned int> &held) const;
     /** The matrix of the fields tied to each other at the cut: by columns, cut first. */
@@ -114,9 +97,9 @@ namespace ringmotor
     /** The retained unknowns under each load, one after the other. */
     std::vector<double> solutions(const Reduced &reduced, const std::vector<unsigned int> &held,
                                   const std::vector<CondensationLoad> &loads) const;
-    /** All unknowns of a field under each load, from the retained ones. */
-    std::vector<double> field_solutions(const Reduced &reduced, const unsigned int part,
-                                        const std::vector<double> &unknowns) const;
+    /** All unknowns of each field under each load, from the retained ones. */
+    SectorFactors::PerField<std::vector<double>>
+    field_solutions(const Reduced &reduced, const std::vector<double> &unknowns) const;
 
     const CyclicSector &sector;
     const std::vector<LinearForm> interface;
@@ -124,5 +107,6 @@ namespace ringmotor
     const std::vector<CondensationSupport> supports;
     std::vector<bool> at_interface; ///< by degree of freedom: on the interface or driven
     std::array<Field, 2> fields;
+    std::unique_ptr<SectorFactors> factors; ///< if they are kept
   };
 } // namespace ringmotor

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/structure/cyclic_sector.h>
 #include <ringmotor/structure/dense_ldlt.h>
-#include <ringmotor/structure/sparse_ldlt.h>
+#include <ringmotor/structure/joint_factors.h>
+#include <ringmotor/structure/sector_factors.h>
 
+#include <array>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -13,11 +14,10 @@ namespace ringmotor
 {
   /**
    * The factorised K - shift M of a cyclic sector. The two real fields are coupled only at the cut,
-   * and only there does the nodal diameter matter: one sparse factorisation of each field down to
-   * its cut serves all nodal diameters, and each of these adds a small dense one. (On a whole
-   * sector both fields have the same sparse factors.) Where much of the body lies on its cuts, as
-   * with a ring without teeth, the dense matrices would be large: there (and where there is no
-   * cut), each nodal diameter gets a sparse factorisation of both fields together.
+   * and only there does the nodal diameter matter: one factorisation down to the cut serves all
+   * nodal diameters, and each of these adds a small dense one. Where much of the body lies on its
+   * cuts, as with a ring without teeth, the dense matrices would be large: there (and where there
+   * is no cut), each nodal diameter gets a sparse factorisation of both fields together.
    */
   class CyclicFactors
   {
@@ -39,19 +39,11 @@ namespace ringmotor
     void solve(std::vector<double> &right_hand_sides);
 
   private:
-    /** A matrix and the fields it belongs to. */
-    struct SparsePart
-    {
-      std::unique_ptr<SparseLDLT> factors;
-      std::vector<unsigned int> parts;
-    };
-
     void factorise_cut(const unsigned int k);
-    void factorise_together(const unsigned int k, const double shift);
 
     const CyclicSector &sector;
-    std::unique_ptr<SparseLDLT> together; ///< both fields; null if they are factorised one by one
-    std::vector<SparsePart> sparse_parts;
+    std::unique_ptr<JointFactors> joint;    ///< null if the cut is small
+    std::unique_ptr<SectorFactors> inside;  ///< down to the cut; null if it is large
     std::vector<unsigned int> cut_unknowns; ///< in the order of the dense matrix
     std::vector<unsigned int> cut_place;    ///< the inverse, by unknown
     std::array<std::vector<CyclicSector::Tie>, 2> ties;

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <ringmotor/structure/sector_elements.h>
-#include <ringmotor/structure/sector_matrices.h>
+#include <ringmotor/structure/sector_mass.h>
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -13,9 +14,9 @@ namespace ringmotor
 {
   /**
    * The finite-element model of one sector of a cyclic body, of solids, shells, bars and
-   * foundations in one numbering. Stiffness and mass are assembled once, with no condition on the
-   * cuts; a nodal diameter k only changes how the unknowns of the two real fields (real and
-   * imaginary part of U) are tied to each other:
+   * foundations in one numbering. Its matrices have no condition on the cuts; a nodal diameter k
+   * only changes how the unknowns of the two real fields (real and imaginary part of U) are tied to
+   * each other:
    *
    * - half sector: the mirror plane theta = 0 fixes u_theta of the real and u_r, u_z of the
    * imaginary part, and of a shell's rotations the other components; on the cut theta = alpha/2,
@@ -80,12 +81,14 @@ namespace ringmotor
     /** Those for given values of the functions. */
     std::vector<Tie> ties(const unsigned int part, const WaveFunctions &values) const;
 
-    /** This rank's part of K - shift M in the numbers of a field (lower triangle). */
-    SymmetricTriplets shifted_stiffness(const unsigned int part, const double shift) const;
-
     /** The product of the mass matrix of nodal diameter @p k and @p unknowns (all ranks get it). */
     void multiply_mass(const unsigned int k, const std::vector<double> &unknowns,
                        std::vector<double> &product) const;
+
+    /** Both fields, in the axes of the nodes, given by the unknowns of nodal diameter @p k;
+     * dependent degrees of freedom are zero. */
+    std::array<dealii::Vector<double>, 2> fields_of(const unsigned int k,
+                                                    const std::vector<double> &unknowns) const;
 
     /** The motion given by the unknowns of nodal diameter @p k. */
     SectorMotion expand(const unsigned int k, const std::vector<double> &unknowns) const;
@@ -140,10 +143,7 @@ namespace ringmotor
     {
       return {{values[0], values[1], values[2], -values[2]}};
     }
-    std::array<dealii::Vector<double>, 2> to_fields(const unsigned int k,
-                                                    const std::vector<double> &unknowns) const;
-
-    /** The transpose of to_fields(). */
+    /** The transpose of fields_of(). */
     std::vector<double> to_unknowns(const unsigned int k,
                                     const std::array<dealii::Vector<double>, 2> &dof_loads) const;
 
@@ -151,6 +151,6 @@ namespace ringmotor
         terms; ///< for the real and the imaginary field, by degree of freedom
     unsigned int unknown_count = 0;
     std::array<RealField, 2> fields;
-    SectorMatrices matrices;
+    mutable std::unique_ptr<SectorMass> mass; ///< made when it is asked for: statics need none
   };
 } // namespace ringmotor

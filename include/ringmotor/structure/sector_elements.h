@@ -78,6 +78,8 @@ namespace ringmotor
     /** The degrees of freedom of a cell in the order of its element. */
     std::vector<Dof> dofs_of(const Cell &cell) const;
     std::vector<Dof> dofs_of(const ShellCell &cell) const;
+    /** Those of the edge of a cell that carries a bar, in the order of its element. */
+    std::vector<Dof> dofs_on(const Cell &cell, const BarElement &bar) const;
 
     /** Visits the solid cells that this rank owns, with the element reinitialized there. */
     void for_each_owned_cell(const std::function<void(const Cell &, SolidElement &)> &visit) const;

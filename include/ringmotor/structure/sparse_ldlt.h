@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/lac/full_matrix.h>
 
 #include <memory>
 #include <vector>
@@ -9,27 +10,17 @@
 namespace ringmotor
 {
   /**
-   * Entries of a symmetric sparse matrix, lower triangle (row >= column), distributed over the
-   * ranks in any way; entries given more than once are added.
+   * A symmetric sparse matrix as the sum of small dense ones, the elements, distributed over the
+   * ranks in any way.
    */
-  struct SymmetricTriplets
+  struct SymmetricElements
   {
-    std::vector<int> rows, columns; ///< counted from 1, as MUMPS expects them
-    std::vector<double> values;
+    std::vector<int> begin{1};  ///< of each element in `variables`, then their end; from 1
+    std::vector<int> variables; ///< rows of each element; from 1
+    std::vector<double> values; ///< lower triangles by columns, one after the other
 
-    void reserve(const std::size_t n_entries)
-    {
-      rows.reserve(n_entries);
-      columns.reserve(n_entries);
-      values.reserve(n_entries);
-    }
-
-    void add(const unsigned int row, const unsigned int column, const double value)
-    {
-      rows.push_back(1 + static_cast<int>(row >= column ? row : column));
-      columns.push_back(1 + static_cast<int>(row >= column ? column : row));
-      values.push_back(value);
-    }
+    /** Adds @p matrix to these rows, none of which may appear twice. */
+    void add(const std::vector<unsigned int> &rows, const dealii::FullMatrix<double> &matrix);
   };
 
   /**
@@ -49,12 +40,12 @@ namespace ringmotor
     SparseLDLT &operator=(const SparseLDLT &) = delete;
 
     /**
-     * Factorises the sum of @p triplets over all ranks. A repeated call with the same rows and
-     * columns reuses the symbolic analysis.
+     * Factorises the sum of @p elements over all ranks. A repeated call with the same variables
+     * reuses the symbolic analysis.
      * @throws ComputationError if MUMPS fails or the matrix is singular, std::bad_alloc if memory
      * is short
      */
-    void factorise(SymmetricTriplets &triplets);
+    void factorise(SymmetricElements elements);
 
     /** Number of negative eigenvalues of the factorised matrix (of its inner unknowns, if some are
      * kept). */
@@ -84,11 +75,16 @@ namespace ringmotor
   private:
     void run(const int job, const char *what);
     void broadcast(std::vector<double> &numbers) const;
+    /** Finds factors for rows and columns that make inner diagonal entries one, and applies them.
+     * For one kind of unknown that is enough, and cheap. */
+    void scale(SymmetricElements &elements);
+    void apply_scale(std::vector<double> &sides) const;
 
     struct Mumps;
     std::unique_ptr<Mumps> mumps;
     MPI_Comm communicator;
-    std::vector<int> kept_rows; ///< counted from 1
+    std::vector<int> kept_rows;    ///< counted from 1
+    std::vector<double> row_scale; ///< one for kept unknowns
     std::vector<double> schur, right_hand_sides;
     bool analysed = false;
   };

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/structure/joint_factors.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <map>
+
+namespace ringmotor
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr unsigned int none = numbers::invalid_unsigned_int;
+
+    /** The rows of the sparse matrix by unknown, none for those inside cells, which have one
+     * unknown each. */
+    std::vector<unsigned int> number_rows(const CyclicSector &sector,
+                                          const SectorStiffness &stiffness)
+    {
+      std::vector<unsigned int> row(sector.n_unknowns(), 0);
+      for (const unsigned int part : {0u, 1u})
+      {
+        const CyclicSector::RealField &field = sector.field(part);
+        std::vector<unsigned int> unknown(field.size, none);
+        for (const auto &[number, inner_unknown] : field.inner)
+          unknown[number] = inner_unknown;
+        for (unsigned int dof = 0; dof < sector.n_dofs(); ++dof)
+          if (stiffness.is_inner(dof))
+            row[unknown[field.number[dof]]] = none;
+      }
+      unsigned int n_rows = 0;
+      for (unsigned int &number : row)
+        if (number != none)
+          number = n_rows++;
+      return row;
+    }
+
+    std::size_t count_rows(const std::vector<unsigned int> &row)
+    {
+      return row.size() - std::count(row.begin(), row.end(), none);
+    }
+  } // namespace
+
+  JointFactors::JointFactors(const CyclicSector &sector)
+      : sector(sector), stiffness(sector, std::vector<bool>(sector.n_dofs(), false)),
+        row(number_rows(sector, stiffness)), sparse(count_rows(row), sector.communicator())
+  {
+  }
+
+  void JointFactors::follow_unknowns(const unsigned int k)
+  {
+    for (const unsigned int part : {0u, 1u})
+    {
+      const CyclicSector::RealField &field = sector.field(part);
+      std::vector<Sum> of_number(field.size);
+      for (const auto &[number, unknown] : field.inner)
+        of_number[number] = {{unknown, 1.}};
+      for (const CyclicSector::Tie &tie : sector.ties(part, k))
+        of_number[field.cut[tie.position]].emplace_back(tie.unknown, tie.factor);
+      follows[part].assign(sector.n_dofs(), {});
+      for (unsigned int dof = 0; dof < sector.n_dofs(); ++dof)
+        if (field.number[dof] != none)
+          follows[part][dof] = of_number[field.number[dof]];
+    }
+  }
+
+  void JointFactors::add(const SectorStiffness::Element &element, const unsigned int part,
+                         SymmetricElements &elements) const
+  {
+    std::map<unsigned int, unsigned int> place;
+    std::vector<unsigned int> rows;
+    for (const SectorNodes::Dof dof : element.dofs)
+      for (const auto &[unknown, factor] : follows[part][dof])
+        if (place.emplace(unknown, rows.size()).second)
+          rows.push_back(row[unknown]);
+    FullMatrix<double> matrix(rows.size(), rows.size());
+    for (unsigned int i = 0; i < element.dofs.size(); ++i)
+      for (const auto &[unknown_i, factor_i] : follows[part][element.dofs[i]])
+      {
+        const unsigned int place_i = place.at(unknown_i);
+        for (unsigned int j = 0; j < element.dofs.size(); ++j)
+          for (const auto &[unknown_j, factor_j] : follows[part][element.dofs[j]])
+            matrix(place_i, place.at(unknown_j)) += factor_i * factor_j * element.matrix(i, j);
+      }
+    if (!rows.empty())
+      elements.add(rows, matrix);
+  }
+
+  void JointFactors::factorise(const unsigned int k, const double shift)
+  {
+    if (shift != computed_shift)
+      stiffness.compute(shift);
+    computed_shift = shift;
+    follow_unknowns(k);
+    SymmetricElements elements;
+    for (const SectorStiffness::Element &element : stiffness.elements())
+      for (const unsigned int part : {0u, 1u})
+        add(element, part, elements);
+    sparse.factorise(std::move(elements));
+  }
+
+  void JointFactors::solve(std::vector<double> &right_hand_sides)
+  {
+    const std::size_t n_unknowns = sector.n_unknowns(), n_dofs = sector.n_dofs(),
+                      n_sides = right_hand_sides.size() / n_unknowns, n_rows = count_rows(row);
+    // Of each side the real field, then the imaginary one.
+    const auto for_each = [&](const auto &visit)
+    {
+      for (std::size_t side = 0; side < n_sides; ++side)
+        for (const unsigned int part : {0u, 1u})
+          for (std::size_t dof = 0; dof < n_dofs; ++dof)
+            for (const auto &[unknown, factor] : follows[part][dof])
+              visit(side * n_unknowns + unknown, side * n_rows + row[unknown],
+                    (2 * side + part) * n_dofs + dof, stiffness.is_inner(dof), factor);
+    };
+    std::vector<double> loads(2 * n_sides * n_dofs, 0.), on_rows(n_sides * n_rows, 0.);
+    for_each(
+        [&](const std::size_t unknown, std::size_t, const std::size_t dof, const bool is_inner,
+            double)
+        {
+          if (is_inner)
+            loads[dof] = right_hand_sides[unknown];
+        });
+    stiffness.condense(loads);
+    for (std::size_t side = 0; side < n_sides; ++side)
+      for (std::size_t unknown = 0; unknown < n_unknowns; ++unknown)
+        if (row[unknown] != none)
+          on_rows[side * n_rows + row[unknown]] = right_hand_sides[side * n_unknowns + unknown];
+    for_each(
+        [&](std::size_t, const std::size_t row, const std::size_t dof, const bool is_inner,
+            const double factor)
+        {
+          if (!is_inner)
+            on_rows[row] += factor * loads[dof];
+        });
+    sparse.solve(on_rows);
+
+    std::vector<double> motions(loads.size(), 0.);
+    for_each(
+        [&](std::size_t, const std::size_t row, const std::size_t dof, const bool is_inner,
+            const double factor)
+        {
+          if (!is_inner)
+            motions[dof] += factor * on_rows[row];
+        });
+    stiffness.expand(loads, motions);
+    for_each([&](const std::size_t unknown, const std::size_t row, const std::size_t dof,
+                 const bool is_inner, double)
+             { right_hand_sides[unknown] = is_inner ? motions[dof] : on_rows[row]; });
+  }
+} // namespace ringmotor

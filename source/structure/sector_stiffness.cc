@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/structure/blas.h>
+#include <ringmotor/structure/sector_stiffness.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <map>
+
+namespace ringmotor
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** result += factor * a b, or a^T b; all by columns. */
+    void add_product(const double factor, const bool transposed, const std::vector<double> &a,
+                     const std::vector<double> &b, const int n_columns, std::vector<double> &result)
+    {
+      const int rows   = static_cast<int>(result.size()) / n_columns,
+                inner  = static_cast<int>(b.size()) / n_columns;
+      const double one = 1.;
+      dgemm_(transposed ? "T" : "N", "N", &rows, &n_columns, &inner, &factor, a.data(),
+             transposed ? &inner : &rows, b.data(), &inner, &one, result.data(), &rows);
+    }
+
+    /** The entries of several vectors of all degrees of freedom at some of them. */
+    std::vector<double> at(const std::vector<SectorNodes::Dof> &dofs,
+                           const std::vector<double> &vectors, const std::size_t n_dofs)
+    {
+      std::vector<double> entries;
+      for (std::size_t begin = 0; begin < vectors.size(); begin += n_dofs)
+        for (const SectorNodes::Dof dof : dofs)
+          entries.push_back(vectors[begin + dof]);
+      return entries;
+    }
+
+    void add_at(const std::vector<SectorNodes::Dof> &dofs, const std::vector<double> &entries,
+                const std::size_t n_dofs, std::vector<double> &vectors)
+    {
+      std::size_t entry = 0;
+      for (std::size_t begin = 0; begin < vectors.size(); begin += n_dofs)
+        for (const SectorNodes::Dof dof : dofs)
+          vectors[begin + dof] += entries[entry++];
+    }
+
+    void sum_over_ranks(std::vector<double> &numbers, MPI_Comm communicator)
+    {
+      if (Utilities::MPI::n_mpi_processes(communicator) > 1)
+        Utilities::MPI::sum(numbers, communicator, numbers);
+    }
+  } // namespace
+
+  SectorStiffness::SectorStiffness(const SectorElements &elements, const std::vector<bool> &stays)
+      : all(elements), inner(elements.n_dofs(), false)
+  {
+    std::vector<bool> is_fixed = stays;
+    for (const auto &line : all.dependent().get_lines())
+    {
+      is_fixed[line.index] = true;
+      for (const auto &[master, weight] : line.entries)
+        is_fixed[master] = true;
+    }
+    if (!all.dofs().has_active_dofs())
+      return;
+    const FiniteElement<3> &fe     = all.dofs().get_fe();
+    const unsigned int first_inner = fe.get_first_hex_index();
+    std::vector<Dof> dofs(fe.n_dofs_per_cell());
+    for (const auto &cell : all.dofs().active_cell_iterators())
+    {
+      cell->get_dof_indices(dofs);
+      if (std::none_of(dofs.begin() + first_inner, dofs.end(),
+                       [&](const Dof dof) { return is_fixed[dof]; }))
+        for (unsigned int i = first_inner; i < dofs.size(); ++i)
+          inner[dofs[i]] = true;
+    }
+  }
+
+  unsigned int SectorStiffness::n_inner(const std::vector<Dof> &dofs) const
+  {
+    return inner[dofs.back()] ? dofs.size() - all.dofs().get_fe().get_first_hex_index() : 0;
+  }
+
+  void SectorStiffness::compute(const double shift)
+  {
+    own.clear();
+    cells.clear();
+    FullMatrix<double> stiffness, mass;
+    const auto reinit = [&](const std::size_t size)
+    {
+      stiffness.reinit(size, size);
+      mass.reinit(size, size);
+    };
+    const auto add_shifted = [&](const std::vector<Dof> &dofs, const unsigned int n_inner)
+    {
+      stiffness.add(-shift, mass);
+      add(dofs, n_inner, stiffness);
+    };
+    all.for_each_owned_cell(
+        [&](const auto &cell, SolidElement &element)
+        {
+          const std::vector<Dof> dofs = all.dofs_of(cell);
+          reinit(dofs.size());
+          element.matrices(stiffness, mass);
+          add_shifted(dofs, n_inner(dofs));
+        });
+    all.for_each_owned_shell_cell(
+        [&](const auto &cell, ShellElement &element)
+        {
+          const std::vector<Dof> dofs = all.dofs_of(cell);
+          reinit(dofs.size());
+          element.matrices(stiffness, mass);
+          add_shifted(dofs, 0);
+        });
+    all.for_each_owned_bar(
+        [&](const auto &cell, const types::boundary_id, BarElement &element)
+        {
+          const std::vector<Dof> dofs = all.dofs_on(cell, element);
+          Assert(!all.are_tied(dofs), ExcMessage("A bar on an edge that follows a shell."));
+          reinit(dofs.size());
+          element.matrices(stiffness, mass);
+          add_shifted(dofs, 0);
+        });
+    all.for_each_owned_foundation(
+        [&](const auto &cell, const types::boundary_id, FoundationElement &element)
+        {
+          std::vector<Dof> dofs = all.dofs_of(cell);
+          stiffness.reinit(dofs.size(), dofs.size());
+          element.matrix(stiffness);
+          // A foundation acts on a face: no force on, and no motion of, the inner ones.
+          const unsigned int n_outer = dofs.size() - n_inner(dofs);
+          FullMatrix<double> outer(n_outer, n_outer);
+          outer.fill(stiffness);
+          dofs.resize(n_outer);
+          add(dofs, 0, outer);
+        });
+  }
+
+  void SectorStiffness::add(const std::vector<Dof> &dofs, const unsigned int n_inner,
+                            FullMatrix<double> &matrix)
+  {
+    all.nodes().rotate_to_axes(dofs, matrix);
+    Element element{dofs, {}};
+    element.matrix = without_dependent(element.dofs, matrix);
+    if (n_inner > 0)
+      eliminate(n_inner, element);
+    if (!element.dofs.empty()) // not clamped all around
+      own.push_back(std::move(element));
+  }
+
+  FullMatrix<double> SectorStiffness::without_dependent(std::vector<Dof> &dofs,
+                                                        const FullMatrix<double> &matrix) const
+  {
+    const AffineConstraints<double> &dependent = all.dependent();
+    if (std::none_of(dofs.begin(), dofs.end(),
+                     [&](const Dof dof) { return dependent.is_constrained(dof); }))
+      return matrix;
+    // Masters first, so that inner degrees of freedom stay the last ones.
+    std::map<Dof, unsigned int> place;
+    std::vector<Dof> independent;
+    const auto place_of = [&](const Dof dof)
+    {
+      const auto [found, is_new] = place.emplace(dof, independent.size());
+      if (is_new)
+        independent.push_back(dof);
+      return found->second;
+    };
+    for (const Dof dof : dofs)
+      if (dependent.is_constrained(dof))
+        for (const auto &entry : *dependent.get_constraint_entries(dof))
+          place_of(entry.first);
+    for (const Dof dof : dofs)
+      if (!dependent.is_constrained(dof))
+        place_of(dof);
+
+    FullMatrix<double> follows(dofs.size(), independent.size()),
+        times(dofs.size(), independent.size()), result(independent.size(), independent.size());
+    for (unsigned int i = 0; i < dofs.size(); ++i)
+      if (!dependent.is_constrained(dofs[i]))
+        follows(i, place.at(dofs[i])) = 1.;
+      else
+        for (const auto &[master, weight] : *dependent.get_constraint_entries(dofs[i]))
+          follows(i, place.at(master)) += weight;
+    if (!independent.empty())
+    {
+      matrix.mmult(times, follows);
+      follows.Tmmult(result, times);
+    }
+    dofs = independent;
+    return result;
+  }
+
+  void SectorStiffness::eliminate(const unsigned int n_inner, Element &element)
+  {
+    const std::size_t n_outer = element.dofs.size() - n_inner;
+    Cell cell;
+    cell.outer.assign(element.dofs.begin(), element.dofs.begin() + n_outer);
+    cell.inner.assign(element.dofs.begin() + n_outer, element.dofs.end());
+    std::vector<double> inside(n_inner * n_inner), across(n_inner * n_outer),
+        outside(n_outer * n_outer);
+    for (std::size_t column = 0; column < n_outer + n_inner; ++column)
+      for (std::size_t row = 0; row < n_outer + n_inner; ++row)
+      {
+        const double entry = element.matrix(column, row); // symmetric; along the rows in memory
+        if (column >= n_outer)
+        {
+          if (row >= n_outer)
+            inside[(column - n_outer) * n_inner + row - n_outer] = entry;
+        }
+        else if (row >= n_outer)
+          across[column * n_inner + row - n_outer] = entry;
+        else
+          outside[column * n_outer + row] = entry;
+      }
+    cell.factors.factorise(n_inner, std::move(inside));
+    cell.response = across;
+    cell.factors.solve(cell.response);
+    add_product(-1., true, across, cell.response, n_outer, outside);
+    element.dofs = cell.outer;
+    element.matrix.reinit(n_outer, n_outer);
+    for (std::size_t row = 0; row < n_outer; ++row)
+      for (std::size_t column = 0; column <= row; ++column) // symmetric up to rounding
+        element.matrix(row, column) = element.matrix(column, row) = outside[column * n_outer + row];
+    cells.push_back(std::move(cell));
+  }
+
+  unsigned int SectorStiffness::n_negative() const
+  {
+    unsigned int count = 0;
+    for (const Cell &cell : cells)
+      count += cell.factors.n_negative();
+    return Utilities::MPI::sum(count, all.communicator());
+  }
+
+  void SectorStiffness::condense(std::vector<double> &loads) const
+  {
+    const std::size_t n_dofs = all.n_dofs();
+    const int n_vectors      = static_cast<int>(loads.size() / n_dofs);
+    std::vector<double> left(loads.size(), 0.);
+    for (const Cell &cell : cells)
+    {
+      std::vector<double> outer(n_vectors * cell.outer.size(), 0.);
+      add_product(-1., true, cell.response, at(cell.inner, loads, n_dofs), n_vectors, outer);
+      add_at(cell.outer, outer, n_dofs, left);
+    }
+    sum_over_ranks(left, all.communicator());
+    for (std::size_t i = 0; i < loads.size(); ++i)
+      loads[i] += left[i];
+  }
+
+  void SectorStiffness::expand(const std::vector<double> &loads, std::vector<double> &motions)
+  {
+    const std::size_t n_dofs = all.n_dofs();
+    const int n_vectors      = static_cast<int>(loads.size() / n_dofs);
+    std::vector<double> follows(motions.size(), 0.);
+    for (Cell &cell : cells)
+    {
+      std::vector<double> inside = at(cell.inner, loads, n_dofs);
+      cell.factors.solve(inside);
+      add_product(-1., false, cell.response, at(cell.outer, motions, n_dofs), n_vectors, inside);
+      add_at(cell.inner, inside, n_dofs, follows);
+    }
+    sum_over_ranks(follows, all.communicator());
+    for (std::size_t i = 0; i < motions.size(); ++i)
+      if (inner[i % n_dofs])
+        motions[i] = follows[i];
+  }
+} // namespace ringmotor
