@@ -19,6 +19,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
+#include <malloc.h>
 #include <optional>
 #include <sstream>
 #include <thread>
@@ -122,6 +123,15 @@ namespace ringmotor
         print_help(std::cout, process);
     }
 
+    /** Large matrices come and go all the time: getting their memory from the system, page by page,
+     * would take longer than what is done with some of them. */
+    void keep_freed_memory()
+    {
+      constexpr int megabyte = 1 << 20;
+      mallopt(M_MMAP_THRESHOLD, 32 * megabyte);
+      mallopt(M_TRIM_THRESHOLD, 256 * megabyte);
+    }
+
     /** Prints once and ends all ranks: a rank that fails alone would leave the others waiting. */
     int fail(const std::string &name, const std::string &message, const int status)
     {
@@ -153,6 +163,7 @@ namespace ringmotor
   {
     restart_with_faster_blas_kernel(argv);
     spare_the_network_search();
+    keep_freed_memory();
     std::signal(SIGXFSZ, SIG_IGN); // a file grown too large must be an error that can be reported
     const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
     Doing doing{process.name, {}};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/mesh/ids.h>
 #include <ringmotor/structure/cyclic_sector.h>
+#include <ringmotor/structure/sector_mass.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -20,6 +21,8 @@ namespace ringmotor
       number_whole_sector();
     number_fields();
   }
+
+  CyclicSector::~CyclicSector() = default;
 
   void CyclicSector::number_half_sector()
   {
@@ -175,7 +178,28 @@ namespace ringmotor
   {
     if (!mass)
       mass = std::make_unique<SectorMass>(*this);
-    product = to_unknowns(k, mass->multiply(fields_of(k, unknowns)));
+    const std::array<double, 4> factor = factors(wave_functions(k));
+    const std::size_t n_vectors        = unknowns.size() / unknown_count;
+    // Of each vector the real field, then the imaginary one.
+    const auto for_each_term = [&](const auto &visit)
+    {
+      for (std::size_t v = 0; v < n_vectors; ++v)
+        for (unsigned int part = 0; part < 2; ++part)
+          for (Dof dof = 0; dof < n_dofs(); ++dof)
+            for (unsigned int i = 0; i < terms[part][dof].size; ++i)
+            {
+              const Term &term = terms[part][dof].term[i];
+              visit((2 * v + part) * n_dofs() + dof, v * unknown_count + term.unknown,
+                    factor[static_cast<unsigned int>(term.factor)]);
+            }
+    };
+    std::vector<double> fields(2 * n_vectors * n_dofs(), 0.);
+    for_each_term([&](const std::size_t of_dof, const std::size_t unknown, const double factor)
+                  { fields[of_dof] += factor * unknowns[unknown]; });
+    const std::vector<double> products = mass->multiply(fields);
+    product.assign(unknowns.size(), 0.);
+    for_each_term([&](const std::size_t of_dof, const std::size_t unknown, const double factor)
+                  { product[unknown] += factor * products[of_dof]; });
     Utilities::MPI::sum(product, communicator(), product);
   }
 

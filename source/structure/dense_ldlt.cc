@@ -9,6 +9,8 @@ extern "C"
 {
   void dsytrf_(const char *uplo, const int *n, double *a, const int *lda, int *ipiv, double *work,
                const int *lwork, int *info);
+  void dsytrs_(const char *uplo, const int *n, const int *nrhs, const double *a, const int *lda,
+               const int *ipiv, double *b, const int *ldb, int *info);
   void dsytrs2_(const char *uplo, const int *n, const int *nrhs, double *a, const int *lda,
                 const int *ipiv, double *b, const int *ldb, double *work, int *info);
 }
@@ -55,8 +57,15 @@ namespace ringmotor
     if (size == 0)
       return;
     const int n_right_hand_sides = static_cast<int>(right_hand_sides.size() / size);
+    constexpr int few = 4; // for which the preparation of dsytrs2 takes longer than it saves
+    int info          = 0;
+    if (n_right_hand_sides <= few)
+    {
+      dsytrs_(&lower, &size, &n_right_hand_sides, factors.data(), &size, pivots.data(),
+              right_hand_sides.data(), &size, &info);
+      return;
+    }
     std::vector<double> work(size);
-    int info = 0;
     dsytrs2_(&lower, &size, &n_right_hand_sides, factors.data(), &size, pivots.data(),
              right_hand_sides.data(), &size, work.data(), &info);
   }

@@ -69,23 +69,33 @@ namespace ringmotor
   void JointFactors::add(const SectorStiffness::Element &element, const unsigned int part,
                          SymmetricElements &elements) const
   {
-    std::map<unsigned int, unsigned int> place;
+    std::map<unsigned int, unsigned int> place; // of an unknown in the element
     std::vector<unsigned int> rows;
+    std::vector<Sum> sums; // of each degree of freedom, by these places
     for (const SectorNodes::Dof dof : element.dofs)
+    {
+      sums.emplace_back();
       for (const auto &[unknown, factor] : follows[part][dof])
-        if (place.emplace(unknown, rows.size()).second)
-          rows.push_back(row[unknown]);
-    FullMatrix<double> matrix(rows.size(), rows.size());
-    for (unsigned int i = 0; i < element.dofs.size(); ++i)
-      for (const auto &[unknown_i, factor_i] : follows[part][element.dofs[i]])
       {
-        const unsigned int place_i = place.at(unknown_i);
-        for (unsigned int j = 0; j < element.dofs.size(); ++j)
-          for (const auto &[unknown_j, factor_j] : follows[part][element.dofs[j]])
-            matrix(place_i, place.at(unknown_j)) += factor_i * factor_j * element.matrix(i, j);
+        const auto [found, is_new] = place.emplace(unknown, rows.size());
+        if (is_new)
+          rows.push_back(row[unknown]);
+        sums.back().emplace_back(found->second, factor);
+      }
+    }
+    std::vector<double> lower(rows.size() * (rows.size() + 1) / 2, 0.);
+    for (std::size_t j = 0; j < sums.size(); ++j)
+      for (const auto &[column, factor_j] : sums[j])
+      {
+        double *begin = lower.data() + column * rows.size() -
+                        static_cast<std::size_t>(column) * (column + 1) / 2;
+        for (std::size_t i = 0; i < sums.size(); ++i)
+          for (const auto &[row, factor_i] : sums[i])
+            if (row >= column)
+              begin[row] += factor_i * factor_j * element(i, j);
       }
     if (!rows.empty())
-      elements.add(rows, matrix);
+      elements.add(rows, lower);
   }
 
   void JointFactors::factorise(const unsigned int k, const double shift)

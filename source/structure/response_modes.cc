@@ -145,18 +145,13 @@ namespace ringmotor
       responses.push_back(beside_resonance(k, all_loads, frequency, responses.front()));
 
     const std::size_t n = sector.n_unknowns();
-    std::vector<double> motions, inertia, squares, motion(n), product;
+    std::vector<double> motions, inertia, squares, motion(n);
     for (const Response &response : responses)
     {
       motions.insert(motions.end(), response.motions.begin(), response.motions.end());
       squares.insert(squares.end(), loads.size(), response.frequency * response.frequency);
     }
-    for (std::size_t i = 0; i < squares.size(); ++i)
-    {
-      std::copy_n(motions.begin() + i * n, n, motion.begin());
-      sector.multiply_mass(k, motion, product);
-      inertia.insert(inertia.end(), product.begin(), product.end());
-    }
+    sector.multiply_mass(k, motions, inertia);
 
     // The stiffness times a response is the load and the inertia of that response.
     const Matrix columns          = as_columns(motions, n);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <ringmotor/structure/blas.h>
+#include <ringmotor/structure/dense_product.h>
 #include <ringmotor/structure/sector_factors.h>
 
 #include <deal.II/base/mpi.h>
@@ -35,20 +35,6 @@ namespace ringmotor
         for (const auto &entry : support.load)
           stays[entry.first] = true;
       return stays;
-    }
-
-    /** result += factor * op(a) b, by columns; a has @p n_inner columns, or rows if transposed. */
-    void add_product(const double factor, const char *op, const std::vector<double> &a,
-                     const std::size_t n_inner, const std::vector<double> &b,
-                     std::vector<double> &result)
-    {
-      if (result.empty() || n_inner == 0)
-        return;
-      const int inner = static_cast<int>(n_inner), columns = static_cast<int>(b.size() / n_inner),
-                rows   = static_cast<int>(result.size()) / columns;
-      const double one = 1.;
-      dgemm_(op, "N", &rows, &columns, &inner, &factor, a.data(), *op == 'N' ? &rows : &inner,
-             b.data(), &inner, &one, result.data(), &rows);
     }
 
     /** Some entries of each of several vectors of @p width. */
@@ -143,28 +129,28 @@ namespace ringmotor
   SymmetricElements SectorFactors::elements() const
   {
     SymmetricElements elements;
+    std::size_t n_values = 0;
+    for (const SectorStiffness::Element &element : stiffness.elements())
+      n_values += element.lower.size();
+    elements.values.reserve(n_values);
     for (const SectorStiffness::Element &element : stiffness.elements())
     {
       std::vector<unsigned int> rows;
       for (const SectorNodes::Dof dof : element.dofs)
         rows.push_back(row_of_dof[dof]);
-      elements.add(rows, element.matrix);
+      elements.add(rows, element.lower);
     }
     if (Utilities::MPI::this_mpi_process(sector.communicator()) > 0)
       return elements;
     std::array<unsigned int, 2> number{{sector.field(0).size, sector.field(1).size}};
-    FullMatrix<double> alone(1, 1), pair(2, 2);
     for (const CondensationSupport &support : supports)
     {
       const Field &field     = fields[support.part];
       const unsigned int row = field.row[number[support.part]++];
-      elements.add({row}, alone);
+      elements.add({row}, {0.});
       for (const auto &[dof, load] : support.load)
         if (sector.field(support.part).number[dof] != none)
-        {
-          pair(0, 1) = pair(1, 0) = load;
-          elements.add({row_of_dof[dof], row}, pair);
-        }
+          elements.add({row_of_dof[dof], row}, {0., load, 0.});
     }
     return elements;
   }
@@ -198,7 +184,7 @@ namespace ringmotor
     const std::vector<double> across = block(field.plane, field.kept);
     field.plane_response             = across;
     field.plane_factors.solve(field.plane_response);
-    add_product(-1., "T", across, n_plane, field.plane_response, field.matrix);
+    add_product(-1., Transposed::yes, across, n_plane, field.plane_response, field.matrix);
     for (std::size_t column = 0; column < n_kept; ++column) // symmetric up to rounding
       for (std::size_t row = 0; row < column; ++row)
         field.matrix[column * n_kept + row] = field.matrix[row * n_kept + column];
@@ -241,7 +227,7 @@ namespace ringmotor
       const double *of_field = reduced.data() + part * n_vectors * sparse_kept.size();
       left[part]             = at(field.kept, of_field, n_vectors, sparse_kept.size());
       field.plane_loads      = at(field.plane, of_field, n_vectors, sparse_kept.size());
-      add_product(-1., "T", field.plane_response, field.plane.size(), field.plane_loads,
+      add_product(-1., Transposed::yes, field.plane_response, field.plane.size(), field.plane_loads,
                   left[part]);
     }
     return left;
@@ -257,7 +243,8 @@ namespace ringmotor
       Field &field              = fields[part];
       std::vector<double> plane = field.plane_loads;
       field.plane_factors.solve(plane);
-      add_product(-1., "N", field.plane_response, field.kept.size(), kept_solutions[part], plane);
+      add_product(-1., Transposed::no, field.plane_response, field.kept.size(),
+                  kept_solutions[part], plane);
       double *of_field = kept.data() + part * n_vectors * sparse_kept.size();
       set_at(field.kept, kept_solutions[part], of_field, n_vectors, sparse_kept.size());
       set_at(field.plane, plane, of_field, n_vectors, sparse_kept.size());

@@ -5,7 +5,9 @@
 #include <deal.II/lac/sparsity_tools.h>
 
 #include <Epetra_CrsMatrix.h>
-#include <Epetra_MultiVector.h>
+
+#include <algorithm>
+#include <array>
 
 namespace ringmotor
 {
@@ -13,12 +15,15 @@ namespace ringmotor
 
   SectorMass::SectorMass(const SectorElements &elements) : elements(elements)
   {
-    make_patterns();
-    assemble_solids();
-    assemble_shells();
-    assemble_bars();
-    for (TrilinosWrappers::SparseMatrix *matrix : {&node_mass, &coupled_mass})
+    Matrix of_nodes, coupled;
+    make_patterns(of_nodes, coupled);
+    assemble_solids(of_nodes, coupled);
+    assemble_shells(coupled);
+    assemble_bars(of_nodes);
+    for (Matrix *matrix : {&of_nodes, &coupled})
       matrix->compress(VectorOperation::add);
+    node_mass    = rows_of(of_nodes);
+    coupled_mass = rows_of(coupled);
   }
 
   namespace
@@ -30,25 +35,28 @@ namespace ringmotor
                                                  complete_index_set(pattern.n_rows()));
       matrix.reinit(owned, owned, pattern, communicator);
     }
+  } // namespace
 
-    /** This rank's row of a matrix: values and global columns of its entries. */
-    class RowView
+  SectorMass::Rows SectorMass::rows_of(const Matrix &matrix)
+  {
+    const Epetra_CrsMatrix &of_rank = matrix.trilinos_matrix();
+    Rows rows;
+    for (int row = 0; row < of_rank.NumMyRows(); ++row)
     {
-    public:
-      RowView(const Epetra_CrsMatrix &matrix, const int local_row) : matrix(matrix)
-      {
-        matrix.ExtractMyRowView(local_row, n_entries, values, columns);
-      }
-      int size() const { return n_entries; }
-      int column(const int entry) const { return matrix.GCID(columns[entry]); }
-      double value(const int entry) const { return values[entry]; }
-
-    private:
-      const Epetra_CrsMatrix &matrix;
       int n_entries = 0, *columns = nullptr;
       double *values = nullptr;
-    };
-  } // namespace
+      of_rank.ExtractMyRowView(row, n_entries, values, columns);
+      rows.row.push_back(of_rank.GRID(row));
+      rows.begin.push_back(rows.value.size());
+      for (int entry = 0; entry < n_entries; ++entry)
+      {
+        rows.column.push_back(of_rank.GCID(columns[entry]));
+        rows.value.push_back(values[entry]);
+      }
+    }
+    rows.begin.push_back(rows.value.size());
+    return rows;
+  }
 
   std::vector<SectorMass::Dof> SectorMass::nodes_of(const std::vector<Dof> &dofs) const
   {
@@ -59,7 +67,7 @@ namespace ringmotor
     return nodes;
   }
 
-  void SectorMass::make_patterns()
+  void SectorMass::make_patterns(Matrix &of_nodes, Matrix &coupled) const
   {
     const SectorNodes &nodes  = elements.nodes();
     const IndexSet owned_dofs = elements.owned_dofs();
@@ -86,11 +94,12 @@ namespace ringmotor
           const std::vector<Dof> dofs = elements.dofs_of(cell);
           add_coupled(dofs);
         });
-    reinit(node_mass, node_pattern, owned_nodes, elements.communicator());
-    reinit(coupled_mass, coupled_pattern, owned_dofs, elements.communicator());
+    reinit(of_nodes, node_pattern, owned_nodes, elements.communicator());
+    reinit(coupled, coupled_pattern, owned_dofs, elements.communicator());
   }
 
-  void SectorMass::add_node_mass(const std::vector<Dof> &dofs, const FullMatrix<double> &mass)
+  void SectorMass::add_node_mass(const std::vector<Dof> &dofs, const FullMatrix<double> &mass,
+                                 Matrix &of_nodes) const
   {
     std::vector<unsigned int> first_components;
     for (unsigned int i = 0; i < dofs.size(); ++i)
@@ -98,10 +107,10 @@ namespace ringmotor
         first_components.push_back(i);
     FullMatrix<double> scalar(first_components.size(), first_components.size());
     scalar.extract_submatrix_from(mass, first_components, first_components);
-    elements.scalar_hanging_nodes().distribute_local_to_global(scalar, nodes_of(dofs), node_mass);
+    elements.scalar_hanging_nodes().distribute_local_to_global(scalar, nodes_of(dofs), of_nodes);
   }
 
-  void SectorMass::assemble_solids()
+  void SectorMass::assemble_solids(Matrix &of_nodes, Matrix &coupled) const
   {
     FullMatrix<double> mass;
     elements.for_each_owned_cell(
@@ -112,15 +121,15 @@ namespace ringmotor
           element.mass_matrix(mass);
           if (!elements.are_tied(dofs))
           {
-            add_node_mass(dofs, mass);
+            add_node_mass(dofs, mass, of_nodes);
             return;
           }
           elements.nodes().rotate_to_axes(dofs, mass);
-          elements.dependent().distribute_local_to_global(mass, dofs, coupled_mass);
+          elements.dependent().distribute_local_to_global(mass, dofs, coupled);
         });
   }
 
-  void SectorMass::assemble_shells()
+  void SectorMass::assemble_shells(Matrix &coupled) const
   {
     FullMatrix<double> stiffness, mass;
     elements.for_each_owned_shell_cell(
@@ -131,11 +140,11 @@ namespace ringmotor
           mass.reinit(dofs.size(), dofs.size());
           element.matrices(stiffness, mass);
           elements.nodes().rotate_to_axes(dofs, mass);
-          elements.dependent().distribute_local_to_global(mass, dofs, coupled_mass);
+          elements.dependent().distribute_local_to_global(mass, dofs, coupled);
         });
   }
 
-  void SectorMass::assemble_bars()
+  void SectorMass::assemble_bars(Matrix &of_nodes) const
   {
     FullMatrix<double> stiffness, mass;
     elements.for_each_owned_bar(
@@ -145,48 +154,55 @@ namespace ringmotor
           stiffness.reinit(dofs.size(), dofs.size());
           mass.reinit(dofs.size(), dofs.size());
           element.matrices(stiffness, mass);
-          add_node_mass(dofs, mass);
+          add_node_mass(dofs, mass, of_nodes);
         });
   }
 
-  std::array<Vector<double>, 2>
-  SectorMass::multiply(const std::array<Vector<double>, 2> &fields) const
+  std::vector<double> SectorMass::multiply(const std::vector<double> &fields) const
   {
-    // The mass by nodes is isotropic: one matrix serves all Cartesian components of both fields.
+    // The mass by nodes is isotropic: one matrix serves all Cartesian components of all fields.
     const SectorNodes &nodes = elements.nodes();
-    const Epetra_Map &owned  = node_mass.trilinos_matrix().RowMap();
-    Epetra_MultiVector motion(owned, 6), mass_times_motion(owned, 6);
-    for (int row = 0; row < owned.NumMyElements(); ++row)
-      for (unsigned int component = 0; component < 3; ++component)
-      {
-        const Dof dof                = nodes.dof(owned.GID(row), component);
-        const Tensor<1, 3> direction = nodes.direction(dof);
-        for (unsigned int part = 0; part < 2; ++part)
-          for (unsigned int d = 0; d < 3; ++d)
-            motion[3 * part + d][row] += fields[part][dof] * direction[d];
-      }
-    node_mass.trilinos_matrix().Multiply(false, motion, mass_times_motion);
-
-    std::array<Vector<double>, 2> products{
-        {Vector<double>(elements.n_dofs()), Vector<double>(elements.n_dofs())}};
-    for (int row = 0; row < owned.NumMyElements(); ++row)
-      for (unsigned int component = 0; component < 3; ++component)
-      {
-        const Dof dof                = nodes.dof(owned.GID(row), component);
-        const Tensor<1, 3> direction = nodes.direction(dof);
-        for (unsigned int part = 0; part < 2; ++part)
-          for (unsigned int d = 0; d < 3; ++d)
-            products[part][dof] += direction[d] * mass_times_motion[3 * part + d][row];
-      }
-    const Epetra_CrsMatrix &coupled = coupled_mass.trilinos_matrix();
-    for (int local_row = 0; local_row < coupled.NumMyRows(); ++local_row)
+    const std::size_t n_dofs = elements.n_dofs(), n_fields = fields.size() / n_dofs;
+    // Values of a node lie side by side, in groups of a size that compilers can make fast.
+    constexpr std::size_t group = 6;
+    const std::size_t n_values  = (3 * n_fields + group - 1) / group * group;
+    std::vector<double> motion(nodes.size() * n_values, 0.), inertia(n_values),
+        products(fields.size(), 0.);
+    for (std::size_t dof = 0; dof < n_dofs; ++dof)
     {
-      const RowView row(coupled, local_row);
-      for (int entry = 0; entry < row.size(); ++entry)
-        for (unsigned int part = 0; part < 2; ++part)
-          products[part][coupled.GRID(local_row)] +=
-              row.value(entry) * fields[part][row.column(entry)];
+      const Tensor<1, 3> direction = nodes.direction(dof);
+      double *values               = motion.data() + nodes.node(dof) * n_values;
+      for (std::size_t field = 0; field < n_fields; ++field)
+        for (unsigned int d = 0; d < 3; ++d)
+          values[3 * field + d] += fields[field * n_dofs + dof] * direction[d];
     }
+    for (std::size_t r = 0; r < node_mass.row.size(); ++r)
+    {
+      for (std::size_t first = 0; first < n_values; first += group)
+      {
+        std::array<double, group> sum{};
+        for (std::size_t entry = node_mass.begin[r]; entry < node_mass.begin[r + 1]; ++entry)
+        {
+          const double *values = motion.data() + node_mass.column[entry] * n_values + first;
+          for (std::size_t i = 0; i < group; ++i)
+            sum[i] += node_mass.value[entry] * values[i];
+        }
+        std::copy(sum.begin(), sum.end(), inertia.begin() + first);
+      }
+      for (unsigned int component = 0; component < 3; ++component)
+      {
+        const Dof dof                = nodes.dof(node_mass.row[r], component);
+        const Tensor<1, 3> direction = nodes.direction(dof);
+        for (std::size_t field = 0; field < n_fields; ++field)
+          for (unsigned int d = 0; d < 3; ++d)
+            products[field * n_dofs + dof] += direction[d] * inertia[3 * field + d];
+      }
+    }
+    for (std::size_t r = 0; r < coupled_mass.row.size(); ++r)
+      for (std::size_t entry = coupled_mass.begin[r]; entry < coupled_mass.begin[r + 1]; ++entry)
+        for (std::size_t field = 0; field < n_fields; ++field)
+          products[field * n_dofs + coupled_mass.row[r]] +=
+              coupled_mass.value[entry] * fields[field * n_dofs + coupled_mass.column[entry]];
     return products;
   }
 } // namespace ringmotor

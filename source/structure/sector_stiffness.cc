@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <ringmotor/structure/blas.h>
+#include <ringmotor/structure/dense_product.h>
 #include <ringmotor/structure/sector_stiffness.h>
 
 #include <deal.II/base/mpi.h>
@@ -13,17 +13,6 @@ namespace ringmotor
 
   namespace
   {
-    /** result += factor * a b, or a^T b; all by columns. */
-    void add_product(const double factor, const bool transposed, const std::vector<double> &a,
-                     const std::vector<double> &b, const int n_columns, std::vector<double> &result)
-    {
-      const int rows   = static_cast<int>(result.size()) / n_columns,
-                inner  = static_cast<int>(b.size()) / n_columns;
-      const double one = 1.;
-      dgemm_(transposed ? "T" : "N", "N", &rows, &n_columns, &inner, &factor, a.data(),
-             transposed ? &inner : &rows, b.data(), &inner, &one, result.data(), &rows);
-    }
-
     /** The entries of several vectors of all degrees of freedom at some of them. */
     std::vector<double> at(const std::vector<SectorNodes::Dof> &dofs,
                            const std::vector<double> &vectors, const std::size_t n_dofs)
@@ -42,6 +31,16 @@ namespace ringmotor
       for (std::size_t begin = 0; begin < vectors.size(); begin += n_dofs)
         for (const SectorNodes::Dof dof : dofs)
           vectors[begin + dof] += entries[entry++];
+    }
+
+    /** Of a symmetric matrix given by columns. */
+    std::vector<double> lower_triangle(const double *matrix, const std::size_t size)
+    {
+      std::vector<double> lower;
+      lower.reserve(size * (size + 1) / 2);
+      for (std::size_t column = 0; column < size; ++column)
+        lower.insert(lower.end(), matrix + column * size + column, matrix + (column + 1) * size);
+      return lower;
     }
 
     void sum_over_ranks(std::vector<double> &numbers, MPI_Comm communicator)
@@ -136,25 +135,22 @@ namespace ringmotor
         });
   }
 
-  void SectorStiffness::add(const std::vector<Dof> &dofs, const unsigned int n_inner,
+  void SectorStiffness::add(std::vector<Dof> dofs, const unsigned int n_inner,
                             FullMatrix<double> &matrix)
   {
     all.nodes().rotate_to_axes(dofs, matrix);
-    Element element{dofs, {}};
-    element.matrix = without_dependent(element.dofs, matrix);
-    if (n_inner > 0)
-      eliminate(n_inner, element);
-    if (!element.dofs.empty()) // not clamped all around
-      own.push_back(std::move(element));
+    remove_dependent(dofs, matrix);
+    if (!dofs.empty()) // not clamped all around
+      own.push_back(n_inner > 0 ? eliminate(dofs, n_inner, matrix)
+                                : Element{dofs, lower_triangle(&matrix(0, 0), dofs.size())});
   }
 
-  FullMatrix<double> SectorStiffness::without_dependent(std::vector<Dof> &dofs,
-                                                        const FullMatrix<double> &matrix) const
+  void SectorStiffness::remove_dependent(std::vector<Dof> &dofs, FullMatrix<double> &matrix) const
   {
     const AffineConstraints<double> &dependent = all.dependent();
     if (std::none_of(dofs.begin(), dofs.end(),
                      [&](const Dof dof) { return dependent.is_constrained(dof); }))
-      return matrix;
+      return;
     // Masters first, so that inner degrees of freedom stay the last ones.
     std::map<Dof, unsigned int> place;
     std::vector<Dof> independent;
@@ -186,42 +182,40 @@ namespace ringmotor
       matrix.mmult(times, follows);
       follows.Tmmult(result, times);
     }
-    dofs = independent;
-    return result;
+    dofs   = independent;
+    matrix = result;
   }
 
-  void SectorStiffness::eliminate(const unsigned int n_inner, Element &element)
+  SectorStiffness::Element SectorStiffness::eliminate(const std::vector<Dof> &dofs,
+                                                      const unsigned int n_inner,
+                                                      const FullMatrix<double> &matrix)
   {
-    const std::size_t n_outer = element.dofs.size() - n_inner;
+    const std::size_t n_outer = dofs.size() - n_inner;
     Cell cell;
-    cell.outer.assign(element.dofs.begin(), element.dofs.begin() + n_outer);
-    cell.inner.assign(element.dofs.begin() + n_outer, element.dofs.end());
-    std::vector<double> inside(n_inner * n_inner), across(n_inner * n_outer),
-        outside(n_outer * n_outer);
-    for (std::size_t column = 0; column < n_outer + n_inner; ++column)
-      for (std::size_t row = 0; row < n_outer + n_inner; ++row)
+    cell.outer.assign(dofs.begin(), dofs.begin() + n_outer);
+    cell.inner.assign(dofs.begin() + n_outer, dofs.end());
+    std::vector<double> inside, across, outside;
+    inside.reserve(n_inner * n_inner);
+    across.reserve(n_inner * n_outer);
+    outside.reserve(n_outer * n_outer);
+    for (std::size_t i = 0; i < dofs.size(); ++i) // symmetric: its rows are its columns
+    {
+      const double *row = &matrix(i, 0);
+      if (i < n_outer)
       {
-        const double entry = element.matrix(column, row); // symmetric; along the rows in memory
-        if (column >= n_outer)
-        {
-          if (row >= n_outer)
-            inside[(column - n_outer) * n_inner + row - n_outer] = entry;
-        }
-        else if (row >= n_outer)
-          across[column * n_inner + row - n_outer] = entry;
-        else
-          outside[column * n_outer + row] = entry;
+        outside.insert(outside.end(), row, row + n_outer);
+        across.insert(across.end(), row + n_outer, row + dofs.size());
       }
+      else
+        inside.insert(inside.end(), row + n_outer, row + dofs.size());
+    }
     cell.factors.factorise(n_inner, std::move(inside));
     cell.response = across;
     cell.factors.solve(cell.response);
-    add_product(-1., true, across, cell.response, n_outer, outside);
-    element.dofs = cell.outer;
-    element.matrix.reinit(n_outer, n_outer);
-    for (std::size_t row = 0; row < n_outer; ++row)
-      for (std::size_t column = 0; column <= row; ++column) // symmetric up to rounding
-        element.matrix(row, column) = element.matrix(column, row) = outside[column * n_outer + row];
+    add_product(-1., Transposed::yes, across, n_inner, cell.response, outside);
+    Element element{cell.outer, lower_triangle(outside.data(), n_outer)};
     cells.push_back(std::move(cell));
+    return element;
   }
 
   unsigned int SectorStiffness::n_negative() const
@@ -234,13 +228,14 @@ namespace ringmotor
 
   void SectorStiffness::condense(std::vector<double> &loads) const
   {
-    const std::size_t n_dofs = all.n_dofs();
-    const int n_vectors      = static_cast<int>(loads.size() / n_dofs);
+    const std::size_t n_dofs    = all.n_dofs();
+    const std::size_t n_vectors = loads.size() / n_dofs;
     std::vector<double> left(loads.size(), 0.);
     for (const Cell &cell : cells)
     {
       std::vector<double> outer(n_vectors * cell.outer.size(), 0.);
-      add_product(-1., true, cell.response, at(cell.inner, loads, n_dofs), n_vectors, outer);
+      add_product(-1., Transposed::yes, cell.response, cell.inner.size(),
+                  at(cell.inner, loads, n_dofs), outer);
       add_at(cell.outer, outer, n_dofs, left);
     }
     sum_over_ranks(left, all.communicator());
@@ -251,13 +246,13 @@ namespace ringmotor
   void SectorStiffness::expand(const std::vector<double> &loads, std::vector<double> &motions)
   {
     const std::size_t n_dofs = all.n_dofs();
-    const int n_vectors      = static_cast<int>(loads.size() / n_dofs);
     std::vector<double> follows(motions.size(), 0.);
     for (Cell &cell : cells)
     {
       std::vector<double> inside = at(cell.inner, loads, n_dofs);
       cell.factors.solve(inside);
-      add_product(-1., false, cell.response, at(cell.outer, motions, n_dofs), n_vectors, inside);
+      add_product(-1., Transposed::no, cell.response, cell.outer.size(),
+                  at(cell.outer, motions, n_dofs), inside);
       add_at(cell.inner, inside, n_dofs, follows);
     }
     sum_over_ranks(follows, all.communicator());

@@ -23,15 +23,13 @@ namespace ringmotor
   };
 
   void SymmetricElements::add(const std::vector<unsigned int> &rows,
-                              const FullMatrix<double> &matrix)
+                              const std::vector<double> &lower)
   {
-    AssertDimension(rows.size(), matrix.m());
+    AssertDimension(rows.size() * (rows.size() + 1) / 2, lower.size());
     for (const unsigned int row : rows)
       variables.push_back(1 + static_cast<int>(row));
     begin.push_back(1 + static_cast<int>(variables.size()));
-    for (unsigned int column = 0; column < rows.size(); ++column)
-      for (unsigned int row = column; row < rows.size(); ++row)
-        values.push_back(matrix(column, row)); // symmetric; along the rows in memory
+    values.insert(values.end(), lower.begin(), lower.end());
   }
 
   namespace
@@ -140,10 +138,13 @@ namespace ringmotor
   {
     elements = gathered(std::move(elements), communicator);
     scale(elements);
-    mumps->data.nelt   = static_cast<int>(elements.begin.size()) - 1;
-    mumps->data.eltptr = elements.begin.data();
-    mumps->data.eltvar = elements.variables.data();
-    mumps->data.a_elt  = elements.values.data();
+    if (Utilities::MPI::this_mpi_process(communicator) == 0) // MUMPS tells the other ranks
+    {
+      mumps->data.nelt   = static_cast<int>(elements.begin.size()) - 1;
+      mumps->data.eltptr = elements.begin.data();
+      mumps->data.eltvar = elements.variables.data();
+      mumps->data.a_elt  = elements.values.data();
+    }
     if (!analysed)
       run(1, "analysis");
     analysed = true;

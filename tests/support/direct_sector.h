@@ -88,17 +88,26 @@ namespace ringmotor::tests
               unknowns.insert(term.first);
         const std::vector<unsigned int> rows(unknowns.begin(), unknowns.end());
         dealii::FullMatrix<double> follow(element.dofs.size(), rows.size()),
-            half(element.dofs.size(), rows.size()), whole(rows.size(), rows.size());
+            half(element.dofs.size(), rows.size()), whole(rows.size(), rows.size()),
+            matrix(element.dofs.size(), element.dofs.size());
         for (unsigned int i = 0; i < element.dofs.size(); ++i)
+        {
+          for (unsigned int j = 0; j < element.dofs.size(); ++j)
+            matrix(i, j) = element(i, j);
           if (const unsigned int number = field.number[element.dofs[i]];
               number != dealii::numbers::invalid_unsigned_int)
             for (const auto &[unknown, factor] : terms[number])
               follow(i, std::distance(unknowns.begin(), unknowns.find(unknown))) += factor;
+        }
         if (rows.empty())
           continue;
-        element.matrix.mmult(half, follow);
+        matrix.mmult(half, follow);
         follow.Tmmult(whole, half);
-        triplets.SymmetricElements::add(rows, whole);
+        std::vector<double> lower;
+        for (unsigned int column = 0; column < rows.size(); ++column)
+          for (unsigned int row = column; row < rows.size(); ++row)
+            lower.push_back(whole(row, column));
+        triplets.SymmetricElements::add(rows, lower);
       }
     }
 

@@ -11,11 +11,10 @@ namespace ringmotor::tests
   {
     void add(const unsigned int row, const unsigned int column, const double value)
     {
-      dealii::FullMatrix<double> entry(row == column ? 1 : 2, row == column ? 1 : 2);
-      entry(0, entry.n() - 1) = entry(entry.m() - 1, 0) = value;
-      SymmetricElements::add(row == column ? std::vector<unsigned int>{row}
-                                           : std::vector<unsigned int>{row, column},
-                             entry);
+      if (row == column)
+        SymmetricElements::add({row}, {value});
+      else
+        SymmetricElements::add({row, column}, {0., value, 0.});
     }
   };
 } // namespace ringmotor::tests

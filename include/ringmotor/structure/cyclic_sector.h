@@ -2,7 +2,6 @@
 #pragma once
 
 #include <ringmotor/structure/sector_elements.h>
-#include <ringmotor/structure/sector_mass.h>
 
 #include <array>
 #include <functional>
@@ -12,6 +11,8 @@
 
 namespace ringmotor
 {
+  class SectorMass;
+
   /**
    * The finite-element model of one sector of a cyclic body, of solids, shells, bars and
    * foundations in one numbering. Its matrices have no condition on the cuts; a nodal diameter k
@@ -38,6 +39,7 @@ namespace ringmotor
      * belong.
      */
     CyclicSector(const SectorMesh &mesh, const MaterialTable &materials, const unsigned int degree);
+    ~CyclicSector();
 
     /** Number of unknowns of one nodal diameter (real numbers; twice the complex unknowns on a
      * whole sector). */
@@ -81,7 +83,8 @@ namespace ringmotor
     /** Those for given values of the functions. */
     std::vector<Tie> ties(const unsigned int part, const WaveFunctions &values) const;
 
-    /** The product of the mass matrix of nodal diameter @p k and @p unknowns (all ranks get it). */
+    /** The product of the mass matrix of nodal diameter @p k and vectors of unknowns, one or
+     * several one after the other (all ranks get it). */
     void multiply_mass(const unsigned int k, const std::vector<double> &unknowns,
                        std::vector<double> &product) const;
 

@@ -5,7 +5,6 @@
 
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
-#include <array>
 #include <vector>
 
 namespace ringmotor
@@ -24,24 +23,36 @@ namespace ringmotor
     /** @p elements must outlive this object. */
     explicit SectorMass(const SectorElements &elements);
 
-    /** The mass times two fields, in the rows this rank owns; zero in all others. */
-    std::array<dealii::Vector<double>, 2>
-    multiply(const std::array<dealii::Vector<double>, 2> &fields) const;
+    /** The mass times fields on all degrees of freedom, one after the other: this rank's part, the
+     * rows it owns; zero in all others. */
+    std::vector<double> multiply(const std::vector<double> &fields) const;
 
   private:
-    using Dof = SectorNodes::Dof;
+    using Dof    = SectorNodes::Dof;
+    using Matrix = dealii::TrilinosWrappers::SparseMatrix;
 
-    void make_patterns();
-    void assemble_solids();
-    void assemble_shells();
-    void assemble_bars();
+    /** The rows of a matrix that this rank owns, in compressed form. */
+    struct Rows
+    {
+      std::vector<Dof> row;           ///< numbers of these rows
+      std::vector<std::size_t> begin; ///< of each row in the following, then their end
+      std::vector<Dof> column;
+      std::vector<double> value;
+    };
+
+    static Rows rows_of(const Matrix &matrix);
+    void make_patterns(Matrix &of_nodes, Matrix &coupled) const;
+    void assemble_solids(Matrix &of_nodes, Matrix &coupled) const;
+    void assemble_shells(Matrix &coupled) const;
+    void assemble_bars(Matrix &of_nodes) const;
     /** The nodes of solid degrees of freedom, those of the x component. */
     std::vector<Dof> nodes_of(const std::vector<Dof> &dofs) const;
     /** Adds an isotropic mass, given as that of a vector field. */
-    void add_node_mass(const std::vector<Dof> &dofs, const dealii::FullMatrix<double> &mass);
+    void add_node_mass(const std::vector<Dof> &dofs, const dealii::FullMatrix<double> &mass,
+                       Matrix &of_nodes) const;
 
     const SectorElements &elements;
-    dealii::TrilinosWrappers::SparseMatrix node_mass; ///< of one component, by nodes
-    dealii::TrilinosWrappers::SparseMatrix coupled_mass;
+    Rows node_mass; ///< of one component, by nodes
+    Rows coupled_mass;
   };
 } // namespace ringmotor

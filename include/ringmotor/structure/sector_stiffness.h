@@ -4,6 +4,7 @@
 #include <ringmotor/structure/dense_ldlt.h>
 #include <ringmotor/structure/sector_elements.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace ringmotor
@@ -23,7 +24,13 @@ namespace ringmotor
     struct Element
     {
       std::vector<Dof> dofs;
-      dealii::FullMatrix<double> matrix; ///< symmetric, both triangles
+      std::vector<double> lower; ///< triangle of the symmetric matrix, by columns
+
+      double operator()(const std::size_t i, const std::size_t j) const
+      {
+        const std::size_t row = std::max(i, j), column = std::min(i, j);
+        return lower[column * dofs.size() - column * (column + 1) / 2 + row];
+      }
     };
 
     /** @param stays by degree of freedom, those that must not be eliminated
@@ -65,12 +72,12 @@ namespace ringmotor
 
     /** Adds an element with a matrix in Cartesian components; the last @p n_inner of @p dofs are
      * eliminated. */
-    void add(const std::vector<Dof> &dofs, const unsigned int n_inner,
-             dealii::FullMatrix<double> &matrix);
-    /** The matrix in degrees of freedom that do not depend on others, these in @p dofs. */
-    dealii::FullMatrix<double> without_dependent(std::vector<Dof> &dofs,
-                                                 const dealii::FullMatrix<double> &matrix) const;
-    void eliminate(const unsigned int n_inner, Element &element);
+    void add(std::vector<Dof> dofs, const unsigned int n_inner, dealii::FullMatrix<double> &matrix);
+    /** Turns a matrix into that of the degrees of freedom that do not depend on others. */
+    void remove_dependent(std::vector<Dof> &dofs, dealii::FullMatrix<double> &matrix) const;
+    /** What remains of an element when its last @p n_inner degrees of freedom are eliminated. */
+    Element eliminate(const std::vector<Dof> &dofs, const unsigned int n_inner,
+                      const dealii::FullMatrix<double> &matrix);
     /** Inner degrees of freedom of a cell, which are its last ones. */
     unsigned int n_inner(const std::vector<Dof> &dofs) const;
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/lac/full_matrix.h>
 
 #include <memory>
 #include <vector>
@@ -19,8 +18,9 @@ namespace ringmotor
     std::vector<int> variables; ///< rows of each element; from 1
     std::vector<double> values; ///< lower triangles by columns, one after the other
 
-    /** Adds @p matrix to these rows, none of which may appear twice. */
-    void add(const std::vector<unsigned int> &rows, const dealii::FullMatrix<double> &matrix);
+    /** Adds a matrix, by its lower triangle (by columns), to these rows, none of which may appear
+     * twice. */
+    void add(const std::vector<unsigned int> &rows, const std::vector<double> &lower);
   };
 
   /**
