@@ -78,6 +78,7 @@ namespace ringmotor
         }
         forget_peak_memory();
         do_work(program, line, parameters);
+        MPI_Barrier(MPI_COMM_WORLD); // the next one reads what rank 0 has written
       }
     }
 
