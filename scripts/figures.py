@@ -21,6 +21,7 @@ From CASE_DIR/losses, where it exists:
   efficiency           against torque (Fig. 15)
   energy               where the power goes against torque: output and each loss, stacked
 """
+import functools
 import glob
 import os
 import sys
@@ -31,7 +32,7 @@ from contact_case import ContactCase
 from contact_figures import (draw_contact_forces, draw_contact_shape, draw_friction_history, draw_normal_displacement,
                              draw_warped_displacement, history_touches)
 from curve_figures import draw_lip_amplification, draw_torque_speed
-from drawing import figures_folder, save
+from drawing import figures_folder, save_all
 from loss_figures import draw_efficiency, draw_energy, draw_losses
 from losses_case import read_case
 from stator_figures import draw_dispersion, draw_elliptic_paths, draw_tooth_edge
@@ -51,16 +52,19 @@ def remove_figure(folder, name):
         os.remove(path)
 
 
-def draw_stator(case, folder):
+def figures_of_stator(case, folder):
+    figures = {}
     for name, draw in STATOR_FIGURES.items():
         if draw in NEED_WAVE and not case.wave:
             remove_figure(folder, name)
             print(f"figures: no {name}, as the motor's wave is not among the modes of this run")
         else:
-            save(draw(case), folder, name)
+            figures[name] = functools.partial(draw, case)
+    return figures
 
 
-def draw_contact(case, others, folder):
+def figures_of_contact(case, others, folder):
+    figures = {}
     for name, draw in CONTACT_FIGURES.items():
         if draw is draw_warped_displacement and case.warp == 0 or draw is draw_lip_amplification and not case.lip:
             remove_figure(folder, name)
@@ -68,17 +72,13 @@ def draw_contact(case, others, folder):
             remove_figure(folder, name)
             print(f"figures: no {name}, as none of Output/History points touches the rotor")
         else:
-            save(draw(case, others) if draw is draw_torque_speed else draw(case), folder, name)
+            figures[name] = functools.partial(draw, case, *([others] if draw is draw_torque_speed else []))
+    return figures
 
 
 def remove_figures(folder, names):
     for name in names:
         remove_figure(folder, name)
-
-
-def draw_losses_figures(losses, contact, folder):
-    for name, draw in LOSSES_FIGURES.items():
-        save(draw(losses, contact), folder, name)
 
 
 def main(arguments):
@@ -93,15 +93,16 @@ def main(arguments):
         print(f"figures: {reason}")
     others = [ContactCase(folder) for folder in other_folders]
     with figures_folder(case_folder) as folder:
-        draw_stator(case, folder)
+        figures = figures_of_stator(case, folder)
         if contact:
-            draw_contact(contact, others, folder)
+            figures.update(figures_of_contact(contact, others, folder))
         else:
             remove_figures(folder, CONTACT_FIGURES)
         if losses:
-            draw_losses_figures(losses, contact, folder)
+            figures.update({name: functools.partial(draw, losses, contact) for name, draw in LOSSES_FIGURES.items()})
         else:
             remove_figures(folder, LOSSES_FIGURES)
+        save_all(figures, folder)
     print(f"figures in {folder}/")
 
 
