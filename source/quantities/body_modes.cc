@@ -85,13 +85,18 @@ namespace ringmotor
     return 0.2 * accuracy.strictest_target();
   }
 
-  BodyModes::BodyModes(const Parameters &all_parameters, MPI_Comm communicator)
+  BodyModes::BodyModes(const Parameters &all_parameters, MPI_Comm ranks)
       : given(all_parameters), parameters(relevant_for_modes(all_parameters)),
-        communicator(communicator),
-        mode_search(material_table(parameters.materials, parameters.modes.body),
-                    request_for(parameters)),
+        share_modes(request_for(parameters).nodal_diameters.size() > 1 ? ranks : MPI_COMM_SELF),
+        share_mesh(share_modes == ranks ? MPI_COMM_SELF : ranks), mode_search(new_search()),
         motor_wave(parameters.motor.n_waves, parameters.wave)
   {
+  }
+
+  ModeSearch BodyModes::new_search() const
+  {
+    return ModeSearch(material_table(parameters.materials, parameters.modes.body),
+                      request_for(parameters), share_modes);
   }
 
   void BodyModes::find(const std::function<void(const Pass &)> &after_pass)
@@ -152,9 +157,9 @@ namespace ringmotor
     const unsigned int n_teeth = parameters.motor.n_teeth;
     if (parameters.modes.body == Body::rotor)
       mesh = make_rotor_sector(parameters.rotor, n_teeth, SectorForm::half,
-                               RotorGrading::level(level), communicator);
+                               RotorGrading::level(level), share_mesh);
     else if (parameters.modes.body == Body::tooth)
-      mesh = make_tooth(parameters.stator, n_teeth, SectorGrading::level(level), communicator);
+      mesh = make_tooth(parameters.stator, n_teeth, SectorGrading::level(level), share_mesh);
     else
       mesh = stator_mesh(discretisation, motor_model(parameters));
   }
@@ -165,13 +170,13 @@ namespace ringmotor
     const unsigned int n_teeth = parameters.motor.n_teeth;
     if (!is_generated())
     {
-      SectorMesh stator = read_sector(parameters.stator.mesh_file, n_teeth, communicator);
+      SectorMesh stator = read_sector(parameters.stator.mesh_file, n_teeth, share_mesh);
       stator.triangulation->refine_global(discretisation.level);
       return stator;
     }
     SectorMesh stator = make_stator_sector(
         parameters.stator, n_teeth, SectorForm::half,
-        discretisation.grading.value_or(SectorGrading::level(discretisation.level)), communicator);
+        discretisation.grading.value_or(SectorGrading::level(discretisation.level)), share_mesh);
     add_to_stator(model, stator);
     return stator;
   }
@@ -187,9 +192,8 @@ namespace ringmotor
     if (parameters.modes.body != Body::stator ||
         std::none_of(all.begin(), all.end(), has_to_choose))
       return;
-    SectorMesh bare = stator_mesh({scout_degree, scout_level}, MotorModel());
-    ModeSearch search(material_table(parameters.materials, parameters.modes.body),
-                      request_for(parameters));
+    SectorMesh bare   = stator_mesh({scout_degree, scout_level}, MotorModel());
+    ModeSearch search = new_search();
     search.compute(bare, scout_degree);
     choices_by(search, parameters);
   }

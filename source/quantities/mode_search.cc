@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/quantities/mode_search.h>
+#include <ringmotor/quantities/shared_modes.h>
 #include <ringmotor/structure/refinement_indicator.h>
 
 #include <algorithm>
@@ -12,8 +13,8 @@ namespace ringmotor
 {
   using namespace dealii;
 
-  ModeSearch::ModeSearch(const MaterialTable &materials, const Modes &request)
-      : materials(materials), request(request)
+  ModeSearch::ModeSearch(const MaterialTable &materials, const Modes &request, MPI_Comm ranks)
+      : materials(materials), request(request), ranks(ranks)
   {
   }
 
@@ -22,7 +23,7 @@ namespace ringmotor
     model = std::make_unique<CyclicSector>(mesh, materials, degree);
     ModeSolver solver(*model);
     std::vector<Mode> modes = requested_modes(solver);
-    missed                  = solver.n_counted() - solver.n_found();
+    missed                  = Utilities::MPI::sum(solver.n_counted() - solver.n_found(), ranks);
 
     const Sheets sheets(mesh);
     std::vector<const SectorMotion *> motions;
@@ -55,21 +56,22 @@ namespace ringmotor
 
   std::vector<Mode> ModeSearch::requested_modes(ModeSolver &solver)
   {
+    std::vector<unsigned int> mine = share_of_rank(request.nodal_diameters, ranks);
     if (shifts.empty())
     {
       std::map<unsigned int, std::vector<ShiftWindow>> windows;
-      for (const unsigned int k : request.nodal_diameters)
+      for (const unsigned int k : mine)
         windows[k] = solver.windows_above(k, request.n_modes, request.frequency_target);
-      shifts = common_shifts(windows);
+      shifts = common_shifts(gathered(windows, ranks));
     }
     // In the order of the shifts, as equal ones share a factorisation
-    std::vector<unsigned int> order = request.nodal_diameters;
-    std::stable_sort(order.begin(), order.end(),
+    std::stable_sort(mine.begin(), mine.end(),
                      [&](const unsigned int a, const unsigned int b)
                      { return shifts.at(a) < shifts.at(b); });
     std::map<unsigned int, std::vector<Mode>> found_for;
-    for (const unsigned int k : order)
+    for (const unsigned int k : mine)
       found_for[k] = modes_below_shift(solver, k);
+    found_for = gathered(found_for, *model, ranks);
 
     std::vector<Mode> modes;
     for (const unsigned int k : request.nodal_diameters)

@@ -14,6 +14,10 @@ namespace ringmotor
   {
     constexpr unsigned int none = numbers::invalid_unsigned_int;
 
+    /** If more than this fraction of the degrees of freedom is on the mirror plane, eliminating it
+     * by dense matrices takes longer than another sparse factorisation. */
+    constexpr double largest_mirror = 0.1;
+
     /** By degree of freedom, those that must not be eliminated in their cells. */
     std::vector<bool>
     outside_of_cells(const CyclicSector &sector,
@@ -65,19 +69,37 @@ namespace ringmotor
       : sector(sector), supports(supports),
         stiffness(sector, outside_of_cells(sector, kept, supports))
   {
-    number_rows();
-    choose_kept_rows(kept);
-    sparse = std::make_unique<SparseLDLT>(n_rows, sector.communicator(), sparse_kept);
+    unsigned int n_on_mirror = 0;
+    for (unsigned int dof = 0; dof < sector.n_dofs(); ++dof)
+      n_on_mirror += is_on_mirror(dof);
+    if (n_on_mirror <= largest_mirror * sector.n_dofs())
+      sparse.push_back({{0, 1}, {}, {}, 0, nullptr});
+    else
+      for (const unsigned int part : {0u, 1u})
+        sparse.push_back({{part}, {}, {}, 0, nullptr});
+    for (Sparse &one : sparse)
+    {
+      number_rows(one);
+      choose_kept_rows(one, kept);
+      one.factors = std::make_unique<SparseLDLT>(one.n_rows, sector.communicator(), one.kept);
+    }
   }
 
-  void SectorFactors::number_rows()
+  bool SectorFactors::is_on_mirror(const unsigned int dof) const
   {
-    row_of_dof.assign(sector.n_dofs(), none);
+    return (sector.field(0).number[dof] == none) != (sector.field(1).number[dof] == none);
+  }
+
+  void SectorFactors::number_rows(Sparse &sparse)
+  {
+    sparse.row_of_dof.assign(sector.n_dofs(), none);
     for (unsigned int dof = 0; dof < sector.n_dofs(); ++dof)
-      if (!stiffness.is_inner(dof) &&
-          (sector.field(0).number[dof] != none || sector.field(1).number[dof] != none))
-        row_of_dof[dof] = n_rows++;
-    for (const unsigned int part : {0u, 1u})
+      if (!stiffness.is_inner(dof) && std::any_of(sparse.parts.begin(), sparse.parts.end(),
+                                                  [&](const unsigned int part) {
+                                                    return sector.field(part).number[dof] != none;
+                                                  }))
+        sparse.row_of_dof[dof] = sparse.n_rows++;
+    for (const unsigned int part : sparse.parts)
     {
       Field &field = fields[part];
       field.dof.resize(sector.field(part).size);
@@ -86,35 +108,36 @@ namespace ringmotor
         if (const unsigned int number = sector.field(part).number[dof]; number != none)
         {
           field.dof[number] = dof;
-          field.row[number] = row_of_dof[dof];
+          field.row[number] = sparse.row_of_dof[dof];
         }
+      for (const CondensationSupport &support : supports)
+        if (support.part == part)
+          field.row.push_back(sparse.n_rows++);
     }
-    for (const CondensationSupport &support : supports)
-      fields[support.part].row.push_back(n_rows++);
   }
 
-  void SectorFactors::choose_kept_rows(const PerField<std::vector<unsigned int>> &kept)
+  void SectorFactors::choose_kept_rows(Sparse &sparse,
+                                       const PerField<std::vector<unsigned int>> &kept)
   {
-    std::vector<bool> stays(n_rows, false);
-    for (const unsigned int part : {0u, 1u})
+    std::vector<bool> stays(sparse.n_rows, false);
+    for (const unsigned int part : sparse.parts)
       for (const unsigned int number : kept[part])
         stays[fields[part].row[number]] = true;
-    // Of these a field has only some: it has to see which.
-    for (unsigned int dof = 0; dof < sector.n_dofs(); ++dof)
-      if (row_of_dof[dof] != none &&
-          (sector.field(0).number[dof] == none) != (sector.field(1).number[dof] == none))
-        stays[row_of_dof[dof]] = true;
-    std::vector<unsigned int> place(n_rows, none);
-    for (unsigned int row = 0; row < n_rows; ++row)
+    if (sparse.parts.size() > 1) // each field eliminates its own part of the mirror plane
+      for (unsigned int dof = 0; dof < sector.n_dofs(); ++dof)
+        if (is_on_mirror(dof))
+          stays[sparse.row_of_dof[dof]] = true;
+    std::vector<unsigned int> place(sparse.n_rows, none);
+    for (unsigned int row = 0; row < sparse.n_rows; ++row)
       if (stays[row])
       {
-        place[row] = sparse_kept.size();
-        sparse_kept.push_back(row);
+        place[row] = sparse.kept.size();
+        sparse.kept.push_back(row);
       }
-    for (const unsigned int part : {0u, 1u})
+    for (const unsigned int part : sparse.parts)
     {
       Field &field = fields[part];
-      std::vector<bool> is_kept(n_rows, false);
+      std::vector<bool> is_kept(sparse.n_rows, false);
       for (const unsigned int number : kept[part])
       {
         is_kept[field.row[number]] = true;
@@ -126,7 +149,7 @@ namespace ringmotor
     }
   }
 
-  SymmetricElements SectorFactors::elements() const
+  SymmetricElements SectorFactors::elements(const Sparse &sparse) const
   {
     SymmetricElements elements;
     std::size_t n_values = 0;
@@ -135,38 +158,60 @@ namespace ringmotor
     elements.values.reserve(n_values);
     for (const SectorStiffness::Element &element : stiffness.elements())
     {
-      std::vector<unsigned int> rows;
-      for (const SectorNodes::Dof dof : element.dofs)
-        rows.push_back(row_of_dof[dof]);
-      elements.add(rows, element.lower);
+      std::vector<unsigned int> rows, free;
+      for (unsigned int i = 0; i < element.dofs.size(); ++i)
+        if (const unsigned int row = sparse.row_of_dof[element.dofs[i]]; row != none)
+        {
+          rows.push_back(row);
+          free.push_back(i);
+        }
+      if (free.size() == element.dofs.size())
+        elements.add(rows, element.lower);
+      else if (!free.empty())
+      {
+        std::vector<double> lower;
+        for (auto column = free.begin(); column != free.end(); ++column)
+          for (auto row = column; row != free.end(); ++row)
+            lower.push_back(element(*row, *column));
+        elements.add(rows, lower);
+      }
     }
-    if (Utilities::MPI::this_mpi_process(sector.communicator()) > 0)
-      return elements;
-    std::array<unsigned int, 2> number{{sector.field(0).size, sector.field(1).size}};
-    for (const CondensationSupport &support : supports)
-    {
-      const Field &field     = fields[support.part];
-      const unsigned int row = field.row[number[support.part]++];
-      elements.add({row}, {0.});
-      for (const auto &[dof, load] : support.load)
-        if (sector.field(support.part).number[dof] != none)
-          elements.add({row_of_dof[dof], row}, {0., load, 0.});
-    }
+    if (Utilities::MPI::this_mpi_process(sector.communicator()) == 0)
+      add_supports(sparse, elements);
     return elements;
+  }
+
+  void SectorFactors::add_supports(const Sparse &sparse, SymmetricElements &elements) const
+  {
+    for (const unsigned int part : sparse.parts)
+    {
+      unsigned int number = sector.field(part).size;
+      for (const CondensationSupport &support : supports)
+        if (support.part == part)
+        {
+          const unsigned int row = fields[part].row[number++];
+          elements.add({row}, {0.});
+          for (const auto &[dof, load] : support.load)
+            if (sector.field(part).number[dof] != none)
+              elements.add({sparse.row_of_dof[dof], row}, {0., load, 0.});
+        }
+    }
   }
 
   void SectorFactors::factorise(const double shift)
   {
     stiffness.compute(shift);
-    sparse->factorise(elements());
+    for (Sparse &one : sparse)
+      one.factors->factorise(elements(one));
     stiffness.forget_elements();
-    for (Field &field : fields)
-      reduce(field);
+    for (const Sparse &one : sparse)
+      for (const unsigned int part : one.parts)
+        reduce(one, fields[part]);
   }
 
-  void SectorFactors::reduce(Field &field)
+  void SectorFactors::reduce(const Sparse &sparse, Field &field)
   {
-    const std::vector<double> &whole = sparse->schur_complement();
+    const std::vector<double> &whole = sparse.factors->schur_complement();
     const std::size_t n_kept = field.kept.size(), n_plane = field.plane.size();
     const auto block =
         [&](const std::vector<unsigned int> &rows, const std::vector<unsigned int> &columns)
@@ -176,7 +221,7 @@ namespace ringmotor
       for (const std::size_t column : columns)
         for (const std::size_t row : rows)
           entries.push_back(
-              whole[std::min(row, column) * sparse_kept.size() + std::max(row, column)]);
+              whole[std::min(row, column) * sparse.kept.size() + std::max(row, column)]);
       return entries;
     };
     field.matrix = block(field.kept, field.kept);
@@ -192,8 +237,32 @@ namespace ringmotor
 
   unsigned int SectorFactors::n_negative() const
   {
-    return 2 * (stiffness.n_negative() + sparse->n_negative()) +
-           fields[0].plane_factors.n_negative() + fields[1].plane_factors.n_negative();
+    unsigned int count = 2 * stiffness.n_negative();
+    for (const Sparse &one : sparse)
+      count += one.parts.size() * one.factors->n_negative();
+    for (const Field &field : fields)
+      count += field.plane_factors.n_negative();
+    return count;
+  }
+
+  std::vector<double> SectorFactors::loads_on_rows(const Sparse &sparse,
+                                                   const PerField<std::vector<double>> &loads) const
+  {
+    const std::size_t n_vectors = loads[0].size() / fields[0].width(), n_dofs = sector.n_dofs();
+    std::vector<double> on_rows(sparse.parts.size() * n_vectors * sparse.n_rows, 0.);
+    double *next = on_rows.data();
+    for (const unsigned int part : sparse.parts)
+      for (std::size_t v = 0; v < n_vectors; ++v, next += sparse.n_rows)
+      {
+        const Field &field    = fields[part];
+        const double *on_dofs = loads_on_dofs.data() + (part * n_vectors + v) * n_dofs;
+        for (std::size_t dof = 0; dof < n_dofs; ++dof)
+          if (sparse.row_of_dof[dof] != none)
+            next[sparse.row_of_dof[dof]] = on_dofs[dof];
+        for (std::size_t i = field.dof.size(); i < field.width(); ++i)
+          next[field.row[i]] = loads[part][v * field.width() + i];
+      }
+    return on_rows;
   }
 
   SectorFactors::PerField<std::vector<double>>
@@ -208,27 +277,20 @@ namespace ringmotor
               loads[part][v * fields[part].width() + i];
     stiffness.condense(loads_on_dofs);
 
-    std::vector<double> on_rows(2 * n_vectors * n_rows, 0.);
-    for (std::size_t v = 0; v < 2 * n_vectors; ++v)
-      for (std::size_t dof = 0; dof < n_dofs; ++dof)
-        if (row_of_dof[dof] != none)
-          on_rows[v * n_rows + row_of_dof[dof]] = loads_on_dofs[v * n_dofs + dof];
-    for (const unsigned int part : {0u, 1u})
-      for (std::size_t v = 0; v < n_vectors; ++v)
-        for (std::size_t i = fields[part].dof.size(); i < fields[part].width(); ++i)
-          on_rows[(part * n_vectors + v) * n_rows + fields[part].row[i]] =
-              loads[part][v * fields[part].width() + i];
-    const std::vector<double> reduced = sparse->condense(on_rows);
-
     PerField<std::vector<double>> left;
-    for (const unsigned int part : {0u, 1u})
+    for (Sparse &one : sparse)
     {
-      Field &field           = fields[part];
-      const double *of_field = reduced.data() + part * n_vectors * sparse_kept.size();
-      left[part]             = at(field.kept, of_field, n_vectors, sparse_kept.size());
-      field.plane_loads      = at(field.plane, of_field, n_vectors, sparse_kept.size());
-      add_product(-1., Transposed::yes, field.plane_response, field.plane.size(), field.plane_loads,
-                  left[part]);
+      const std::vector<double> reduced = one.factors->condense(loads_on_rows(one, loads));
+      const double *of_field            = reduced.data();
+      for (const unsigned int part : one.parts)
+      {
+        Field &field      = fields[part];
+        left[part]        = at(field.kept, of_field, n_vectors, one.kept.size());
+        field.plane_loads = at(field.plane, of_field, n_vectors, one.kept.size());
+        add_product(-1., Transposed::yes, field.plane_response, field.plane.size(),
+                    field.plane_loads, left[part]);
+        of_field += n_vectors * one.kept.size();
+      }
     }
     return left;
   }
@@ -237,41 +299,46 @@ namespace ringmotor
   SectorFactors::expand(const PerField<std::vector<double>> &kept_solutions)
   {
     const std::size_t n_dofs = sector.n_dofs(), n_vectors = loads_on_dofs.size() / (2 * n_dofs);
-    std::vector<double> kept(2 * n_vectors * sparse_kept.size(), 0.);
-    for (const unsigned int part : {0u, 1u})
-    {
-      Field &field              = fields[part];
-      std::vector<double> plane = field.plane_loads;
-      field.plane_factors.solve(plane);
-      add_product(-1., Transposed::no, field.plane_response, field.kept.size(),
-                  kept_solutions[part], plane);
-      double *of_field = kept.data() + part * n_vectors * sparse_kept.size();
-      set_at(field.kept, kept_solutions[part], of_field, n_vectors, sparse_kept.size());
-      set_at(field.plane, plane, of_field, n_vectors, sparse_kept.size());
-    }
-    const std::vector<double> on_rows = sparse->expand(std::move(kept));
-
-    std::vector<double> motions(2 * n_vectors * n_dofs, 0.);
-    for (std::size_t v = 0; v < 2 * n_vectors; ++v)
-      for (std::size_t dof = 0; dof < n_dofs; ++dof)
-        if (row_of_dof[dof] != none)
-          motions[v * n_dofs + dof] = on_rows[v * n_rows + row_of_dof[dof]];
-    stiffness.expand(loads_on_dofs, motions);
-
+    std::vector<double> motions(loads_on_dofs.size(), 0.);
     PerField<std::vector<double>> solutions;
-    for (const unsigned int part : {0u, 1u})
+    for (Sparse &one : sparse)
     {
-      const Field &field = fields[part];
-      solutions[part].resize(n_vectors * field.width());
-      for (std::size_t v = 0; v < n_vectors; ++v)
+      std::vector<double> kept(one.parts.size() * n_vectors * one.kept.size(), 0.);
+      double *of_field = kept.data();
+      for (const unsigned int part : one.parts)
       {
-        double *solution = solutions[part].data() + v * field.width();
-        for (std::size_t i = 0; i < field.dof.size(); ++i)
-          solution[i] = motions[(part * n_vectors + v) * n_dofs + field.dof[i]];
-        for (std::size_t i = field.dof.size(); i < field.width(); ++i)
-          solution[i] = on_rows[(part * n_vectors + v) * n_rows + field.row[i]];
+        Field &field              = fields[part];
+        std::vector<double> plane = field.plane_loads;
+        field.plane_factors.solve(plane);
+        add_product(-1., Transposed::no, field.plane_response, field.kept.size(),
+                    kept_solutions[part], plane);
+        set_at(field.kept, kept_solutions[part], of_field, n_vectors, one.kept.size());
+        set_at(field.plane, plane, of_field, n_vectors, one.kept.size());
+        of_field += n_vectors * one.kept.size();
+      }
+      const std::vector<double> on_rows = one.factors->expand(std::move(kept));
+      const double *next                = on_rows.data();
+      for (const unsigned int part : one.parts)
+      {
+        const Field &field = fields[part];
+        solutions[part].resize(n_vectors * field.width());
+        for (std::size_t v = 0; v < n_vectors; ++v, next += one.n_rows)
+        {
+          double *on_dofs = motions.data() + (part * n_vectors + v) * n_dofs;
+          for (std::size_t dof = 0; dof < n_dofs; ++dof)
+            if (one.row_of_dof[dof] != none)
+              on_dofs[dof] = next[one.row_of_dof[dof]];
+          for (std::size_t i = field.dof.size(); i < field.width(); ++i)
+            solutions[part][v * field.width() + i] = next[field.row[i]];
+        }
       }
     }
+    stiffness.expand(loads_on_dofs, motions);
+    for (const unsigned int part : {0u, 1u})
+      for (std::size_t v = 0; v < n_vectors; ++v)
+        for (std::size_t i = 0; i < fields[part].dof.size(); ++i)
+          solutions[part][v * fields[part].width() + i] =
+              motions[(part * n_vectors + v) * n_dofs + fields[part].dof[i]];
     return solutions;
   }
 } // namespace ringmotor

@@ -223,14 +223,8 @@ namespace ringmotor::tests
       for (unsigned int dof = 0; dof < n_dofs(); ++dof)
         held[dof] = fixed(positions[dof])[components[dof]];
       SymmetricTriplets triplets;
-      for_each_cell(
-          [&](const auto &dofs, const auto &stiffness, const auto &)
-          {
-            for (unsigned int i = 0; i < dofs.size(); ++i)
-              for (unsigned int j = 0; j <= i; ++j)
-                if (!held[dofs[i]] && !held[dofs[j]])
-                  triplets.add(dofs[i], dofs[j], stiffness(i, j));
-          });
+      for_each_cell([&](const auto &dofs, const auto &stiffness, const auto &)
+                    { triplets.add(dofs, stiffness, held); });
       for (unsigned int dof = 0; dof < n_dofs(); ++dof)
         if (held[dof])
         {

@@ -108,10 +108,7 @@ namespace ringmotor::tests
         element.reinit(cell, materials.at(cell->material_id()));
         element.matrices(stiffness, mass);
         cell->get_dof_indices(dofs);
-        for (unsigned int i = 0; i < size; ++i)
-          for (unsigned int j = 0; j <= i; ++j)
-            if (!held[dofs[i]] && !held[dofs[j]])
-              triplets.add(dofs[i], dofs[j], stiffness(i, j));
+        triplets.add(dofs, stiffness, held);
       }
       SparseLDLT factors(held.size(), MPI_COMM_SELF);
       factors.factorise(triplets);

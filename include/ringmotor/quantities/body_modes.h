@@ -45,7 +45,7 @@ namespace ringmotor
   class BodyModes
   {
   public:
-    BodyModes(const Parameters &parameters, MPI_Comm communicator);
+    BodyModes(const Parameters &parameters, MPI_Comm ranks);
 
     /**
      * Computes them; @p after_pass is called after each pass, when search() holds its results.
@@ -80,6 +80,7 @@ namespace ringmotor
     std::vector<EffectRow> effects() const;
 
   private:
+    ModeSearch new_search() const;
     void make_mesh(const BodyDiscretisation &discretisation);
     /** The stator with what @p model adds to it. */
     SectorMesh stator_mesh(const BodyDiscretisation &discretisation, const MotorModel &model) const;
@@ -94,8 +95,8 @@ namespace ringmotor
     [[noreturn]] void give_up() const;
 
     const Parameters given;
-    Parameters parameters; ///< those that the modes depend on
-    const MPI_Comm communicator;
+    Parameters parameters;                  ///< those that the modes depend on
+    const MPI_Comm share_modes, share_mesh; ///< what the ranks share: one of the two, if any
     SectorMesh mesh;
     ModeSearch mode_search;
     MotorWave motor_wave;

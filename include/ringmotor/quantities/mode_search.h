@@ -26,7 +26,10 @@ namespace ringmotor
   class ModeSearch
   {
   public:
-    ModeSearch(const MaterialTable &materials, const Modes &request);
+    /** @param ranks share the nodal diameters, if they all call compute() and each has the whole
+     * mesh */
+    ModeSearch(const MaterialTable &materials, const Modes &request,
+               MPI_Comm ranks = MPI_COMM_SELF);
 
     /**
      * Computes all requested modes on @p mesh with elements of @p degree. The first call, on a
@@ -65,6 +68,7 @@ namespace ringmotor
 
     const MaterialTable materials;
     const Modes request;
+    const MPI_Comm ranks;
     std::map<unsigned int, double> shifts; ///< by nodal diameter, rad^2/s^2
     std::unique_ptr<CyclicSector> model;
     std::vector<FoundMode> found;

@@ -29,9 +29,9 @@ namespace ringmotor
 
   /**
    * The factorised K - shift M of a sector, down to some unknowns that are kept: at least those on
-   * its cuts, where nodal diameters differ. Both real fields share one sparse factorisation, since
-   * they only differ on the mirror plane, whose degrees of freedom it keeps; small dense matrices
-   * do the rest for each field.
+   * its cuts, where nodal diameters differ. The two real fields only differ on the mirror plane: if
+   * that is small, they share one sparse factorisation that keeps its degrees of freedom, and small
+   * dense matrices do the rest for each field. A thin sector has a factorisation for each field.
    *
    * Unknowns are numbered as in CyclicSector::RealField, followed by the loads of the supports of
    * that field.
@@ -69,6 +69,16 @@ namespace ringmotor
     PerField<std::vector<double>> expand(const PerField<std::vector<double>> &kept_solutions);
 
   private:
+    /** A sparse factorisation of one field or of both. */
+    struct Sparse
+    {
+      std::vector<unsigned int> parts;
+      std::vector<unsigned int> row_of_dof; ///< none if inside a cell or fixed
+      std::vector<unsigned int> kept;       ///< rows
+      unsigned int n_rows = 0;
+      std::unique_ptr<SparseLDLT> factors;
+    };
+
     /** What is kept by the sparse factorisation, as a field sees it. */
     struct Field
     {
@@ -84,20 +94,22 @@ namespace ringmotor
       std::size_t width() const { return row.size(); }
     };
 
-    void number_rows();
-    void choose_kept_rows(const PerField<std::vector<unsigned int>> &kept);
-    SymmetricElements elements() const;
+    /** Whether a degree of freedom belongs to one field only. */
+    bool is_on_mirror(const unsigned int dof) const;
+    void number_rows(Sparse &sparse);
+    void choose_kept_rows(Sparse &sparse, const PerField<std::vector<unsigned int>> &kept);
+    SymmetricElements elements(const Sparse &sparse) const;
+    void add_supports(const Sparse &sparse, SymmetricElements &elements) const;
     /** Eliminates the mirror plane of a field. */
-    void reduce(Field &field);
+    void reduce(const Sparse &sparse, Field &field);
+    std::vector<double> loads_on_rows(const Sparse &sparse,
+                                      const PerField<std::vector<double>> &loads) const;
 
     const CyclicSector &sector;
     const std::vector<CondensationSupport> supports;
     SectorStiffness stiffness;
-    std::vector<unsigned int> row_of_dof; ///< of the sparse matrix, or none
-    std::vector<unsigned int> sparse_kept;
-    unsigned int n_rows = 0;
+    std::vector<Sparse> sparse; ///< for both fields, or one for each
     PerField<Field> fields;
-    std::unique_ptr<SparseLDLT> sparse;
-    std::vector<double> loads_on_dofs; ///< of the last condense()
+    std::vector<double> loads_on_dofs; ///< of the last condense(); one field after the other
   };
 } // namespace ringmotor
