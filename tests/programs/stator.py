@@ -17,7 +17,7 @@ import unittest
 import h5py
 
 sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
-from program import QUICK, ROOT, rows_of, run  # noqa: E402
+from program import QUICK, ROOT, on_ranks, rows_of, run, settings  # noqa: E402
 
 PROGRAM = sys.argv.pop(1)
 REFERENCE, UNCERTAINTY = 30004.0, 3.0
@@ -68,6 +68,22 @@ class Results(unittest.TestCase):
             for row, other in zip(rows_of(self.folder / "frequencies.csv"),
                                   rows_of(pathlib.Path(again) / "stator" / "frequencies.csv")):
                 self.assertAlmostEqual(float(row["frequency_Hz"]) / float(other["frequency_Hz"]), 1, places=10)
+
+    def test_ranks_share_the_nodal_diameters(self):
+        """Three of them on two ranks, of which each has the whole mesh; and, with one alone, parts of the mesh."""
+        for diameters in ("2, 5, 7", "7"):
+            rows = []
+            for n_ranks in (1, 2):
+                with tempfile.TemporaryDirectory() as case:
+                    done = run(*on_ranks(n_ranks), PROGRAM, QUICK, "--output", case,
+                               *settings(f"Modes/Nodal diameters = {diameters}", "Output/VTU = false"))
+                    self.assertEqual(done.returncode, 0, done.stderr)
+                    rows.append(rows_of(pathlib.Path(case) / "stator" / "frequencies.csv"))
+            self.assertEqual(len(rows[0]), 2 * len(diameters.split()))
+            for row, other in zip(*rows, strict=True):
+                self.assertEqual((row["n"], row["family"]), (other["n"], other["family"]))
+                self.assertAlmostEqual(float(row["frequency_Hz"]) / float(other["frequency_Hz"]), 1, places=10)
+                self.assertAlmostEqual(float(row["error_Hz"]) / float(other["error_Hz"]), 1, places=5)
 
     def test_figures_and_page(self):
         done = run(ROOT / "scripts" / "figures.py", self.case)
