@@ -221,7 +221,7 @@ namespace ringmotor
     stall_torque = stalled.result.torque;
     if (may_stand_still())
     {
-      outline = {stalled}; // nearly the same under all torques
+      outline = {stalled};
       find_held_torque();
     }
     const double most = rotor_sticks() ? borne_torque() : stall_torque;
@@ -290,6 +290,7 @@ namespace ringmotor
       const CurvePoint held = point_of(steps.plain(reached_level), 0);
       if (!stands_still(held))
         return;
+      outline.push_back(held);
       if (share == 0.)
         continue;
       stalled      = held;
