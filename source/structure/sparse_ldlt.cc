@@ -16,6 +16,8 @@ namespace ringmotor
   struct SparseLDLT::Mumps
   {
     DMUMPS_STRUC_C data{};
+    /** Of the elements. MUMPS reads them in later phases, too, though not their values. */
+    std::vector<int> begin, variables;
 
     /** Control parameter @p i as numbered in the MUMPS manual. */
     int &control(const int i) { return data.icntl[i - 1]; }
@@ -140,9 +142,11 @@ namespace ringmotor
     scale(elements);
     if (Utilities::MPI::this_mpi_process(communicator) == 0) // MUMPS tells the other ranks
     {
-      mumps->data.nelt   = static_cast<int>(elements.begin.size()) - 1;
-      mumps->data.eltptr = elements.begin.data();
-      mumps->data.eltvar = elements.variables.data();
+      mumps->begin       = std::move(elements.begin);
+      mumps->variables   = std::move(elements.variables);
+      mumps->data.nelt   = static_cast<int>(mumps->begin.size()) - 1;
+      mumps->data.eltptr = mumps->begin.data();
+      mumps->data.eltvar = mumps->variables.data();
       mumps->data.a_elt  = elements.values.data();
     }
     if (!analysed)
