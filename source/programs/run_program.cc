@@ -51,12 +51,12 @@ namespace ringmotor
     {
       if (line.study)
         program.study(parameters, line.resume);
-      else if (line.clear)
-        program.clear ? program.clear(parameters) : void();
       else if (line.resume && program.resume)
         program.resume(parameters);
-      else
+      else if (!line.clear)
         program.run(parameters);
+      else if (program.clear)
+        program.clear(parameters);
     }
 
     /** Does the work in the folder of the case, which nobody else uses meanwhile. */

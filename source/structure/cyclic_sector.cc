@@ -5,6 +5,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ringmotor
@@ -178,28 +179,24 @@ namespace ringmotor
   {
     if (!mass)
       mass = std::make_unique<SectorMass>(*this);
-    const std::array<double, 4> factor = factors(wave_functions(k));
-    const std::size_t n_vectors        = unknowns.size() / unknown_count;
-    // Of each vector the real field, then the imaginary one.
-    const auto for_each_term = [&](const auto &visit)
-    {
-      for (std::size_t v = 0; v < n_vectors; ++v)
-        for (unsigned int part = 0; part < 2; ++part)
-          for (Dof dof = 0; dof < n_dofs(); ++dof)
-            for (unsigned int i = 0; i < terms[part][dof].size; ++i)
-            {
-              const Term &term = terms[part][dof].term[i];
-              visit((2 * v + part) * n_dofs() + dof, v * unknown_count + term.unknown,
-                    factor[static_cast<unsigned int>(term.factor)]);
-            }
-    };
-    std::vector<double> fields(2 * n_vectors * n_dofs(), 0.);
-    for_each_term([&](const std::size_t of_dof, const std::size_t unknown, const double factor)
-                  { fields[of_dof] += factor * unknowns[unknown]; });
+    std::vector<double> fields; // of each vector the real one, then the imaginary one
+    for (auto vector = unknowns.begin(); vector != unknowns.end(); vector += unknown_count)
+      for (const Vector<double> &field : fields_of(k, {vector, vector + unknown_count}))
+        fields.insert(fields.end(), field.begin(), field.end());
     const std::vector<double> products = mass->multiply(fields);
-    product.assign(unknowns.size(), 0.);
-    for_each_term([&](const std::size_t of_dof, const std::size_t unknown, const double factor)
-                  { product[unknown] += factor * products[of_dof]; });
+    product.clear();
+    for (auto next = products.begin(); next != products.end();)
+    {
+      std::array<Vector<double>, 2> of_vector;
+      for (Vector<double> &field : of_vector)
+      {
+        field.reinit(n_dofs());
+        std::copy_n(next, n_dofs(), field.begin());
+        next += n_dofs();
+      }
+      const std::vector<double> of_unknowns = to_unknowns(k, of_vector);
+      product.insert(product.end(), of_unknowns.begin(), of_unknowns.end());
+    }
     Utilities::MPI::sum(product, communicator(), product);
   }
 

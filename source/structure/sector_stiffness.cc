@@ -100,7 +100,9 @@ namespace ringmotor
         {
           const std::vector<Dof> dofs = all.dofs_of(cell);
           reinit(dofs.size());
-          element.matrices(stiffness, mass);
+          element.stiffness_matrix(stiffness);
+          if (shift != 0.)
+            element.mass_matrix(mass);
           add_shifted(dofs, n_inner(dofs));
         });
     all.for_each_owned_shell_cell(

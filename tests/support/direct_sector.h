@@ -103,11 +103,7 @@ namespace ringmotor::tests
           continue;
         matrix.mmult(half, follow);
         follow.Tmmult(whole, half);
-        std::vector<double> lower;
-        for (unsigned int column = 0; column < rows.size(); ++column)
-          for (unsigned int row = column; row < rows.size(); ++row)
-            lower.push_back(whole(row, column));
-        triplets.SymmetricElements::add(rows, lower);
+        triplets.add(rows, whole, std::vector<bool>(sector.n_unknowns(), false));
       }
     }
 
