@@ -6,6 +6,7 @@
 #include <ringmotor/motor/smooth_loads.h>
 #include <ringmotor/structure/modes.h>
 #include <ringmotor/structure/response_modes.h>
+#include <ringmotor/structure/shared_work.h>
 
 #include <algorithm>
 #include <cmath>
@@ -115,7 +116,7 @@ namespace ringmotor
       }
     }
     if (n_ranks > 1)
-      for (const auto &of_rank : Utilities::MPI::all_gather(communicator, modes))
+      for (const auto &of_rank : of_all_ranks(modes, communicator))
         for (std::size_t k = 0; k < modes.size(); ++k)
           if (!of_rank[k].empty())
             modes[k] = of_rank[k];
@@ -148,6 +149,12 @@ namespace ringmotor
                                  const MPI_Comm communicator)
       : parameters(parameters), frequency(frequency), communicator(communicator)
   {
+  }
+
+  void RotorVibration::prepare(const unsigned int modes_level) const
+  {
+    level(modes_level - 1);
+    level(modes_level);
   }
 
   const LipModes &RotorVibration::level(const unsigned int level) const

@@ -170,8 +170,7 @@ namespace ringmotor
         if (needs_modes) // by all ranks together, before each condenses other motors
         {
           const auto scope = phases.measure("vibrations of the rotor");
-          effects.vibration().level(modes_level - 1);
-          effects.vibration().level(modes_level);
+          effects.vibration().prepare(modes_level);
         }
         return condense_motors(missing, one, MPI_COMM_WORLD);
       };

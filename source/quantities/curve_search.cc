@@ -189,7 +189,8 @@ namespace ringmotor
            setting == steps.plain(reached_level);
   }
 
-  void CurveSearch::find_points_of(CurveSetting setting, const std::vector<unsigned int> &wanted)
+  void CurveSearch::find_points_of(CurveSetting setting, const std::vector<unsigned int> &wanted,
+                                   const bool from_rest)
   {
     setting.tells_window = needs_window(setting);
     std::vector<unsigned int> missing;
@@ -201,7 +202,7 @@ namespace ringmotor
     }
     if (missing.empty())
       return;
-    const std::vector<CurvePoint> starts = starts_for(setting, missing);
+    const std::vector<CurvePoint> starts = starts_for(setting, missing, from_rest);
     std::vector<PointRequest> asked;
     for (const unsigned int request : missing)
       asked.push_back(requests[request]);
@@ -216,14 +217,20 @@ namespace ringmotor
 
   void CurveSearch::find_requests(const unsigned int n_parts_to_start_with)
   {
-    requests     = {{Control::speed, 0.}};
-    stalled      = point_of(steps.plain(reached_level), 0);
+    const CurveSetting setting = steps.plain(reached_level);
+    requests                   = {{Control::speed, 0.}};
+    if (needs_shape()) // two ranks find both at the same time
+      requests.push_back({Control::torque, 0.});
+    find_points_of(setting, all_requests(), /*from_rest =*/true);
+    stalled      = point_of(setting, 0);
     stall_torque = stalled.result.torque;
     if (may_stand_still())
     {
       outline = {stalled};
       find_held_torque();
     }
+    else if (needs_shape())
+      outline = {point_of(setting, 1), stalled};
     const double most = rotor_sticks() ? borne_torque() : stall_torque;
     if (parameters.loading.control == Control::torque)
       for (const double torque : parameters.loading.values)
@@ -234,23 +241,35 @@ namespace ringmotor
     requests =
         parameters.loading.values.empty() ? points_of_curve() : listed_points(parameters.loading);
     known.clear();
-    for (unsigned int i = 0; i < requests.size(); ++i)
-      if (requests[i] == stalled.request)
-        known[steps.plain(reached_level)][i] = stalled;
+    recognise(outline);
+    recognise({stalled});
     n_parts.assign(requests.size(), n_parts_to_start_with);
+  }
+
+  void CurveSearch::recognise(const std::vector<CurvePoint> &points)
+  {
+    for (const CurvePoint &point : points)
+      for (const unsigned int i : all_requests())
+        if (requests[i] == point.request)
+          known[steps.plain(reached_level)][i] = point;
+  }
+
+  bool CurveSearch::needs_shape() const
+  {
+    return parameters.loading.values.empty() && parameters.loading.n_curve_points > 2;
   }
 
   std::vector<PointRequest> CurveSearch::points_of_curve()
   {
-    const unsigned int n_points = parameters.loading.n_curve_points;
     if (rotor_sticks())
       return rising_torques();
-    if (n_points == 2)
+    if (!needs_shape())
       return {{Control::torque, 0.}, {Control::speed, 0.}};
     known.clear();
     requests.clear();
     for (const double share : shares_for_shape())
       requests.push_back({Control::torque, share * stall_torque});
+    recognise(outline);
     const CurveSetting setting = steps.plain(reached_level);
     find_points_of(setting, all_requests());
     std::vector<CurvePoint> shape;
@@ -259,7 +278,9 @@ namespace ringmotor
     shape.push_back(stalled);
     outline = shape;
     // Without load, a rotor that hardly slips on the wave may stand still: its curve has no shape.
-    return stands_still(shape.front()) ? rising_torques() : points_along_curve(shape, n_points);
+    return stands_still(shape.front())
+               ? rising_torques()
+               : points_along_curve(shape, parameters.loading.n_curve_points);
   }
 
   std::vector<PointRequest> CurveSearch::rising_torques() const

@@ -9,7 +9,8 @@
 namespace ringmotor
 {
   std::vector<CurvePoint> CurveSearch::starts_for(const CurveSetting &setting,
-                                                  const std::vector<unsigned int> &wanted)
+                                                  const std::vector<unsigned int> &wanted,
+                                                  const bool from_rest)
   {
     std::vector<CurvePoint> starts;
     if (is_marched(parameters))
@@ -26,7 +27,7 @@ namespace ringmotor
       for (const unsigned int request : wanted)
         if (!point_with_longer_steps(setting, request))
           without.push_back(request);
-      find_points_of(longer_steps(setting), without);
+      find_points_of(longer_steps(setting), without, from_rest);
       for (const unsigned int request : wanted)
         starts.push_back(*point_with_longer_steps(setting, request));
       return starts;
@@ -43,7 +44,9 @@ namespace ringmotor
       }
       return starts;
     }
-    if (!outline.empty())
+    if (from_rest)
+      starts.resize(wanted.size());
+    else if (!outline.empty())
       for (const unsigned int request : wanted)
         starts.push_back(nearest_of_outline(requests[request]));
     return starts;

@@ -2,6 +2,7 @@
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/quantities/effect_on_points.h>
 #include <ringmotor/quantities/point_quantities.h>
+#include <ringmotor/structure/shared_work.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,40 +10,80 @@
 
 namespace ringmotor
 {
+  namespace
+  {
+    /** Points one after the other; none if a state is not found. */
+    std::vector<CurvePoint> points_if_found(const Parameters &parameters,
+                                            const CondensedMotor &motor,
+                                            const std::vector<PointRequest> &requests)
+    {
+      OperatingPointFinder finder(parameters, motor);
+      std::vector<CurvePoint> points;
+      try
+      {
+        for (const PointRequest &request : requests)
+          points.push_back(finder.find(request));
+      }
+      catch (const ComputationError &)
+      {
+        points.clear();
+      }
+      return points;
+    }
+  } // namespace
+
   EffectOnPoints effect_on_points(const Parameters &all_parameters, const Effect &effect,
                                   const StatorWave &wave, const RotorVibration &vibration)
   {
+    constexpr unsigned int modes_level = 1;
     Parameters with = all_parameters, without = all_parameters;
     with.time.scheme = without.time.scheme = TimeScheme::steady;
     with.effects.*effect.entry             = EffectChoice::on;
     without.effects.*effect.entry          = EffectChoice::off;
     const auto condensed                   = [&](const Parameters &parameters)
-    { return condense_motor(parameters, wave, ContactDiscretisation::level(0), 1, &vibration); };
-    const CondensedMotor motor_with = condensed(with), motor_without = condensed(without);
-    OperatingPointFinder finder_with(with, motor_with), finder_without(without, motor_without);
+    {
+      return condense_motor(parameters, wave, ContactDiscretisation::level(0), modes_level,
+                            &vibration);
+    };
+    if (motor_model(with).rotor_needs_modes()) // by all ranks together
+      vibration.prepare(modes_level);
+    const std::vector<CondensedMotor> motors = shared_work<CondensedMotor>(
+        {[&] { return condensed(with); }, [&] { return condensed(without); }}, MPI_COMM_WORLD);
 
-    const CurvePoint stall   = finder_without.find({Control::speed, 0.}),
-                     no_load = finder_without.find({Control::torque, 0.});
-    const PointRequest half{Control::torque, 0.5 * stall.result.torque};
-    CurvePoint middle = finder_without.find(half);
+    OperatingPointFinder finder(without, motors[1]);
+    const CurvePoint stall   = finder.find({Control::speed, 0.}),
+                     no_load = finder.find({Control::torque, 0.});
+    CurvePoint middle        = finder.find({Control::torque, 0.5 * stall.result.torque});
     if (with.loading.control == Control::speed)
       middle.request = {Control::speed, middle.result.speed};
+
+    const std::vector<std::vector<CurvePoint>> without_it{{no_load, middle}, {stall}};
+    std::vector<std::function<std::vector<CurvePoint>()>> tasks;
+    for (const std::vector<CurvePoint> &points : without_it)
+      tasks.emplace_back(
+          [&]
+          {
+            std::vector<PointRequest> requests;
+            for (const CurvePoint &point : points)
+              requests.push_back(point.request);
+            return points_if_found(with, motors[0], requests);
+          });
+    const std::vector<std::vector<CurvePoint>> with_it = shared_work(tasks, MPI_COMM_WORLD);
     EffectOnPoints effect_on;
-    try
+    if (with_it[0].empty() || with_it[1].empty())
     {
-      for (const CurvePoint &point : {no_load, middle, stall})
+      effect_on.relative = std::numeric_limits<double>::infinity();
+      return effect_on;
+    }
+    for (std::size_t i = 0; i < with_it.size(); ++i)
+      for (std::size_t j = 0; j < with_it[i].size(); ++j)
       {
-        const PointError here = change(point, finder_with.find(point.request));
+        const PointError here = change(without_it[i][j], with_it[i][j]);
         for (double PointError::*const quantity : PointError::members)
           effect_on.change.*quantity = std::max(effect_on.change.*quantity, here.*quantity);
       }
-      effect_on.relative = std::max(effect_on.change.speed / no_load.result.speed,
-                                    effect_on.change.torque / stall.result.torque);
-    }
-    catch (const ComputationError &)
-    {
-      effect_on.relative = std::numeric_limits<double>::infinity();
-    }
+    effect_on.relative = std::max(effect_on.change.speed / no_load.result.speed,
+                                  effect_on.change.torque / stall.result.torque);
     return effect_on;
   }
 

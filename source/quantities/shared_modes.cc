@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/quantities/shared_modes.h>
+#include <ringmotor/structure/shared_work.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -15,10 +16,10 @@ namespace ringmotor
     /** Numbers by nodal diameter, a vector for each of its items. */
     using Packed = std::map<unsigned int, std::vector<std::vector<double>>>;
 
-    Packed of_all_ranks(const Packed &mine, MPI_Comm ranks)
+    Packed merged(const Packed &mine, MPI_Comm ranks)
     {
       Packed all;
-      for (const Packed &of_rank : Utilities::MPI::all_gather(ranks, mine))
+      for (const Packed &of_rank : of_all_ranks(mine, ranks))
         all.insert(of_rank.begin(), of_rank.end());
       return all;
     }
@@ -69,7 +70,7 @@ namespace ringmotor
       for (const ShiftWindow &window : windows)
         packed_windows[k].push_back({window.low, window.high});
     std::map<unsigned int, std::vector<ShiftWindow>> all;
-    for (const auto &[k, windows] : of_all_ranks(packed_windows, ranks))
+    for (const auto &[k, windows] : merged(packed_windows, ranks))
       for (const std::vector<double> &window : windows)
         all[k].push_back({window[0], window[1]});
     return all;
@@ -86,7 +87,7 @@ namespace ringmotor
       for (const Mode &mode : modes)
         packed_modes[k].push_back(packed(mode));
     std::map<unsigned int, std::vector<Mode>> all;
-    for (const auto &[k, modes] : of_all_ranks(packed_modes, ranks))
+    for (const auto &[k, modes] : merged(packed_modes, ranks))
       for (const std::vector<double> &numbers : modes)
         all[k].push_back(unpacked(k, numbers, sector));
     return all;

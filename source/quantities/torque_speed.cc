@@ -7,6 +7,7 @@
 #include <ringmotor/quantities/marched_point.h>
 #include <ringmotor/quantities/point_quantities.h>
 #include <ringmotor/quantities/torque_speed.h>
+#include <ringmotor/structure/shared_work.h>
 
 #include <algorithm>
 #include <chrono>
@@ -105,11 +106,13 @@ namespace ringmotor
                             known->result.speed);
         return *known;
       }
+    if (start && start->fields.force.empty())
+      steady.start_from_rest();
     // With inertia the neighbour on the curve is closer than the same point with other steps, but
     // not closer than that with a slightly different wave or modes.
     const bool neighbour_is_nearer =
         model.has_inertia() && steady.has_state() && !setting.has_changed_motor();
-    if (start && !is_marched(parameters) && !neighbour_is_nearer)
+    if (start && !start->fields.force.empty() && !is_marched(parameters) && !neighbour_is_nearer)
       steady.go_on_from(load_of(parameters.loading, request), solution_of(*start),
                         start->result.speed);
     const auto begin = std::chrono::steady_clock::now();
@@ -185,22 +188,17 @@ namespace ringmotor
                   const std::function<CondensedMotor(unsigned int level)> &condense,
                   const MPI_Comm communicator)
   {
-    const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator),
-                       n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-    std::vector<TimedMotor> motors(levels.size());
-    for (unsigned int i = rank; i < levels.size(); i += n_ranks)
-    {
-      Timer timer;
-      motors[i].motor   = condense(levels[i]);
-      motors[i].seconds = timer.wall_time();
-    }
-    if (n_ranks > 1)
-      for (unsigned int i = 0; i < levels.size(); ++i)
-      {
-        motors[i].motor   = Utilities::MPI::broadcast(communicator, motors[i].motor, i % n_ranks);
-        motors[i].seconds = Utilities::MPI::broadcast(communicator, motors[i].seconds, i % n_ranks);
-      }
-    return motors;
+    std::vector<std::function<TimedMotor()>> tasks;
+    for (const unsigned int level : levels)
+      tasks.emplace_back(
+          [&condense, level]
+          {
+            Timer timer;
+            TimedMotor motor{condense(level)};
+            motor.seconds = timer.wall_time();
+            return motor;
+          });
+    return shared_work(tasks, communicator);
   }
 
   std::vector<CurvePoint> find_points(const Parameters &parameters, const CondensedMotor &motor,
@@ -224,9 +222,8 @@ namespace ringmotor
     }
     if (n_ranks == 1) // nothing to be packed, compressed and unpacked
       return mine;
-    const std::vector<std::vector<CurvePoint>> all = Utilities::MPI::all_gather(communicator, mine);
     std::vector<CurvePoint> points;
-    for (const std::vector<CurvePoint> &of_rank : all)
+    for (const std::vector<CurvePoint> &of_rank : of_all_ranks(mine, communicator))
       points.insert(points.end(), of_rank.begin(), of_rank.end());
     return points;
   }

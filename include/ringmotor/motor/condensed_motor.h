@@ -112,6 +112,12 @@ namespace ringmotor
   {
     CondensedMotor motor;
     double seconds = 0.;
+
+    template <class Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      archive &motor &seconds;
+    }
   };
 
   /** The largest relative change of the tangential motion of the tooth tops due to the inertia of

@@ -79,11 +79,14 @@ namespace ringmotor
     static constexpr std::array<unsigned int, finest_level + 1> n_harmonics{{9, 13, 20, 30}};
 
     /** @param frequency rad/s, of the wave @param communicator of the ranks that share the work:
-     * they must ask for the same levels together */
+     * level() and prepare() are collective where they compute something */
     RotorVibration(const Parameters &parameters, const double frequency,
                    MPI_Comm communicator = MPI_COMM_SELF);
 
     const LipModes &level(const unsigned int level) const;
+    /** Computes what condense_motor() reads for @p modes_level: before ranks condense different
+     * motors. */
+    void prepare(const unsigned int modes_level) const;
 
   private:
     Parameters parameters;

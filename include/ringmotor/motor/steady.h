@@ -43,6 +43,8 @@ namespace ringmotor
      * search. If it has other time samples, those in between are interpolated. Of @p solution, the
      * state, the motion and the status of all contact points are used. */
     void go_on_from(const RotorLoad &load, const ContactSolution &solution, const double speed);
+    /** Forgets it. */
+    void start_from_rest() { next.reset(); }
 
   private:
     /** The start of the search for a state. */

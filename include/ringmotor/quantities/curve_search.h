@@ -92,8 +92,12 @@ namespace ringmotor
     const CondensedMotor &motor_of(const unsigned int level);
     /** Whether the error of the averaging window is taken from points of this setting. */
     bool needs_window(const CurveSetting &setting) const;
-    /** Computes points of some requests where they are not known yet. */
-    void find_points_of(CurveSetting setting, const std::vector<unsigned int> &wanted);
+    /** Computes points of some requests where they are not known yet.
+     * @param from_rest see starts_for() */
+    void find_points_of(CurveSetting setting, const std::vector<unsigned int> &wanted,
+                        const bool from_rest = false);
+    /** Takes points of the first curve for the requests that ask for them. */
+    void recognise(const std::vector<CurvePoint> &points);
     /** One of them. */
     const CurvePoint &point_of(const CurveSetting &setting, const unsigned int request)
     {
@@ -105,9 +109,11 @@ namespace ringmotor
     static bool has_all(const KnownPoints &points, const CurveSetting &setting,
                         const std::vector<unsigned int> &wanted);
     /** Points from which others can be started: with coarser modes, with longer steps, on another
-     * mesh, or near them on the first curve. */
+     * mesh, or near them on the first curve. @param from_rest without any, each is to be found from
+     * rest, not from the one before it */
     std::vector<CurvePoint> starts_for(const CurveSetting &setting,
-                                       const std::vector<unsigned int> &wanted);
+                                       const std::vector<unsigned int> &wanted,
+                                       const bool from_rest);
     /** The point of the #outline that is nearest to a request: the most similar load. */
     const CurvePoint &nearest_of_outline(const PointRequest &request) const;
     /** Steps of twice the length, if they divide the pitch; those of plain() for a changed motor.
@@ -145,6 +151,8 @@ namespace ringmotor
     /** Processor seconds of the points of a setting. */
     double point_seconds(const CurveSetting &setting);
     void find_requests(const unsigned int n_parts);
+    /** Whether a curve is wanted whose points depend on its shape. */
+    bool needs_shape() const;
     /** Where the whole curve is computed: along its shape on the first mesh, or at rising torques
      * if the rotor stands still under all of them, or without load. */
     std::vector<PointRequest> points_of_curve();

@@ -146,7 +146,8 @@ namespace ringmotor
 
     /**
      * Looks in the memory first. The search for a steady state starts from that of @p start, of the
-     * same request, or else from the previous point. After a point from the memory, the next one is
+     * same or a similar request, or else from the previous point; from rest if @p start is a point
+     * without fields. After a point from the memory, the next one is
      * bitwise the same as if the former had been computed.
      * @throws ComputationError if none is found
      */
@@ -186,8 +187,8 @@ namespace ringmotor
   /**
    * Finds several points with the steps of @p setting, distributed over the ranks of
    * @p communicator and returned on all of them. @p motor must have its mesh and wave. @p starts is
-   * empty or has one initial point for each request. @p after_point is called, and @p memory
-   * consulted, on the rank that finds a point.
+   * empty or has one for each request, see OperatingPointFinder::find(). @p after_point is called,
+   * and @p memory consulted, on the rank that finds a point.
    */
   std::vector<CurvePoint>
   find_points(const Parameters &parameters, const CondensedMotor &motor,
