@@ -59,12 +59,14 @@ if [[ $mode == study ]]; then
   exec "$root/scripts/study_figure.py" "$case_folder"
 fi
 
-# Ranks share the work of a motor; a fifth one would find little left of it. They stay off the cores that others use, and
-# mpirun adds nothing to what the program says.
+# Ranks share the work of a motor; a fifth one would find little left of it. They are not bound to cores that other runs
+# may have been bound to, nproc counts more than the slots of mpirun, containers forbid the fast way of copying
+# between processes, and mpirun adds nothing to what the program says.
 n_ranks=$(($(nproc) < 4 ? $(nproc) : 4))
 launcher=()
 if ((n_ranks > 1)) && command -v mpirun > /dev/null; then
-  launcher=(mpirun --quiet --bind-to none --mca mpi_yield_when_idle 1 -n "$n_ranks")
+  launcher=(mpirun --quiet --bind-to none --oversubscribe --mca mpi_yield_when_idle 1
+            --mca btl_vader_single_copy_mechanism none -n "$n_ranks")
   ((EUID != 0)) || launcher+=(--allow-run-as-root)
 fi
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/exceptions.h>
+
 #include <ringmotor/contact/friction_law.h>
 #include <ringmotor/contact/given_coefficients.h>
 #include <ringmotor/motor/steady.h>
@@ -294,17 +296,40 @@ namespace ringmotor
     return start;
   }
 
+  SteadyDriver::Start SteadyDriver::start_from(const RingContact &contact, const RotorLoad &load,
+                                               const ContactSolution &solution,
+                                               const double speed) const
+  {
+    if (solution.state.force.size() == contact.n_points())
+      return {solution.state, solution.motion, travelled(contact, solution), speed};
+    SteadyStep coarse_step;
+    coarse_step.n_samples = solution.state.force.size() / (contact.n_points() / contact.n_times());
+    return at_other_samples(RingContact(motor, load, coarse_step), solution, contact, speed);
+  }
+
   void SteadyDriver::go_on_from(const RotorLoad &load, const ContactSolution &solution,
                                 const double speed)
   {
+    next = start_from(RingContact(motor, load, step), load, solution, speed);
+  }
+
+  void SteadyDriver::go_on_by_change(const RotorLoad &load, const ContactSolution &from,
+                                     const double from_speed, const ContactSolution &to,
+                                     const double to_speed)
+  {
+    Assert(next, dealii::ExcMessage("there is no state that could change"));
     const RingContact contact(motor, load, step);
-    if (solution.state.force.size() == contact.n_points())
+    const Start before = start_from(contact, load, from, from_speed),
+                after  = start_from(contact, load, to, to_speed);
+    for (unsigned int i = 0; i < contact.n_points(); ++i)
     {
-      next = Start{solution.state, solution.motion, travelled(contact, solution), speed};
-      return;
+      next->state.force[i] += after.state.force[i] - before.state.force[i];
+      if (!next->motion.empty())
+        next->motion[i] += after.motion[i] - before.motion[i];
     }
-    SteadyStep coarse_step;
-    coarse_step.n_samples = solution.state.force.size() / (contact.n_points() / contact.n_times());
-    next = at_other_samples(RingContact(motor, load, coarse_step), solution, contact, speed);
+    for (unsigned int r = 0; r < contact.n_times() * contact.n_rigid_motions(); ++r)
+      next->state.rigid[r] += after.state.rigid[r] - before.state.rigid[r];
+    next->speed += to_speed - from_speed;
+    next->memory = after.memory;
   }
 } // namespace ringmotor

@@ -96,7 +96,25 @@ namespace ringmotor
   {
   }
 
-  CurvePoint OperatingPointFinder::find(const PointRequest &request, const CurvePoint *start)
+  void OperatingPointFinder::begin(const PointRequest &request, const CurvePoint &start,
+                                   const CurvePoint *start_before)
+  {
+    const RotorLoad load = load_of(parameters.loading, request);
+    // With inertia the neighbour on the curve is closer than the same point with other steps, but
+    // not closer than that with a slightly different wave or modes.
+    const bool neighbour_is_nearer =
+        model.has_inertia() && steady.has_state() && !setting.has_changed_motor();
+    if (start.fields.force.empty())
+      steady.start_from_rest();
+    else if (!neighbour_is_nearer)
+      steady.go_on_from(load, solution_of(start), start.result.speed);
+    else if (start_before)
+      steady.go_on_by_change(load, solution_of(*start_before), start_before->result.speed,
+                             solution_of(start), start.result.speed);
+  }
+
+  CurvePoint OperatingPointFinder::find(const PointRequest &request, const CurvePoint *start,
+                                        const CurvePoint *start_before)
   {
     if (memory)
       if (std::optional<CurvePoint> known = memory->recall(request))
@@ -106,21 +124,14 @@ namespace ringmotor
                             known->result.speed);
         return *known;
       }
-    if (start && start->fields.force.empty())
-      steady.start_from_rest();
-    // With inertia the neighbour on the curve is closer than the same point with other steps, but
-    // not closer than that with a slightly different wave or modes.
-    const bool neighbour_is_nearer =
-        model.has_inertia() && steady.has_state() && !setting.has_changed_motor();
-    if (start && !start->fields.force.empty() && !is_marched(parameters) && !neighbour_is_nearer)
-      steady.go_on_from(load_of(parameters.loading, request), solution_of(*start),
-                        start->result.speed);
-    const auto begin = std::chrono::steady_clock::now();
+    if (start && !is_marched(parameters))
+      begin(request, *start, start_before);
+    const auto since = std::chrono::steady_clock::now();
     CurvePoint point = is_marched(parameters) ? find_marched(parameters, motor, request,
                                                              setting.n_joined, setting.tells_window)
                                               : find_steady(request);
     point.request    = request;
-    point.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    point.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
     if (memory)
       memory->keep(point);
     return point;
@@ -217,7 +228,8 @@ namespace ringmotor
     std::vector<CurvePoint> mine;
     for (std::size_t i = first_of(rank); i < first_of(rank + 1); ++i)
     {
-      mine.push_back(finder.find(requests[i], starts.empty() ? nullptr : &starts[i]));
+      mine.push_back(finder.find(requests[i], starts.empty() ? nullptr : &starts[i],
+                                 starts.empty() || mine.empty() ? nullptr : &starts[i - 1]));
       after_point(mine.back());
     }
     if (n_ranks == 1) // nothing to be packed, compressed and unpacked

@@ -43,6 +43,11 @@ namespace ringmotor
      * search. If it has other time samples, those in between are interpolated. Of @p solution, the
      * state, the motion and the status of all contact points are used. */
     void go_on_from(const RotorLoad &load, const ContactSolution &solution, const double speed);
+    /** Adds the change from one state to another to the known one, as the start of the next search:
+     * both with other time samples or of a similar motor, in which the rotor turns with the given
+     * speeds (rad/s). */
+    void go_on_by_change(const RotorLoad &load, const ContactSolution &from,
+                         const double from_speed, const ContactSolution &to, const double to_speed);
     /** Forgets it. */
     void start_from_rest() { next.reset(); }
 
@@ -77,6 +82,9 @@ namespace ringmotor
     Start by_coefficients(const RingContact &contact, Start start, RowSolver &solver,
                           unsigned int &n_iterations) const;
     Start from_rest(const RotorLoad &load) const;
+    /** The start from a state, with the time samples of @p contact. */
+    Start start_from(const RingContact &contact, const RotorLoad &load,
+                     const ContactSolution &solution, const double speed) const;
     /** From a state at the time samples of @p coarse to those of @p fine, with forces interpolated
      * linearly. */
     static Start at_other_samples(const RingContact &coarse, const ContactSolution &solution,

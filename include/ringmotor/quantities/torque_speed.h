@@ -147,13 +147,19 @@ namespace ringmotor
     /**
      * Looks in the memory first. The search for a steady state starts from that of @p start, of the
      * same or a similar request, or else from the previous point; from rest if @p start is a point
-     * without fields. After a point from the memory, the next one is
-     * bitwise the same as if the former had been computed.
+     * without fields. After a point from the memory, the next one is bitwise the same as if the
+     * former had been computed.
+     * @param start_before the start of the previous point: where that point is a better start, it
+     * is changed by what has changed between the two starts
      * @throws ComputationError if none is found
      */
-    CurvePoint find(const PointRequest &request, const CurvePoint *start = nullptr);
+    CurvePoint find(const PointRequest &request, const CurvePoint *start = nullptr,
+                    const CurvePoint *start_before = nullptr);
 
   private:
+    /** Sets the start of a steady state. */
+    void begin(const PointRequest &request, const CurvePoint &start,
+               const CurvePoint *start_before);
     CurvePoint find_steady(const PointRequest &request);
     /** A steady state with the wave at the frequency to which the contact shifts it. */
     OperatingState at_own_frequency(const RotorLoad &load);
