@@ -36,7 +36,6 @@ GROWTH = {
     "largest number of waves, stator (n = 0 to it, degree 3)":
         ("stator", (3, 6, 12, 24, 45), lambda n: {**FIXED, "Modes/Nodal diameters": f"0-{n}"}),
     "teeth, stator (n = 7, degree 3)": ("stator", (45, 90, 180, 360), lambda n: {**FIXED, **teeth(n)}),
-    "teeth, contact (curve of eleven points)": ("contact", (45, 90, 180, 360), lambda n: {**COARSE, **teeth(n)}),
     "points on a curve, contact":
         ("contact", (3, 6, 11, 21, 41), lambda n: {**COARSE, "Loading/Number of curve points": n}),
     "points on a curve, contact with inertia":
