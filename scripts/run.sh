@@ -70,6 +70,8 @@ if ((n_ranks > 1)) && command -v mpirun > /dev/null; then
   ((EUID != 0)) || launcher+=(--allow-run-as-root)
 fi
 
+trap 'exit 130' INT # mpirun does not end as by the signal, and bash would go on
+
 # Where a program fails, the page tells so beside the results of those before it.
 rm -f "$case_folder/report.html"
 status=0 begun=$EPOCHSECONDS

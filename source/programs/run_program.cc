@@ -68,13 +68,14 @@ namespace ringmotor
         lock.emplace(parameters.output.directory);
       for (const Program &program : programs)
       {
-        doing.name = program.name;
+        doing.name     = program.name;
+        doing.noted_in = failure_file(program.name, parameters);
         if (is_first_rank())
         {
+          std::remove(doing.noted_in.c_str());
+          be_silent_after_failure(doing.noted_in);
           tell_when_interrupted(program.name +
                                 ": interrupted; no results of this run are kept: start it again");
-          doing.noted_in = failure_file(program.name, parameters);
-          std::remove(doing.noted_in.c_str());
         }
         forget_peak_memory();
         do_work(program, line, parameters);
@@ -133,16 +134,14 @@ namespace ringmotor
       mallopt(M_TRIM_THRESHOLD, 256 * megabyte);
     }
 
-    /** Prints once and ends all ranks: a rank that fails alone would leave the others waiting. */
-    int fail(const std::string &name, const std::string &message, const int status)
+    /** Reports once and ends all ranks: a rank that fails alone would leave the others waiting. */
+    int fail(const Doing &doing, const std::string &message, const int status)
     {
-      const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
-      const bool alone        = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1;
-      if (rank != 0) // most errors happen on all ranks: let rank 0 report them
+      if (!is_first_rank()) // most errors happen on all ranks: let the first one report them
         std::this_thread::sleep_for(std::chrono::seconds(2));
-      std::cerr << name << (rank == 0 ? "" : " (rank " + std::to_string(rank) + ")") << ": "
-                << message << std::endl;
-      if (!alone)
+      note_failure(doing.noted_in, message);
+      std::cerr << doing.name << ": " << message << std::endl;
+      if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
         MPI_Abort(MPI_COMM_WORLD, status);
       return status;
     }
@@ -168,11 +167,6 @@ namespace ringmotor
     std::signal(SIGXFSZ, SIG_IGN); // a file grown too large must be an error that can be reported
     const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
     Doing doing{process.name, {}};
-    const auto failed = [&](const std::string &message, const int status)
-    {
-      note_failure(doing.noted_in, message);
-      return fail(doing.name, message, status);
-    };
     try
     {
       reserve_blas_memory();
@@ -181,28 +175,29 @@ namespace ringmotor
     }
     catch (const UserError &error)
     {
-      return failed(error.what(), 1);
+      return fail(doing, error.what(), 1);
     }
     catch (const ComputationError &error)
     {
-      return failed(error.what(), 2);
+      return fail(doing, error.what(), 2);
     }
     catch (const std::bad_alloc &)
     {
-      return failed("out of memory; choose a larger Accuracy/Target or Accuracy/Contact target, "
-                    "fewer Modes/Nodal diameters, or a machine with more",
-                    2);
+      return fail(doing,
+                  "out of memory; choose a larger Accuracy/Target or Accuracy/Contact target, "
+                  "fewer Modes/Nodal diameters, or a machine with more",
+                  2);
     }
     catch (const dealii::ExceptionBase &error)
     {
       // what() carries a stack trace, of use to programmers only
       std::ostringstream message;
       error.print_info(message);
-      return failed("internal error: " + message.str(), 2);
+      return fail(doing, "internal error: " + message.str(), 2);
     }
     catch (const std::exception &error)
     {
-      return failed(std::string("internal error: ") + error.what(), 2);
+      return fail(doing, std::string("internal error: ") + error.what(), 2);
     }
   }
 } // namespace ringmotor

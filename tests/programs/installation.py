@@ -8,8 +8,11 @@ Usage: tests/programs/installation.py BUILD_DIR [unittest arguments]
 import json
 import os
 import pathlib
+import signal
+import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
@@ -80,6 +83,7 @@ class FromFileToPage(Installed):
         self.assertEqual(done.returncode, 2, done.stderr)
         words = "balance within"
         self.assertIn(words, done.stderr)
+        self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)  # of all ranks, and of mpirun
         for text in (done.stdout, (case / "report.html").read_text()):
             self.assertIn("contact FAILED", text)
             self.assertIn(words, text)
@@ -95,6 +99,19 @@ class FromFileToPage(Installed):
         done = self.ringmotor(*options)
         self.assertIn("all hold", done.stdout)
         self.assertNotIn("FAILED", done.stdout)
+
+    def test_an_interruption_ends_it(self):
+        case = self.folder / "interrupted"
+        process = subprocess.Popen([self.prefix / "bin" / "ringmotor", ROOT / "prm" / "canon_ring.prm", "--output", case],
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, start_new_session=True)
+        while not case.exists():
+            time.sleep(0.1)
+        time.sleep(1)
+        os.killpg(process.pid, signal.SIGINT)  # as by Ctrl-C
+        _, said = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130)
+        self.assertRegex(said, r"^\n(stator|contact): interrupted; [^\n]*\n$")
+        self.assertFalse((case / "figures").exists())
 
     def test_mistakes_are_told_before_anything_is_computed(self):
         case = self.folder / "mistakes"

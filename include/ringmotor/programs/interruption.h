@@ -10,4 +10,8 @@ namespace ringmotor
    * to end; the program then ends immediately, as by the signal. Call it again to change the words.
    */
   void tell_when_interrupted(const std::string &words);
+
+  /** Leaves the words out if a file of note_failure() is there: another rank has failed, said why,
+   * and is ending this one, which has nothing to add. */
+  void be_silent_after_failure(const std::string &file);
 } // namespace ringmotor
