@@ -120,11 +120,15 @@ def draw_optimum(output, title, staged, aim, best):
     rows = [row for _, row in staged if row.quantities]
     possible = [row for row in rows if aim.is_possible(row)]
     figure, axes = start(f"{title}: {aim.name} of {len(staged)} motors", 1 + len(aim.limits), 1)
-    for group, color in ((rows, GREY), (possible, BLUE), (best[:1], ORANGE)):
+    for group, color, words in ((rows, GREY, "beyond a limit"), (possible, BLUE, "within the limits"),
+                                (best[:1], ORANGE, "the best")):
         values, errors = values_of(group, aim.name)
         axes[0, 0].errorbar([rows.index(row) + 1 for row in group], values, yerr=errors, fmt="o", color=color, ms=2.5,
-                            elinewidth=0.6)
+                            elinewidth=0.6, label=words)
     axes[0, 0].set(xlabel="motor", ylabel=label(aim.name, unit_of(rows, aim.name)))
+    if aim.limits:
+        axes[0, 0].plot([], [], "o-", color=GREEN, ms=2.5, lw=0.9, label="Pareto front")
+        axes[0, 0].legend(fontsize=6, loc="lower right", framealpha=0.8, edgecolor="none")
     for panel, one in zip(axes[0, 1:], aim.limits):
         sign = -1 if one.low == -math.inf else 1  # less is better of what is limited from above
         front = pareto_front(possible, lambda row: (aim.of(row)[0], sign * row.quantities[one.name].value))
