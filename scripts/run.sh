@@ -68,6 +68,7 @@ if ((n_ranks > 1)) && command -v mpirun > /dev/null; then
   launcher=(mpirun --quiet --bind-to none --oversubscribe --mca mpi_yield_when_idle 1
             --mca btl_vader_single_copy_mechanism none -n "$n_ranks")
   ((EUID != 0)) || launcher+=(--allow-run-as-root)
+  "${launcher[@]}" true &> /dev/null || launcher=() # mpirun does not work here
 fi
 
 trap 'exit 130' INT # mpirun does not end as by the signal, and bash would go on
