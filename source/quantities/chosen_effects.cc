@@ -23,7 +23,8 @@ namespace ringmotor
         chosen, &wave,
         [&](const Effect &effect)
         {
-          measured[effect.name] = effect_on_points(chosen, effect, wave, uniform_vibration);
+          measured[effect.name] =
+              effect_on_points(chosen, effect, wave, uniform_vibration, MPI_COMM_WORLD);
           return measured[effect.name].relative;
         },
         [&]() -> const LipAmplification &

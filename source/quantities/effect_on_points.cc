@@ -33,7 +33,8 @@ namespace ringmotor
   } // namespace
 
   EffectOnPoints effect_on_points(const Parameters &all_parameters, const Effect &effect,
-                                  const StatorWave &wave, const RotorVibration &vibration)
+                                  const StatorWave &wave, const RotorVibration &vibration,
+                                  const MPI_Comm communicator)
   {
     constexpr unsigned int modes_level = 1;
     Parameters with = all_parameters, without = all_parameters;
@@ -48,7 +49,7 @@ namespace ringmotor
     if (motor_model(with).rotor_needs_modes()) // by all ranks together
       vibration.prepare(modes_level);
     const std::vector<CondensedMotor> motors = shared_work<CondensedMotor>(
-        {[&] { return condensed(with); }, [&] { return condensed(without); }}, MPI_COMM_WORLD);
+        {[&] { return condensed(with); }, [&] { return condensed(without); }}, communicator);
 
     OperatingPointFinder finder(without, motors[1]);
     const CurvePoint stall   = finder.find({Control::speed, 0.}),
@@ -68,7 +69,7 @@ namespace ringmotor
               requests.push_back(point.request);
             return points_if_found(with, motors[0], requests);
           });
-    const std::vector<std::vector<CurvePoint>> with_it = shared_work(tasks, MPI_COMM_WORLD);
+    const std::vector<std::vector<CurvePoint>> with_it = shared_work(tasks, communicator);
     EffectOnPoints effect_on;
     if (with_it[0].empty() || with_it[1].empty())
     {

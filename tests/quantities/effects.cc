@@ -199,11 +199,28 @@ TEST(ToothInertia, ChangesSpeedsAsItsIndicatorSays)
   const double indicator = *effect("Tooth inertia").indicator({parameters, &wave, {}});
   const EffectOnPoints change =
       effect_on_points(parameters, effect("Tooth inertia"), wave,
-                       RotorVibration(parameters, wave.angular_frequency));
+                       RotorVibration(parameters, wave.angular_frequency), MPI_COMM_SELF);
   record("indicator", indicator);
   record("change", change.relative);
   EXPECT_GT(change.relative, indicator / 3.);
   EXPECT_LT(change.relative, indicator * 3.);
+}
+
+TEST(EffectRanks, ChangesPointsAlikeOnTwo)
+{
+  Parameters parameters      = reference_motor();
+  parameters.effects.damping = EffectChoice::on;
+  const StatorWave wave      = stator_wave(parameters);
+  const auto change_on       = [&](MPI_Comm communicator)
+  {
+    const RotorVibration vibration(parameters, wave.angular_frequency, communicator);
+    return effect_on_points(parameters, effect("Rotor inertia"), wave, vibration, communicator);
+  };
+  const EffectOnPoints one = change_on(MPI_COMM_SELF), two = change_on(MPI_COMM_WORLD);
+  EXPECT_GT(one.relative, 0.01);
+  EXPECT_NEAR(two.relative, one.relative, 1e-7);
+  for (double PointError::*const quantity : PointError::members)
+    EXPECT_NEAR(two.change.*quantity, one.change.*quantity, 1e-6 * one.change.*quantity);
 }
 
 TEST(StatorBackReaction, TunesTheWaveAsRayleighSays)

@@ -22,10 +22,12 @@ namespace ringmotor
    * with few modes. EffectOnPoints::relative is infinite if there is a state without the effect,
    * but none with it.
    * @param vibration of the rotor of that ring
+   * @param communicator of the ranks that share the work. Collective
    * @throws ComputationError if no state is found without the effect
    */
   EffectOnPoints effect_on_points(const Parameters &parameters, const Effect &effect,
-                                  const StatorWave &wave, const RotorVibration &vibration);
+                                  const StatorWave &wave, const RotorVibration &vibration,
+                                  MPI_Comm communicator);
 
   /** The effects that `auto` has left out of a motor. */
   class LeftOut
