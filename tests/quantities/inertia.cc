@@ -244,7 +244,7 @@ namespace
   }
 } // namespace
 
-TEST_F(VibratingMotor, IsFoundFasterFromTheChangeOfCoarseStates)
+TEST_F(VibratingMotor, IsTheSameFromTheChangeOfCoarseStates)
 {
   const std::vector<PointRequest> requests{{Control::torque, 0.04},
                                            {Control::torque, 0.06},
@@ -258,17 +258,11 @@ TEST_F(VibratingMotor, IsFoundFasterFromTheChangeOfCoarseStates)
         nullptr, starts);
   };
   const std::vector<CurvePoint> alone = points(2, {}), started = points(2, points(1, {}));
-  unsigned int n_alone = 0, n_started = 0;
   for (std::size_t i = 1; i < requests.size(); ++i)
   {
     EXPECT_NEAR(started[i].result.speed, alone[i].result.speed, 1e-7 * alone[0].result.speed) << i;
     EXPECT_NEAR(started[i].result.torque, alone[i].result.torque, 1e-9) << i;
-    n_alone += alone[i].n_iterations;
-    n_started += started[i].n_iterations;
   }
-  record("iterations alone", n_alone);
-  record("iterations from the change", n_started);
-  EXPECT_LT(n_started, n_alone);
 }
 
 TEST_F(VibratingMotor, MarchingStaysInTheSteadyState)
