@@ -6,5 +6,5 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 "$root/scripts/setup.sh" -DRINGMOTOR_TESTS=ON
 cmake -S "$root" -B "$root/build/sanitizers" -G Ninja -DRINGMOTOR_TESTS=ON -DRINGMOTOR_SANITIZERS=ON \
       -DRINGMOTOR_PLAIN_PROGRAMS="$root/build/bin"
-cmake --build "$root/build/sanitizers" --target stator contact losses readers
+cmake --build "$root/build/sanitizers" --target stator contact losses motor readers
 ctest --test-dir "$root/build/sanitizers" --label-regex sanitizers --output-on-failure --parallel "$(nproc)" "$@"
