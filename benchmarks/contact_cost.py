@@ -20,7 +20,7 @@ import sys
 import tempfile
 
 sys.dont_write_bytecode = True
-from timed_run import program, timed_run  # noqa: E402
+from timed_run import program, teeth, timed_run  # noqa: E402
 
 PLAIN = {"Friction/Law": "coulomb", "Rotor/Flange element": "solid", "Accuracy/Mode": "fixed",
          "Accuracy/Target": "1e-3", "Accuracy/Refinement": "1", "Output/VTU": "false"}
@@ -30,26 +30,25 @@ def adaptive(target, **others):
     return {"Accuracy/Mode": "adaptive", "Accuracy/Contact target": str(target), **others}
 
 
-CASES = [(f"target {target}", adaptive(target), 1) for target in (0.1, 0.03, 0.01)]
-CASES += [("target 0.03, flange as shell", adaptive(0.03, **{"Rotor/Flange element": "shell"}), 1),
-          ("target 0.01, flange as shell", adaptive(0.01, **{"Rotor/Flange element": "shell"}), 1),
-          ("target 0.03, static-dynamic law", adaptive(0.03, **{"Friction/Law": "static-dynamic"}), 1),
+CASES = [(f"target {target}", adaptive(target)) for target in (0.1, 0.03, 0.01)]
+CASES += [("target 0.03, flange as shell", adaptive(0.03, **{"Rotor/Flange element": "shell"})),
+          ("target 0.01, flange as shell", adaptive(0.01, **{"Rotor/Flange element": "shell"})),
+          ("target 0.03, static-dynamic law", adaptive(0.03, **{"Friction/Law": "static-dynamic"})),
           ("target 0.03, warp 4 um, marched, two points",
-           adaptive(0.03, **{"Initial deformation/Amplitude": "4e-6", "Loading/Values": "0, 0.05"}), 1)]
+           adaptive(0.03, **{"Initial deformation/Amplitude": "4e-6", "Loading/Values": "0, 0.05"}))]
 LOADS = "0.05, 0.1"  # N m; without load, power takes more steps to balance
 STEPS_IN_PERIOD = 360
 
 
-def teeth(number):
-    """The reference motor with another number of teeth; slots keep their share of the pitch."""
-    return {"Motor/Number of teeth": str(number), "Stator/Slot width": repr(0.6e-3 * 90 / number),
-            "Time/Snapshots": str(STEPS_IN_PERIOD // number), "Accuracy/Interface refinement": "1",
+def motor_with(number):
+    """Of teeth, with the same steps in a period."""
+    return {**teeth(number), "Time/Snapshots": str(STEPS_IN_PERIOD // number), "Accuracy/Interface refinement": "1",
             "Loading/Values": LOADS}
 
 
 POINTS_ON_A_TOOTH = (15, 25, 49, 81)  # of the interface meshes on the reference motor
-GROWTH_OF_TEETH = [(number, teeth(number)) for number in (30, 60, 90, 180, 360)]
-GROWTH_OF_INTERFACE = [(level, {**teeth(90), "Accuracy/Interface refinement": str(level)})
+GROWTH_OF_TEETH = [(number, motor_with(number)) for number in (30, 60, 90, 180, 360)]
+GROWTH_OF_INTERFACE = [(level, {**motor_with(90), "Accuracy/Interface refinement": str(level)})
                        for level in range(len(POINTS_ON_A_TOOTH))]
 
 
@@ -59,18 +58,18 @@ def condensation_seconds(summary):
     return max((int(key[len(name):]), value) for key, value in summary["seconds"].items() if key.startswith(name))[1]
 
 
-def measure(entries, n_ranks, repeat):
+def measure(entries, repeat):
     """Medians of some runs: dict of numbers."""
     runs = []
     with tempfile.TemporaryDirectory() as folder:
         timed_run("stator", folder, {**PLAIN, **entries})
         for _ in range(repeat):
             shutil.rmtree(pathlib.Path(folder) / "contact", ignore_errors=True)  # kept condensations
-            seconds, memory = timed_run("contact", folder, {**PLAIN, **entries}, n_ranks)
+            seconds, memory = timed_run("contact", folder, {**PLAIN, **entries})
             summary = json.loads((pathlib.Path(folder) / "contact" / "summary.json").read_text())
             with open(pathlib.Path(folder) / "contact" / "torque_speed.csv") as file:
                 points = [float(row["seconds"]) for row in csv.DictReader(file)]
-            runs.append({"whole": seconds, "memory": memory if n_ranks == 1 else summary["peak_memory_MB"],
+            runs.append({"whole": seconds, "memory": memory,
                          "condensation": condensation_seconds(summary),
                          "curve": sum(points), "point": statistics.median(points)})
     result = {key: statistics.median(r[key] for r in runs) for key in runs[0]}
@@ -85,8 +84,8 @@ def table(rows, repeat):
     header = ["case", "dofs", "whole s", "condensation s", "point s", "curve s", "memory MB", "no-load rpm"]
     lines = ["| " + " | ".join(header) + " |", "|" + "---|" * len(header)]
     print("\n".join(lines), flush=True)
-    for name, entries, n_ranks in rows:
-        r = measure(entries, n_ranks, repeat)
+    for name, entries in rows:
+        r = measure(entries, repeat)
         lines.append(f"| {name} | {r['dofs']} | {r['whole']:.2f} | {r['condensation']:.2f} | {r['point']:.3f} | "
                      f"{r['curve']:.2f} | {r['memory']:.0f} | {r['speed']:.2f} +- {r['error']:.2f} |")
         print(lines[-1], flush=True)
@@ -103,7 +102,7 @@ def exponent(sizes, values):
 def growth(name, cases, size_of, repeat):
     header = [name, "condensation s", "point s", "memory MB"]
     lines = ["| " + " | ".join(header) + " |", "|" + "---|" * len(header)]
-    found = [(size_of(key), measure(entries, 1, repeat)) for key, entries in cases]
+    found = [(size_of(key), measure(entries, repeat)) for key, entries in cases]
     for size, r in found:
         lines.append(f"| {size} | {r['condensation']:.2f} | {r['point']:.3f} | {r['memory']:.0f} |")
     sizes = [size for size, _ in found]

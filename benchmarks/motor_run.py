@@ -7,7 +7,7 @@ import re
 import shlex
 
 from contact_checks import ContactResults, check
-from timed_run import ROOT, arguments, limited_run, program
+from timed_run import ROOT, arguments, limited_run, on_ranks, program
 
 # How a run may end. The last three must not happen.
 OUTCOMES = ("certified", "refused", "failed", "hang", "crash", "silent wrong")
@@ -28,9 +28,8 @@ def outcome_of(run):
 def run_program(name, motor, folder, entries, options, *words, n_ranks=1):
     """One run under the limit, with further words on its command line; returns a row with COLUMNS, those of results
     empty."""
-    ranks = ["mpirun", "--oversubscribe", "-n", str(n_ranks)] if n_ranks > 1 else []
-    run = limited_run(ranks + [str(program(name, options.programs))] + arguments(motor, folder, entries) + list(words),
-                      options.seconds, CLOCK * options.seconds)
+    command = on_ranks(n_ranks) + [str(program(name, options.programs))] + arguments(motor, folder, entries)
+    run = limited_run(command + list(words), options.seconds, CLOCK * options.seconds)
     return {**dict.fromkeys(COLUMNS, ""), "outcome": outcome_of(run), "program": name, "status": run.status,
             "seconds": f"{run.seconds:.2f}", "processor_seconds": f"{run.processor_seconds:.2f}",
             "memory_MB": f"{run.memory:.0f}", "message": run.message if run.status else ""}

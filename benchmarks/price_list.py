@@ -18,7 +18,7 @@ import tempfile
 
 sys.dont_write_bytecode = True
 from motor_run import OUTPUT_OFF, table, write_markdown  # noqa: E402
-from timed_run import MOTOR, PAPERS_MODEL, ROOT, arguments, limited_run, program  # noqa: E402
+from timed_run import MOTOR, PAPERS_MODEL, ROOT, arguments, limited_run, on_ranks, program  # noqa: E402
 
 ONE_COEFFICIENT = {"Friction/Law": "coulomb", "Friction/Static coefficient": "0.40"}
 RING60 = ROOT / "prm" / "ring60.prm"
@@ -50,9 +50,7 @@ ROWS = (
 
 def run(row, folder, n_ranks, most_seconds):
     name, motor, _, _, entries = row
-    command = [str(program(name))] + arguments(motor, folder, {**OUTPUT_OFF, **entries})
-    if n_ranks > 1:
-        command = ["mpirun", "--oversubscribe", "-n", str(n_ranks)] + command
+    command = on_ranks(n_ranks) + [str(program(name))] + arguments(motor, folder, {**OUTPUT_OFF, **entries})
     return limited_run(command, most_clock_seconds=most_seconds)
 
 

@@ -18,17 +18,12 @@ import tempfile
 
 sys.dont_write_bytecode = True
 from motor_run import OUTPUT_OFF, table, write_markdown  # noqa: E402
-from timed_run import MOTOR, PAPERS_MODEL, ROOT, arguments, limited_run, program  # noqa: E402
+from timed_run import MOTOR, PAPERS_MODEL, ROOT, arguments, limited_run, on_ranks, program, teeth  # noqa: E402
 
 WITH_INERTIA = {**{entry: "auto" for entry in PAPERS_MODEL if entry.startswith("Effects/")},
                 "Accuracy/Contact target": "0.1"}
 FIXED = {"Accuracy/Mode": "fixed", "Accuracy/Polynomial degree": "3", "Accuracy/Refinement": "1"}
 COARSE = {"Accuracy/Target": "1e-3"}
-
-
-def teeth(number):
-    """Slots keep their share of the pitch."""
-    return {"Motor/Number of teeth": number, "Stator/Slot width": repr(0.6e-3 * 90 / number)}
 
 
 # what grows: program, sizes, entries of a size
@@ -50,8 +45,7 @@ RANKS = {
 
 
 def run(name, folder, entries, n_ranks=1):
-    launcher = ["mpirun", "--oversubscribe", "--bind-to", "none", "-n", str(n_ranks)] if n_ranks > 1 else []
-    done = limited_run([*launcher, str(program(name)), *arguments(MOTOR, folder, {**OUTPUT_OFF, **entries})])
+    done = limited_run([*on_ranks(n_ranks), str(program(name)), *arguments(MOTOR, folder, {**OUTPUT_OFF, **entries})])
     if done.status != 0:
         sys.exit(f"{name} {entries}: {done.message}")
     return done

@@ -39,6 +39,16 @@ def arguments(motor, folder, entries):
     return words + ["--output", str(folder)]
 
 
+def teeth(number):
+    """Entries of the reference motor with another number of teeth; slots keep their share of the pitch."""
+    return {"Motor/Number of teeth": str(number), "Stator/Slot width": repr(0.6e-3 * 90 / number)}
+
+
+def on_ranks(n_ranks):
+    """What stands before a program that runs on so many ranks."""
+    return ["mpirun", "--oversubscribe", "--bind-to", "none", "-n", str(n_ranks)] if n_ranks > 1 else []
+
+
 @dataclass
 class Run:
     """How a run ended."""
@@ -90,9 +100,7 @@ def limited_run(command, most_seconds=None, most_clock_seconds=None):
 def timed_run(name, folder, entries, n_ranks=1, most_seconds=None):
     """One run on the reference motor; returns wall seconds and largest resident set in MB (of the launcher
     where there are several ranks). Ends the benchmark if it fails; raises TimeoutError if it takes too long."""
-    command = [str(program(name))] + arguments(MOTOR, folder, entries)
-    if n_ranks > 1:
-        command = ["mpirun", "--oversubscribe", "-n", str(n_ranks)] + command
+    command = on_ranks(n_ranks) + [str(program(name))] + arguments(MOTOR, folder, entries)
     run = limited_run(command, most_clock_seconds=most_seconds)
     if run.is_too_long:
         raise TimeoutError(f"more than {most_seconds} s: {' '.join(command)}")

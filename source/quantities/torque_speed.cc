@@ -232,7 +232,7 @@ namespace ringmotor
                                  starts.empty() || mine.empty() ? nullptr : &starts[i - 1]));
       after_point(mine.back());
     }
-    if (n_ranks == 1) // nothing to be packed, compressed and unpacked
+    if (n_ranks == 1) // nothing to be packed and unpacked
       return mine;
     std::vector<CurvePoint> points;
     for (const std::vector<CurvePoint> &of_rank : of_all_ranks(mine, communicator))
