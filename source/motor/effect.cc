@@ -19,7 +19,7 @@ namespace ringmotor
             effects::initial_deformation, effects::static_friction_excess, effects::rotor_inertia,
             effects::tooth_inertia, effects::damping, effects::stator_back_reaction,
             effects::spin_convection, effects::target_plates, effects::felt_support,
-            effects::friction_lining})
+            effects::piezoelectric_coupling, effects::friction_lining})
         list.push_back(make());
       return list;
     }

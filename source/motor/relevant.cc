@@ -32,6 +32,7 @@ namespace ringmotor
       parameters.motor.accepts_unusual_values = defaults.motor.accepts_unusual_values;
       parameters.modes                        = defaults.modes;
       parameters.uncertainty                  = defaults.uncertainty;
+      parameters.electrodes                   = defaults.electrodes;
       parameters.output                       = defaults.output;
       reset_loss_factors(parameters.materials);
       for (const auto &effect : all_effects())

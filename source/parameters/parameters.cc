@@ -34,6 +34,8 @@ namespace ringmotor
     declare_section("Stator", stator);
     declare_section("Rotor", rotor);
     declare_section("Materials", materials);
+    declare_section("Piezoelectricity", piezoelectricity);
+    declare_section("Electrodes", electrodes);
     declare_section("Modes", modes);
     declare_section("Wave", wave);
     declare_section("Loading", loading);

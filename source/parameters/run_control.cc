@@ -202,6 +202,10 @@ namespace ringmotor
         "Felt support", felt_support,
         "Stiffness of the felt in the modes of the stator; the program losses includes its loss "
         "in any case.");
+    add_effect(
+        "Piezoelectric coupling", piezoelectric_coupling,
+        "Electric potential of the ceramic, with the constants of the section "
+        "Piezoelectricity instead of an isotropic ceramic; needed for voltages and currents.");
     add_effect("Friction lining", friction_lining,
                "Finite stiffness of a friction lining, given in the section Friction.");
   }

@@ -47,6 +47,7 @@ namespace ringmotor
       const FoundMode &shown() const;
       void report();
       void report_wave(const WaveResult &wave);
+      void report_circuits(const MotorCircuits &circuits);
       void report_inertia();
       /** (omega/omega_1)^2, omega_1 the lowest mode of the tooth or, with the waves of the motor,
        * of the rotor: how much its inertia would matter. None if that mode or omega is not known.
@@ -136,7 +137,11 @@ namespace ringmotor
       for (const FoundMode &found : body.search().modes())
         log.line(describe(found, parameters.modes.body));
       if (body.wave() != nullptr)
+      {
         report_wave(*body.wave());
+        if (body.circuits() != nullptr)
+          report_circuits(*body.circuits());
+      }
       else if (!of_stator)
         report_inertia();
       else
@@ -161,6 +166,28 @@ namespace ringmotor
                (body.last_refined_for().empty()
                     ? ""
                     : "; the last mesh was made for " + body.last_refined_for()));
+    }
+
+    void StatorProgram::report_circuits(const MotorCircuits &circuits)
+    {
+      for (const std::string &warning : parameters.piezoelectricity.warnings())
+        log.line("warning: " + warning);
+      for (const MotorCircuits::PhaseResult &of_phase : circuits.results())
+      {
+        const PhaseCircuit &circuit = of_phase.circuit;
+        const std::string phase     = "phase " + name_of(of_phase.phase) + ": ";
+        log.line(phase + "open-circuit frequency " +
+                 text(1e-3 * circuit.open_circuit_frequency, 4) +
+                 " kHz, k_eff^2 = " + text(circuit.coupling_squared(), 5) +
+                 ", capacitance C0 = " + text(circuit.parallel_capacitance, units::capacitance, 3) +
+                 ", clamped " + text(circuit.clamped_capacitance, units::capacitance, 3) +
+                 ", free " + text(circuit.free_capacitance, units::capacitance, 3));
+        log.line(phase + "Lm = " + text(circuit.inductance, units::inductance, 4) +
+                 ", Cm = " + text(circuit.capacitance, units::motional_capacitance, 2) +
+                 ", Rm = " + text(circuit.resistance, units::resistance, 2) +
+                 ", Q = " + text(circuit.quality, 0) + ", force factor " +
+                 text(circuit.force_factor, units::force_factor, 4));
+      }
     }
 
     void StatorProgram::report_inertia()
@@ -254,6 +281,10 @@ namespace ringmotor
             {{"n", found.mode.nodal_diameter}, {"family", to_string(found.content.family())}});
       if (body.wave() != nullptr)
         add_wave_quantities(summary, *body.wave(), seconds);
+      if (body.circuits() != nullptr)
+        for (const MotorCircuits::PhaseResult &of_phase : body.circuits()->results())
+          add_quantities(summary, of_phase.quantities, seconds,
+                         {{"phase", name_of(of_phase.phase)}});
       if (const auto ratio = of_stator ? std::nullopt : inertia_ratio())
         add_quantities(summary,
                        {on_body_mesh("(omega/omega_1)^2", units::one,

@@ -69,15 +69,18 @@ namespace ringmotor
     }
   } // namespace
 
-  MaterialTable material_table(const Materials &materials, const Body body)
+  MaterialTable material_table(const Materials &materials, const Body body,
+                               const std::optional<PiezoelectricLaw> &ceramic)
   {
     if (body == Body::rotor)
       return {{ids::rotor, materials.rotor_metal}, {ids::lip_shell, materials.rotor_metal}};
     if (body == Body::tooth)
       return {{ids::tooth, materials.stator_metal}};
-    return {{ids::base, materials.stator_metal},
-            {ids::tooth, materials.stator_metal},
-            {ids::piezoceramic, materials.piezoceramic}};
+    MaterialTable table{{ids::base, materials.stator_metal},
+                        {ids::tooth, materials.stator_metal},
+                        {ids::piezoceramic, materials.piezoceramic}};
+    table[ids::piezoceramic].law = ceramic;
+    return table;
   }
 
   double wave_target(const Accuracy &accuracy)
@@ -88,20 +91,21 @@ namespace ringmotor
   BodyModes::BodyModes(const Parameters &all_parameters, MPI_Comm ranks)
       : given(all_parameters), parameters(relevant_for_modes(all_parameters)),
         share_modes(request_for(parameters).nodal_diameters.size() > 1 ? ranks : MPI_COMM_SELF),
-        share_mesh(share_modes == ranks ? MPI_COMM_SELF : ranks), mode_search(new_search()),
+        share_mesh(share_modes == ranks ? MPI_COMM_SELF : ranks),
         motor_wave(parameters.motor.n_waves, parameters.wave)
   {
   }
 
-  ModeSearch BodyModes::new_search() const
+  std::unique_ptr<ModeSearch> BodyModes::new_search(const MotorModel &model) const
   {
-    return ModeSearch(material_table(parameters.materials, parameters.modes.body),
-                      request_for(parameters), share_modes);
+    return std::make_unique<ModeSearch>(
+        material_table(parameters.materials, parameters.modes.body, model.ceramic),
+        request_for(parameters), share_modes);
   }
 
   void BodyModes::find(const std::function<void(const Pass &)> &after_pass)
   {
-    choose_effects();
+    begin();
     if (parameters.accuracy.mode == AccuracyMode::fixed)
     {
       const unsigned int degree = parameters.accuracy.polynomial_degree;
@@ -116,21 +120,21 @@ namespace ringmotor
     aim_at(by_wave < accuracy.target);
     // Errors scale as (h k)^(2p), k a wave number: what is q times harder for degree 2 is q^2 times
     // harder for degree 4.
-    const double difficulty = std::pow(mode_search.worst_relative_error() / error_of_scout, 2);
+    const double difficulty = std::pow(mode_search->worst_relative_error() / error_of_scout, 2);
     const BodyDiscretisation discretisation = fit_for(
         parameters.modes.body, std::min(accuracy.target, by_wave) / std::max(1., difficulty));
     if (is_generated())
       make_mesh(discretisation);
     after_pass(compute_pass(discretisation.degree));
-    const auto excess = [&]() { return mode_search.worst_relative_error() / accuracy.target; };
+    const auto excess = [&]() { return mode_search->worst_relative_error() / accuracy.target; };
     const auto excess_of_wave = [&]()
     { return wave() ? wave()->relative_error() / wave_target(accuracy) : 0.; };
     while (excess() > 1. || excess_of_wave() > 1.)
     {
       aim_at(excess_of_wave() > excess());
-      if (n_passes == most_passes || mode_search.sector().n_dofs() > most_dofs)
+      if (n_passes == most_passes || mode_search->sector().n_dofs() > most_dofs)
         give_up();
-      mode_search.refine(mesh);
+      mode_search->refine(mesh);
       after_pass(compute_pass(discretisation.degree));
     }
   }
@@ -181,6 +185,15 @@ namespace ringmotor
     return stator;
   }
 
+  void BodyModes::begin()
+  {
+    choose_effects();
+    const MotorModel model = motor_model(parameters);
+    mode_search            = new_search(model);
+    if (parameters.modes.body == Body::stator && model.ceramic)
+      motor_circuits.emplace(given);
+  }
+
   void BodyModes::choose_effects()
   {
     const auto has_to_choose = [&](const auto &effect)
@@ -193,9 +206,22 @@ namespace ringmotor
         std::none_of(all.begin(), all.end(), has_to_choose))
       return;
     SectorMesh bare   = stator_mesh({scout_degree, scout_level}, MotorModel());
-    ModeSearch search = new_search();
-    search.compute(bare, scout_degree);
-    choices_by(search, parameters);
+    const auto search = new_search(MotorModel());
+    search->compute(bare, scout_degree);
+    choices_by(*search, parameters);
+  }
+
+  double BodyModes::shift_by_coupling(const MotorModel &coupled) const
+  {
+    const SectorMesh bare = stator_mesh({scout_degree, scout_level}, MotorModel());
+    const auto frequency  = [&](const MotorModel &model)
+    {
+      const auto search = new_search(model);
+      search->compute(bare, scout_degree);
+      const FoundMode *wave = search->working_mode(parameters.motor.n_waves);
+      return (wave ? *wave : search->modes().front()).frequency.value;
+    };
+    return frequency(coupled) / frequency(MotorModel()) - 1.;
   }
 
   std::vector<EffectRow> BodyModes::choices_by(const ModeSearch &search, Parameters &chosen) const
@@ -208,6 +234,8 @@ namespace ringmotor
                       {
                         MotorModel model;
                         effect.enter(given, model);
+                        if (model.ceramic)
+                          return shift_by_coupling(model);
                         return frequency_shift(search.sector(), mode, model);
                       }};
     return ringmotor::choose_effects(chosen, EffectStage::stator, scene,
@@ -219,7 +247,7 @@ namespace ringmotor
     if (parameters.modes.body != Body::stator)
       return {};
     Parameters chosen           = given;
-    std::vector<EffectRow> rows = choices_by(mode_search, chosen);
+    std::vector<EffectRow> rows = choices_by(*mode_search, chosen);
     for (EffectRow &row : rows)
       for (const auto &effect : all_effects())
         if (effect->name == row.name)
@@ -229,7 +257,7 @@ namespace ringmotor
 
   void BodyModes::locate()
   {
-    choose_effects();
+    begin();
     compute({scout_degree, scout_level});
   }
 
@@ -242,22 +270,24 @@ namespace ringmotor
   Pass BodyModes::compute_pass(const unsigned int degree)
   {
     const auto begin = std::chrono::steady_clock::now();
-    mode_search.compute(mesh, degree);
+    mode_search->compute(mesh, degree);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
     if (parameters.modes.body == Body::stator)
-      motor_wave.add_pass(mode_search);
-    return {++n_passes,     degree, level, mesh.n_cells(), mode_search.sector().n_dofs(),
+      motor_wave.add_pass(*mode_search);
+    if (circuits() != nullptr)
+      motor_circuits->add_pass(*mode_search, *wave());
+    return {++n_passes,     degree, level, mesh.n_cells(), mode_search->sector().n_dofs(),
             seconds.count()};
   }
 
   void BodyModes::give_up() const
   {
     std::ostringstream message;
-    message << "the frequencies are known to " << mode_search.worst_relative_error();
+    message << "the frequencies are known to " << mode_search->worst_relative_error();
     if (wave())
       message << " and the motor's wave to " << wave()->relative_error();
     message << " (relative) after " << n_passes << " passes, the last one with "
-            << mode_search.sector().n_dofs() << " degrees of freedom; " << refined_for
+            << mode_search->sector().n_dofs() << " degrees of freedom; " << refined_for
             << " was not reached: choose a larger one";
     throw ComputationError(message.str());
   }

@@ -5,7 +5,6 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <array>
 
 namespace ringmotor
 {
@@ -24,17 +23,12 @@ namespace ringmotor
       return all;
     }
 
-    std::array<Vector<double> *, 4> fields_of(SectorMotion &motion)
-    {
-      return {{&motion.solid.real, &motion.solid.imaginary, &motion.shell.real,
-               &motion.shell.imaginary}};
-    }
-
-    std::vector<double> packed(Mode mode)
+    std::vector<double> packed(const Mode &mode)
     {
       std::vector<double> numbers{mode.eigenvalue, mode.rigid ? 1. : 0., mode.algebra_error};
-      for (const Vector<double> *field : fields_of(mode.motion))
-        numbers.insert(numbers.end(), field->begin(), field->end());
+      for (const ComplexField *part : mode.motion.parts())
+        for (const Vector<double> *field : {&part->real, &part->imaginary})
+          numbers.insert(numbers.end(), field->begin(), field->end());
       return numbers;
     }
 
@@ -43,11 +37,12 @@ namespace ringmotor
     {
       Mode mode{k, numbers[0], numbers[1] != 0., sector.at_rest(), numbers[2]};
       auto next = numbers.begin() + 3;
-      for (Vector<double> *field : fields_of(mode.motion))
-      {
-        std::copy_n(next, field->size(), field->begin());
-        next += field->size();
-      }
+      for (ComplexField *part : mode.motion.parts())
+        for (Vector<double> *field : {&part->real, &part->imaginary})
+        {
+          std::copy_n(next, field->size(), field->begin());
+          next += field->size();
+        }
       return mode;
     }
   } // namespace

@@ -96,6 +96,13 @@ namespace ringmotor
           if (of_dof.term[i].factor != Term::Factor::one)
             tied[of_dof.term[i].unknown] = true;
 
+    std::vector<bool> is_potential(unknown_count, false);
+    for (const auto &field_terms : terms)
+      for (Dof dof = nodes().first_potential_dof(); dof < n_dofs(); ++dof)
+        for (unsigned int i = 0; i < field_terms[dof].size; ++i)
+          is_potential[field_terms[dof].term[i].unknown] = true;
+    potential_unknown_count = std::count(is_potential.begin(), is_potential.end(), true);
+
     for (unsigned int part = 0; part < 2; ++part)
     {
       RealField &field = fields[part];

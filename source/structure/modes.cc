@@ -65,7 +65,7 @@ namespace ringmotor
   {
     factors.factorise(k, shift);
     // A complex Hermitian problem written in real numbers has every eigenvalue twice.
-    return factors.n_negative() / (sector.is_complex() ? 2 : 1);
+    return (factors.n_negative() - sector.n_potential_unknowns()) / (sector.is_complex() ? 2 : 1);
   }
 
   std::vector<Mode> ModeSolver::below(const unsigned int k, const double shift)

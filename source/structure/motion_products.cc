@@ -26,6 +26,15 @@ namespace ringmotor
       return values;
     }
 
+    /** Degrees of freedom in the numbering of a part of the sector. */
+    std::vector<SectorNodes::Dof> counted_from(const SectorNodes::Dof first,
+                                               std::vector<SectorNodes::Dof> dofs)
+    {
+      for (SectorNodes::Dof &dof : dofs)
+        dof -= first;
+      return dofs;
+    }
+
     /** The sums of the two products of each motion. */
     std::vector<double> by_motion(const std::vector<double> &products)
     {
@@ -52,6 +61,18 @@ namespace ringmotor
       for (unsigned int i = 0; i < stiffnesses.size(); ++i)
         products[i].stiffness[material] += stiffnesses[i];
       add_masses(element, values, products);
+    }
+
+    void add_electric(SolidElement &element, const std::vector<Vector<double>> &values,
+                      const std::vector<Vector<double>> &potentials,
+                      std::vector<MotionProducts> &products)
+    {
+      const std::vector<ElectricProducts> of_parts = element.electric_products(values, potentials);
+      for (unsigned int i = 0; i < of_parts.size(); ++i)
+      {
+        products[i / 2].electric.coupling += of_parts[i].coupling;
+        products[i / 2].electric.dielectric += of_parts[i].dielectric;
+      }
     }
 
     template <typename Element>
@@ -88,7 +109,7 @@ namespace ringmotor
       total += entry.second;
     for (const auto &entry : stiffness_of_supports)
       total += entry.second;
-    return total;
+    return total + 2. * electric.coupling - electric.dielectric;
   }
 
   std::vector<MotionProducts> motion_products(const SectorElements &elements,
@@ -106,17 +127,23 @@ namespace ringmotor
     elements.for_each_owned_cell(
         [&](const auto &cell, SolidElement &element)
         {
-          add_cell(cell->material_id(), element,
-                   values_at(motions, &SectorMotion::solid, elements.dofs_of(cell)), products);
+          const auto values = values_at(motions, &SectorMotion::solid, elements.dofs_of(cell));
+          add_cell(cell->material_id(), element, values, products);
+          if (elements.has_potential(cell))
+            add_electric(element, values,
+                         values_at(motions, &SectorMotion::potential,
+                                   counted_from(elements.nodes().first_potential_dof(),
+                                                elements.potential_dofs_of(cell))),
+                         products);
         });
     elements.for_each_owned_shell_cell(
         [&](const auto &cell, ShellElement &element)
         {
-          std::vector<SectorNodes::Dof> dofs = elements.dofs_of(cell);
-          for (SectorNodes::Dof &dof : dofs)
-            dof -= elements.nodes().first_shell_dof();
-          add_cell(cell->material_id(), element, values_at(motions, &SectorMotion::shell, dofs),
-                   products);
+          add_cell(
+              cell->material_id(), element,
+              values_at(motions, &SectorMotion::shell,
+                        counted_from(elements.nodes().first_shell_dof(), elements.dofs_of(cell))),
+              products);
         });
     add_bars(elements, motions, products);
     elements.for_each_owned_foundation(
@@ -133,7 +160,9 @@ namespace ringmotor
         entry.second = Utilities::MPI::sum(entry.second, communicator);
       for (auto &entry : of_motion.stiffness_of_supports)
         entry.second = Utilities::MPI::sum(entry.second, communicator);
-      of_motion.mass = Utilities::MPI::sum(of_motion.mass, communicator);
+      for (double *number :
+           {&of_motion.mass, &of_motion.electric.coupling, &of_motion.electric.dielectric})
+        *number = Utilities::MPI::sum(*number, communicator);
     }
     return products;
   }

@@ -15,7 +15,7 @@ namespace ringmotor
 
   SectorMotion &SectorMotion::operator*=(const std::complex<double> factor)
   {
-    for (ComplexField *field : {&solid, &shell})
+    for (ComplexField *field : parts())
     {
       const Vector<double> old_real = field->real;
       field->real.equ(factor.real(), old_real);
@@ -35,19 +35,21 @@ namespace ringmotor
     {
       dof_handler.reinit(*mesh.triangulation);
       dof_handler.distribute_dofs(fe);
+      potentials.reinit(*mesh.triangulation, materials, degree);
     }
     if (mesh.shell)
     {
       shell_dof_handler.reinit(*mesh.shell);
       shell_dof_handler.distribute_dofs(shell_fe);
     }
-    sector_nodes = SectorNodes(dof_handler, mapping, shell_dof_handler, shell_mapping, mesh);
+    sector_nodes =
+        SectorNodes(dof_handler, mapping, shell_dof_handler, shell_mapping, potentials, mesh);
     constrain();
   }
 
   void SectorElements::constrain()
   {
-    hanging                       = sector_nodes.scalar_hanging_node_constraints(dof_handler);
+    hanging = sector_nodes.scalar_hanging_node_constraints(dof_handler, potentials);
     std::vector<SlaveNode> slaves = SectorNodes::slaves_of(hanging);
     tied.assign(sector_nodes.size(), false);
     if (dof_handler.has_active_dofs() && shell_dof_handler.has_active_dofs())
@@ -65,6 +67,9 @@ namespace ringmotor
            DoFTools::extract_boundary_dofs(dof_handler, ComponentMask(), {ids::clamped}))
         if (sector_nodes.component(dof) == 0)
           slaves.push_back({sector_nodes.node(dof), {}, {}});
+    for (Dof i = 0; i < potentials.size(); ++i)
+      if (potentials.place(i) != PotentialDofs::Place::inside)
+        slaves.push_back({sector_nodes.node(sector_nodes.first_potential_dof() + i), {}, {}});
     dependent_dofs = sector_nodes.constraints(slaves);
   }
 
@@ -75,6 +80,8 @@ namespace ringmotor
       owned.add_indices(dof_handler.locally_owned_dofs());
     if (shell_dof_handler.has_active_dofs())
       owned.add_indices(shell_dof_handler.locally_owned_dofs(), sector_nodes.first_shell_dof());
+    for (const Dof dof : potentials.owned())
+      owned.add_index(sector_nodes.first_potential_dof() + dof);
     return owned;
   }
 
@@ -97,6 +104,23 @@ namespace ringmotor
     cell->get_dof_indices(dofs);
     for (Dof &dof : dofs)
       dof += sector_nodes.first_shell_dof();
+    return dofs;
+  }
+
+  std::vector<SectorElements::Dof> SectorElements::potential_dofs_of(const Cell &cell) const
+  {
+    std::vector<Dof> dofs = potentials.of(cell);
+    for (Dof &dof : dofs)
+      dof += sector_nodes.first_potential_dof();
+    return dofs;
+  }
+
+  std::vector<SectorElements::Dof> SectorElements::electrode_dofs() const
+  {
+    std::vector<Dof> dofs;
+    for (Dof i = 0; i < potentials.size(); ++i)
+      if (potentials.place(i) == PotentialDofs::Place::lower_electrode)
+        dofs.push_back(sector_nodes.first_potential_dof() + i);
     return dofs;
   }
 
@@ -176,13 +200,29 @@ namespace ringmotor
             }
   }
 
+  namespace
+  {
+    Vector<double> &field_of(ComplexField &field, const unsigned int part)
+    {
+      return part == 0 ? field.real : field.imaginary;
+    }
+    const Vector<double> &field_of(const ComplexField &field, const unsigned int part)
+    {
+      return part == 0 ? field.real : field.imaginary;
+    }
+  } // namespace
+
   SectorMotion SectorElements::at_rest() const
   {
+    const unsigned int first_shell     = sector_nodes.first_shell_dof(),
+                       first_potential = sector_nodes.first_potential_dof();
     SectorMotion motion;
-    for (Vector<double> *field : {&motion.solid.real, &motion.solid.imaginary})
-      field->reinit(sector_nodes.first_shell_dof());
-    for (Vector<double> *field : {&motion.shell.real, &motion.shell.imaginary})
-      field->reinit(n_dofs() - sector_nodes.first_shell_dof());
+    for (const unsigned int part : {0u, 1u})
+    {
+      field_of(motion.solid, part).reinit(first_shell);
+      field_of(motion.shell, part).reinit(first_potential - first_shell);
+      field_of(motion.potential, part).reinit(n_dofs() - first_potential);
+    }
     return motion;
   }
 
@@ -191,13 +231,15 @@ namespace ringmotor
     SectorMotion motion = at_rest();
     for (unsigned int part = 0; part < 2; ++part)
     {
-      Vector<double> &field = fields[part];
-      dependent_dofs.distribute(field);
-      sector_nodes.rotate_to_cartesian(field);
-      Vector<double> &solid = part == 0 ? motion.solid.real : motion.solid.imaginary;
-      Vector<double> &shell = part == 0 ? motion.shell.real : motion.shell.imaginary;
-      std::copy(field.begin(), field.begin() + solid.size(), solid.begin());
-      std::copy(field.begin() + solid.size(), field.end(), shell.begin());
+      dependent_dofs.distribute(fields[part]);
+      sector_nodes.rotate_to_cartesian(fields[part]);
+      auto next = fields[part].begin();
+      for (ComplexField *of_part : motion.parts())
+      {
+        Vector<double> &field = field_of(*of_part, part);
+        std::copy_n(next, field.size(), field.begin());
+        next += field.size();
+      }
     }
     return motion;
   }
@@ -207,11 +249,13 @@ namespace ringmotor
     std::array<Vector<double>, 2> fields;
     for (unsigned int part = 0; part < 2; ++part)
     {
-      const Vector<double> &solid = part == 0 ? motion.solid.real : motion.solid.imaginary;
-      const Vector<double> &shell = part == 0 ? motion.shell.real : motion.shell.imaginary;
       fields[part].reinit(n_dofs());
-      std::copy(solid.begin(), solid.end(), fields[part].begin());
-      std::copy(shell.begin(), shell.end(), fields[part].begin() + solid.size());
+      auto next = fields[part].begin();
+      for (const ComplexField *of_part : motion.parts())
+      {
+        const Vector<double> &field = field_of(*of_part, part);
+        next                        = std::copy(field.begin(), field.end(), next);
+      }
       sector_nodes.rotate_to_axes(fields[part]);
     }
     return fields;

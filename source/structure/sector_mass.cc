@@ -189,7 +189,8 @@ namespace ringmotor
         }
         std::copy(sum.begin(), sum.end(), inertia.begin() + first);
       }
-      for (unsigned int component = 0; component < 3; ++component)
+      for (unsigned int component = 0; component < nodes.n_components(node_mass.row[r]);
+           ++component)
       {
         const Dof dof                = nodes.dof(node_mass.row[r], component);
         const Tensor<1, 3> direction = nodes.direction(dof);

@@ -15,7 +15,7 @@ namespace ringmotor
 
   SectorNodes::SectorNodes(const DoFHandler<3> &solid, const Mapping<3> &mapping,
                            const DoFHandler<2, 3> &shell, const Mapping<2, 3> &shell_mapping,
-                           const SectorMesh &mesh)
+                           const PotentialDofs &potentials, const SectorMesh &mesh)
       : pitch(2. * numbers::PI / mesh.n_sectors)
   {
     if (solid.has_active_dofs())
@@ -23,6 +23,9 @@ namespace ringmotor
     n_solid_dofs = place.size();
     if (shell.has_active_dofs())
       collect(shell, shell_mapping, n_solid_dofs);
+    n_mechanical_dofs = place.size();
+    if (potentials.size() > 0)
+      collect(potentials, mesh, mapping);
 
     const bool half = mesh.form == SectorForm::half;
     std::vector<types::boundary_id> planes;
@@ -36,6 +39,8 @@ namespace ringmotor
     {
       const bool on_solid = solid.has_active_dofs() && mark(solid, plane, 0);
       const bool on_shell = shell.has_active_dofs() && mark(shell, plane, n_solid_dofs);
+      if (potentials.size() > 0)
+        mark(potentials, mesh, plane);
       if (!on_solid && !on_shell)
         throw UserError(
             "Stator/Mesh file: no face has the physical id " + std::to_string(plane) +
@@ -87,7 +92,8 @@ namespace ringmotor
             dofs[component] += first_dof;
             place[dofs[component]] = {static_cast<unsigned int>(nodes.size()), component};
           }
-          nodes.push_back({dofs, position, ids::free, first == 3});
+          nodes.push_back(
+              {dofs, position, ids::free, first == 3 ? Kind::rotation : Kind::displacement});
         }
     }
   }
@@ -108,6 +114,40 @@ namespace ringmotor
             nodes[place[first_dof + dof].node].plane = boundary;
         }
     return found;
+  }
+
+  void SectorNodes::collect(const PotentialDofs &potentials, const SectorMesh &mesh,
+                            const Mapping<3> &mapping)
+  {
+    place.resize(n_mechanical_dofs + potentials.size());
+    std::vector<bool> known(potentials.size(), false);
+    for (const auto &cell : mesh.triangulation->active_cell_iterators())
+      if (potentials.are_on(cell))
+      {
+        const std::vector<Dof> dofs = potentials.of(cell);
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          if (!known[dofs[i]])
+          {
+            known[dofs[i]] = true;
+            const Dof dof  = n_mechanical_dofs + dofs[i];
+            place[dof]     = {static_cast<unsigned int>(nodes.size()), 0};
+            nodes.push_back({{{dof, numbers::invalid_dof_index, numbers::invalid_dof_index}},
+                             mapping.transform_unit_to_real_cell(cell, potentials.unit_point(i)),
+                             ids::free,
+                             Kind::potential});
+          }
+      }
+  }
+
+  void SectorNodes::mark(const PotentialDofs &potentials, const SectorMesh &mesh,
+                         const types::boundary_id boundary)
+  {
+    for (const auto &cell : mesh.triangulation->active_cell_iterators())
+      if (potentials.are_on(cell))
+        for (const unsigned int face : cell->face_indices())
+          if (cell->face(face)->at_boundary() && cell->face(face)->boundary_id() == boundary)
+            for (const Dof dof : potentials.on_face(cell, face))
+              nodes[place[n_mechanical_dofs + dof].node].plane = boundary;
   }
 
   void SectorNodes::check_angle(const types::boundary_id boundary, const double angle,
@@ -158,7 +198,7 @@ namespace ringmotor
       std::vector<OnCut> found;
       for (const Node &node : nodes)
         if (node.plane == boundary &&
-            !std::all_of(node.dofs.begin(), node.dofs.end(),
+            !std::all_of(node.dofs.begin(), node.dofs.begin() + node.n_dofs(),
                          [&](const Dof dof) { return dependent.is_constrained(dof); }))
           found.push_back(
               {std::hypot(node.position[0], node.position[1]), node.position[2], &node});
@@ -175,9 +215,9 @@ namespace ringmotor
       auto candidate =
           std::lower_bound(low.begin(), low.end(), node.radius - tolerance,
                            [](const OnCut &a, const double radius) { return a.radius < radius; });
-      while (candidate != low.end() && candidate->radius <= node.radius + tolerance &&
-             (std::abs(candidate->z - node.z) > tolerance ||
-              candidate->node->rotation != node.node->rotation))
+      while (
+          candidate != low.end() && candidate->radius <= node.radius + tolerance &&
+          (std::abs(candidate->z - node.z) > tolerance || candidate->node->kind != node.node->kind))
         ++candidate;
       if (candidate == low.end() || candidate->radius > node.radius + tolerance ||
           low.size() != high.size())
@@ -189,7 +229,7 @@ namespace ringmotor
                         "copy of the other "
                         "(Gmsh: Periodic Surface)");
       check_turn(*candidate->node, *node.node);
-      for (unsigned int component = 0; component < 3; ++component)
+      for (unsigned int component = 0; component < node.node->n_dofs(); ++component)
         if (!dependent.is_constrained(node.node->dofs[component]))
           pairs.emplace_back(node.node->dofs[component], candidate->node->dofs[component]);
     }
@@ -197,7 +237,8 @@ namespace ringmotor
   }
 
   AffineConstraints<double>
-  SectorNodes::scalar_hanging_node_constraints(const DoFHandler<3> &solid) const
+  SectorNodes::scalar_hanging_node_constraints(const DoFHandler<3> &solid,
+                                               const PotentialDofs &potentials) const
   {
     AffineConstraints<double> cartesian;
     if (solid.has_active_dofs())
@@ -212,6 +253,13 @@ namespace ringmotor
         for (const auto &[dof, weight] : line.entries)
           constraints.add_entry(place[line.index].node, place[dof].node, weight);
       }
+    for (const auto &line : potentials.hanging_nodes().get_lines())
+    {
+      const unsigned int slave = place[n_mechanical_dofs + line.index].node;
+      constraints.add_line(slave);
+      for (const auto &[dof, weight] : line.entries)
+        constraints.add_entry(slave, place[n_mechanical_dofs + dof].node, weight);
+    }
     constraints.close();
     return constraints;
   }
@@ -234,42 +282,55 @@ namespace ringmotor
   {
     AffineConstraints<double> constraints;
     for (const SlaveNode &slave : slaves)
-    {
-      // Where one direction n is free, the component nearest to it is: value = given + lambda n.
-      const Tensor<1, 3> &n         = slave.free_direction;
-      const std::array<Dof, 3> dofs = nodes[slave.node].dofs;
-      const Dof free =
-          *std::max_element(dofs.begin(), dofs.end(),
-                            [&](const Dof a, const Dof b)
-                            { return std::abs(n * direction(a)) < std::abs(n * direction(b)); });
-      const bool has_free = n.norm() > 0.;
-      for (const Dof dof : dofs)
+      if (nodes[slave.node].kind == Kind::potential)
       {
-        if (has_free && dof == free)
-          continue;
-        const double share = has_free ? (n * direction(dof)) / (n * direction(free)) : 0.;
-        const Tensor<1, 3> projection =
-            has_free ? direction(dof) - share * direction(free) : direction(dof);
-        constraints.add_line(dof);
-        if (std::abs(share) > 1e-14)
-          constraints.add_entry(dof, free, share);
+        constraints.add_line(nodes[slave.node].dofs[0]);
         for (const auto &[node, weight] : slave.masters)
-          for (const Dof master : nodes[node].dofs)
-          {
-            const double entry = projection * (weight * direction(master));
-            if (std::abs(entry) > 1e-14 * weight.norm())
-              constraints.add_entry(dof, master, entry);
-          }
+          constraints.add_entry(nodes[slave.node].dofs[0], nodes[node].dofs[0], weight[0][0]);
       }
-    }
+      else
+        add_constraints(slave, constraints);
     constraints.close();
     return constraints;
+  }
+
+  void SectorNodes::add_constraints(const SlaveNode &slave,
+                                    AffineConstraints<double> &constraints) const
+  {
+    // Where one direction n is free, the component nearest to it is: value = given + lambda n.
+    const Tensor<1, 3> &n         = slave.free_direction;
+    const std::array<Dof, 3> dofs = nodes[slave.node].dofs;
+    const Dof free =
+        *std::max_element(dofs.begin(), dofs.end(),
+                          [&](const Dof a, const Dof b)
+                          { return std::abs(n * direction(a)) < std::abs(n * direction(b)); });
+    const bool has_free = n.norm() > 0.;
+    for (const Dof dof : dofs)
+    {
+      if (has_free && dof == free)
+        continue;
+      const double share = has_free ? (n * direction(dof)) / (n * direction(free)) : 0.;
+      const Tensor<1, 3> projection =
+          has_free ? direction(dof) - share * direction(free) : direction(dof);
+      constraints.add_line(dof);
+      if (std::abs(share) > 1e-14)
+        constraints.add_entry(dof, free, share);
+      for (const auto &[node, weight] : slave.masters)
+        for (const Dof master : nodes[node].dofs)
+        {
+          const double entry = projection * (weight * direction(master));
+          if (std::abs(entry) > 1e-14 * weight.norm())
+            constraints.add_entry(dof, master, entry);
+        }
+    }
   }
 
   Tensor<1, 3> SectorNodes::direction(const Dof dof) const
   {
     const Node &node = nodes[place[dof].node];
     Tensor<1, 3> direction;
+    if (node.kind == Kind::potential)
+      return direction;
     switch (place[dof].component)
     {
     case 0:
@@ -293,7 +354,7 @@ namespace ringmotor
     for (unsigned int i = 0; i < cell_dofs.size(); ++i)
     {
       const Node &node = nodes[place[cell_dofs[i]].node];
-      if (node.sine == 0. || place[cell_dofs[i]].component != 0)
+      if (!node.is_turned() || place[cell_dofs[i]].component != 0)
         continue;
       const unsigned int j =
           std::find(cell_dofs.begin(), cell_dofs.end(), node.dofs[1]) - cell_dofs.begin();
@@ -316,6 +377,8 @@ namespace ringmotor
   {
     for (const Node &node : nodes)
     {
+      if (!node.is_turned())
+        continue;
       const double x = field[node.dofs[0]], y = field[node.dofs[1]];
       field[node.dofs[0]] = node.cosine * x + node.sine * y;
       field[node.dofs[1]] = -node.sine * x + node.cosine * y;
@@ -326,6 +389,8 @@ namespace ringmotor
   {
     for (const Node &node : nodes)
     {
+      if (!node.is_turned())
+        continue;
       const double r = field[node.dofs[0]], theta = field[node.dofs[1]];
       field[node.dofs[0]] = node.cosine * r - node.sine * theta;
       field[node.dofs[1]] = node.sine * r + node.cosine * theta;
@@ -337,9 +402,11 @@ namespace ringmotor
   {
     for (const Node &node : nodes)
     {
+      if (node.kind == Kind::potential)
+        continue;
       const NodeMotion there = motion(node.position);
       const std::array<std::complex<double>, 3> u =
-          node.rotation ? there.rotation : there.displacement;
+          node.kind == Kind::rotation ? there.rotation : there.displacement;
       const std::array<std::complex<double>, 3> along{
           {node.cosine * u[0] + node.sine * u[1], -node.sine * u[0] + node.cosine * u[1], u[2]}};
       for (unsigned int component = 0; component < 3; ++component)

@@ -64,20 +64,65 @@ namespace ringmotor
       return;
     const FiniteElement<3> &fe     = all.dofs().get_fe();
     const unsigned int first_inner = fe.get_first_hex_index();
-    std::vector<Dof> dofs(fe.n_dofs_per_cell());
     for (const auto &cell : all.dofs().active_cell_iterators())
     {
-      cell->get_dof_indices(dofs);
-      if (std::none_of(dofs.begin() + first_inner, dofs.end(),
-                       [&](const Dof dof) { return is_fixed[dof]; }))
-        for (unsigned int i = first_inner; i < dofs.size(); ++i)
-          inner[dofs[i]] = true;
+      const std::vector<Dof> dofs = all.dofs_of(cell);
+      std::vector<Dof> inside(dofs.begin() + first_inner, dofs.end());
+      if (all.has_potential(cell))
+      {
+        const std::vector<Dof> potentials = all.potential_dofs_of(cell);
+        inside.insert(inside.end(), potentials.begin() + first_inner / 3, potentials.end());
+      }
+      if (std::none_of(inside.begin(), inside.end(), [&](const Dof dof) { return is_fixed[dof]; }))
+        for (const Dof dof : inside)
+          inner[dof] = true;
     }
   }
 
   unsigned int SectorStiffness::n_inner(const std::vector<Dof> &dofs) const
   {
     return inner[dofs.back()] ? dofs.size() - all.dofs().get_fe().get_first_hex_index() : 0;
+  }
+
+  void SectorStiffness::add_piezoelectric(const SectorElements::Cell &cell, SolidElement &element,
+                                          const double shift)
+  {
+    const std::vector<Dof> displacements = all.dofs_of(cell),
+                           potentials    = all.potential_dofs_of(cell);
+    const std::size_t n_u = displacements.size(), n_phi = potentials.size();
+    FullMatrix<double> stiffness(n_u, n_u), mass(n_u, n_u), coupling(n_u, n_phi),
+        dielectric(n_phi, n_phi);
+    element.piezoelectric_matrices(stiffness, coupling, dielectric);
+    element.mass_matrix(mass);
+    stiffness.add(-shift, mass);
+
+    // Inner degrees of freedom are the last ones; local numbers from n_u on are potentials.
+    const std::size_t n_u_inner = n_inner(displacements), n_phi_inner = n_u_inner / 3;
+    std::vector<std::size_t> order;
+    const auto append = [&](const std::size_t begin, const std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+        order.push_back(i);
+    };
+    append(0, n_u - n_u_inner);
+    append(n_u, n_u + n_phi - n_phi_inner);
+    append(n_u - n_u_inner, n_u);
+    append(n_u + n_phi - n_phi_inner, n_u + n_phi);
+
+    std::vector<Dof> dofs;
+    for (const std::size_t i : order)
+      dofs.push_back(i < n_u ? displacements[i] : potentials[i - n_u]);
+    FullMatrix<double> matrix(n_u + n_phi, n_u + n_phi);
+    for (std::size_t row = 0; row < order.size(); ++row)
+      for (std::size_t column = 0; column < order.size(); ++column)
+      {
+        const std::size_t i = order[row], j = order[column];
+        matrix(row, column) = i < n_u && j < n_u ? stiffness(i, j)
+                              : i < n_u          ? coupling(i, j - n_u)
+                              : j < n_u          ? coupling(j, i - n_u)
+                                                 : -dielectric(i - n_u, j - n_u);
+      }
+    add(dofs, n_u_inner + n_phi_inner, matrix);
   }
 
   void SectorStiffness::compute(const double shift)
@@ -98,6 +143,11 @@ namespace ringmotor
     all.for_each_owned_cell(
         [&](const auto &cell, SolidElement &element)
         {
+          if (all.has_potential(cell))
+          {
+            add_piezoelectric(cell, element, shift);
+            return;
+          }
           const std::vector<Dof> dofs = all.dofs_of(cell);
           reinit(dofs.size());
           element.stiffness_matrix(stiffness);

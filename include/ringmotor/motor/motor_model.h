@@ -19,7 +19,8 @@ namespace ringmotor
   {
     // The stator and its wave
     std::optional<BarSection> target_plates; ///< along the outer edges of the tooth tops
-    double felt_stiffness   = 0.;            ///< N/m^3, of the felt under the stator
+    double felt_stiffness = 0.;              ///< N/m^3, of the felt under the stator
+    std::optional<PiezoelectricLaw> ceramic; ///< with a potential; else it is isotropic
     bool wave_feels_contact = false;         ///< contact forces change its frequency
 
     // The bodies in contact

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/parameters/piezoelectric.h>
+
+#include <optional>
+
 namespace dealii
 {
   class ParameterHandler;
@@ -8,13 +12,15 @@ namespace dealii
 
 namespace ringmotor
 {
-  /** A linear elastic isotropic material with hysteretic damping. */
+  /** A linear elastic material with hysteretic damping: isotropic, unless it has a #law. */
   struct Material
   {
     double young_modulus; ///< Pa, positive
     double poisson_ratio; ///< above -1 and below 0.5
     double density;       ///< kg/m^3, positive
     double loss_factor;   ///< energy lost per radian over the stored energy
+    /** Of a piezoelectric solid, instead of modulus and Poisson ratio. */
+    std::optional<PiezoelectricLaw> law{};
 
     /** Declares the entries; those that have no sensible default may be marked as required. */
     void declare(dealii::ParameterHandler &prm, bool required);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/parameters/electrodes.h>
 #include <ringmotor/parameters/materials.h>
 #include <ringmotor/parameters/modes.h>
 #include <ringmotor/parameters/motor.h>
@@ -24,6 +25,8 @@ namespace ringmotor
     StatorGeometry stator;
     RotorGeometry rotor;
     Materials materials;
+    Piezoelectricity piezoelectricity;
+    Electrodes electrodes;
     Modes modes;
     Wave wave;
     Loading loading;

@@ -95,6 +95,7 @@ namespace ringmotor
     EffectChoice spin_convection             = EffectChoice::off;
     EffectChoice target_plates               = EffectChoice::off;
     EffectChoice felt_support                = EffectChoice::off;
+    EffectChoice piezoelectric_coupling      = EffectChoice::off;
     EffectChoice friction_lining             = EffectChoice::off;
 
     /** Declares the entries; reading them changes the members. */

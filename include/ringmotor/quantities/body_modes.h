@@ -4,15 +4,17 @@
 #include <ringmotor/mesh/stator_sector.h>
 #include <ringmotor/motor/effect.h>
 #include <ringmotor/parameters/parameters.h>
-#include <ringmotor/quantities/motor_wave.h>
+#include <ringmotor/quantities/motor_circuits.h>
 
 #include <functional>
 #include <optional>
 
 namespace ringmotor
 {
-  /** The materials of the parts of a body. */
-  MaterialTable material_table(const Materials &materials, const Body body);
+  /** The materials of the parts of a body; the ceramic of a stator has a potential if it has a law.
+   */
+  MaterialTable material_table(const Materials &materials, const Body body,
+                               const std::optional<PiezoelectricLaw> &ceramic = {});
 
   /** A mesh of a body and the degree of its elements. */
   struct BodyDiscretisation
@@ -65,11 +67,18 @@ namespace ringmotor
     /** Whether the mesh is generated from dimensions, not read from a file. */
     bool is_generated() const;
 
-    const ModeSearch &search() const { return mode_search; }
+    const ModeSearch &search() const { return *mode_search; }
 
     /** The motor's wave, as the last pass found it; null if the body is not the stator or the wave
      * is not among the requested modes. */
     const WaveResult *wave() const { return motor_wave.result(); }
+
+    /** The circuits of the phases, as the last pass found them; null without a wave or without
+     * piezoelectric coupling. */
+    const MotorCircuits *circuits() const
+    {
+      return motor_circuits && wave() ? &*motor_circuits : nullptr;
+    }
 
     /** The accuracy entry that required the last mesh of find(), with its value; empty with
      * `Accuracy/Mode = fixed`. */
@@ -80,7 +89,12 @@ namespace ringmotor
     std::vector<EffectRow> effects() const;
 
   private:
-    ModeSearch new_search() const;
+    std::unique_ptr<ModeSearch> new_search(const MotorModel &model) const;
+    /** Decides on effects and prepares the search. */
+    void begin();
+    /** The relative change of the wave's frequency by a ceramic with a potential, on a coarse mesh.
+     * Collective. */
+    double shift_by_coupling(const MotorModel &coupled) const;
     void make_mesh(const BodyDiscretisation &discretisation);
     /** The stator with what @p model adds to it. */
     SectorMesh stator_mesh(const BodyDiscretisation &discretisation, const MotorModel &model) const;
@@ -98,8 +112,9 @@ namespace ringmotor
     Parameters parameters;                  ///< those that the modes depend on
     const MPI_Comm share_modes, share_mesh; ///< what the ranks share: one of the two, if any
     SectorMesh mesh;
-    ModeSearch mode_search;
+    std::unique_ptr<ModeSearch> mode_search; ///< once effects are chosen
     MotorWave motor_wave;
+    std::optional<MotorCircuits> motor_circuits; ///< with piezoelectric coupling
     unsigned int n_passes = 0, level = 0;
     std::string refined_for;
   };

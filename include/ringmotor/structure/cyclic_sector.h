@@ -45,6 +45,10 @@ namespace ringmotor
      * whole sector). */
     unsigned int n_unknowns() const { return unknown_count; }
 
+    /** Those of them that are potentials. Their part of K - shift M is negative definite, whatever
+     * the shift. */
+    unsigned int n_potential_unknowns() const { return potential_unknown_count; }
+
     /** True if the unknowns are the real parts, then the imaginary parts, of n_unknowns()/2 complex
      * numbers. */
     bool is_complex() const { return sector_mesh().form == SectorForm::whole; }
@@ -152,7 +156,7 @@ namespace ringmotor
 
     std::array<std::vector<Terms>, 2>
         terms; ///< for the real and the imaginary field, by degree of freedom
-    unsigned int unknown_count = 0;
+    unsigned int unknown_count = 0, potential_unknown_count = 0;
     std::array<RealField, 2> fields;
     mutable std::unique_ptr<SectorMass> mass; ///< made when it is asked for: statics need none
   };

@@ -13,12 +13,14 @@ namespace ringmotor
   struct MotionProducts
   {
     std::map<dealii::types::material_id, double>
-        stiffness; ///< U.K U in N m, by the material of solids and shells
+        stiffness;             ///< U.K U in N m, by the material of solids and shells
+    ElectricProducts electric; ///< of piezoelectric solids, with the potential of the motion
     std::map<dealii::types::boundary_id, double>
         stiffness_of_supports; ///< of bars and foundations, by the id of their edges and faces
     double mass = 0.;          ///< U.M U in kg m^2
 
-    /** U.K U of all parts. */
+    /** U.K U of all parts, and in piezoelectric ones 2 U.B phi - phi.D phi: what resists a motion
+     * whose potential is in equilibrium. */
     double total_stiffness() const;
   };
 

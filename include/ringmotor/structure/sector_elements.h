@@ -21,9 +21,6 @@
 
 namespace ringmotor
 {
-  /** The material of the cells of each material id. */
-  using MaterialTable = std::map<dealii::types::material_id, Material>;
-
   /** A complex amplitude U = real + i imaginary on a mesh of the sector, in Cartesian components.
    */
   struct ComplexField
@@ -32,10 +29,14 @@ namespace ringmotor
   };
 
   /** How the sector moves: displacements (m) of the solids, and of the shells' reference surfaces
-   * with their rotations (rad). */
+   * with their rotations (rad); with the electric potential (V) of piezoelectric solids. */
   struct SectorMotion
   {
-    ComplexField solid, shell;
+    ComplexField solid, shell, potential;
+
+    /** Its fields in the order of the degrees of freedom of a sector. */
+    std::array<ComplexField *, 3> parts() { return {{&solid, &shell, &potential}}; }
+    std::array<const ComplexField *, 3> parts() const { return {{&solid, &shell, &potential}}; }
 
     /** Scales the motion and shifts its phase. */
     SectorMotion &operator*=(const std::complex<double> factor);
@@ -43,8 +44,9 @@ namespace ringmotor
 
   /**
    * The solids, shells, bars and foundations of a sector in finite elements of one degree: their
-   * degrees of freedom in one numbering, those of the shell after those of the solids, and the
-   * constraints among them that do not depend on the wave.
+   * degrees of freedom in one numbering, those of the shell after those of the solids, then those
+   * of the potential, and the constraints among them that do not depend on the wave. The potential
+   * is zero on electrodes.
    */
   class SectorElements
   {
@@ -62,7 +64,7 @@ namespace ringmotor
     SectorElements(const SectorMesh &mesh, const MaterialTable &materials,
                    const unsigned int degree);
 
-    /** Degrees of freedom of solids and shells. */
+    /** All degrees of freedom. */
     unsigned int n_dofs() const { return sector_nodes.n_dofs(); }
     /** Those that this rank owns. */
     dealii::IndexSet owned_dofs() const;
@@ -70,7 +72,8 @@ namespace ringmotor
     const SectorNodes &nodes() const { return sector_nodes; }
     /** Hanging-node constraints of the solids, for a scalar with one value per node. */
     const dealii::AffineConstraints<double> &scalar_hanging_nodes() const { return hanging; }
-    /** Hanging nodes, ties between solids and shells, clamped faces; in the axes of the nodes. */
+    /** Hanging nodes, ties between solids and shells, clamped faces, electrodes; in the axes of the
+     * nodes. */
     const dealii::AffineConstraints<double> &dependent() const { return dependent_dofs; }
     /** Whether some of these degrees of freedom follow a shell. */
     bool are_tied(const std::vector<Dof> &dofs) const;
@@ -78,6 +81,11 @@ namespace ringmotor
     /** The degrees of freedom of a cell in the order of its element. */
     std::vector<Dof> dofs_of(const Cell &cell) const;
     std::vector<Dof> dofs_of(const ShellCell &cell) const;
+    /** Whether a cell has a potential, and its degrees of freedom in the order of FE_Q. */
+    bool has_potential(const Cell &cell) const { return potentials.are_on(cell); }
+    std::vector<Dof> potential_dofs_of(const Cell &cell) const;
+    /** Those of the potential on the driven electrode, the lower one. */
+    std::vector<Dof> electrode_dofs() const;
     /** Those of the edge of a cell that carries a bar, in the order of its element. */
     std::vector<Dof> dofs_on(const Cell &cell, const BarElement &bar) const;
 
@@ -129,6 +137,8 @@ namespace ringmotor
     const dealii::MappingQ<2, 3> shell_mapping;
     const dealii::FESystem<2, 3> shell_fe;
     dealii::DoFHandler<2, 3> shell_dof_handler;
+
+    PotentialDofs potentials;
 
     SectorNodes sector_nodes;
     dealii::AffineConstraints<double> hanging, dependent_dofs;

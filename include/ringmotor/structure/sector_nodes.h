@@ -2,6 +2,7 @@
 #pragma once
 
 #include <ringmotor/mesh/sector_mesh.h>
+#include <ringmotor/structure/potential_dofs.h>
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/mapping.h>
@@ -35,11 +36,12 @@ namespace ringmotor
   };
 
   /**
-   * The nodes of the solids (FE_Q with three components) and of the shells (with six) of a sector,
-   * in one numbering of degrees of freedom, those of the shell after those of the solids. A node
-   * has three degrees of freedom that belong together: a displacement, or a rotation of the shell.
-   * It stores whether it lies on the mirror plane or on a cut, and the axes used there. On a cut
-   * the degrees of freedom of a node are its (r, theta, z) components, elsewhere (x, y, z).
+   * The nodes of the solids (FE_Q with three components), of the shells (with six) and of the
+   * electric potential (with one) of a sector, in one numbering of degrees of freedom, in this
+   * order. A node has three degrees of freedom that belong together, a displacement or a rotation
+   * of the shell, or one, a potential. It stores whether it lies on the mirror plane or on a cut,
+   * and the axes used there. On a cut the degrees of freedom of a node are its (r, theta, z)
+   * components, elsewhere (x, y, z).
    */
   class SectorNodes
   {
@@ -56,26 +58,30 @@ namespace ringmotor
      */
     SectorNodes(const dealii::DoFHandler<3> &solid, const dealii::Mapping<3> &mapping,
                 const dealii::DoFHandler<2, 3> &shell, const dealii::Mapping<2, 3> &shell_mapping,
-                const SectorMesh &mesh);
+                const PotentialDofs &potentials, const SectorMesh &mesh);
 
-    /** Degrees of freedom of solids and shells. */
+    /** All degrees of freedom. */
     unsigned int n_dofs() const { return place.size(); }
 
     /** The number of the shell's first degree of freedom. */
     unsigned int first_shell_dof() const { return n_solid_dofs; }
 
+    /** That of the first potential. */
+    unsigned int first_potential_dof() const { return n_mechanical_dofs; }
+    bool is_potential(const Dof dof) const { return dof >= n_mechanical_dofs; }
+
     /** True if the node of @p dof lies on a face with this boundary id (mirror or one of the cuts).
      */
     bool on(const Dof dof, const dealii::types::boundary_id boundary) const;
 
-    /** 0, 1, 2 for x, y, z or, on a cut, for r, theta, z. */
+    /** 0, 1, 2 for x, y, z or, on a cut, for r, theta, z; 0 for a potential. */
     unsigned int component(const Dof dof) const { return place[dof].component; }
 
     /** Whether the mirror theta -> -theta reverses the component: the theta component of a
      * displacement, r and z components of a rotation. */
     bool turned_by_mirror(const Dof dof) const
     {
-      return (place[dof].component == 1) != nodes[place[dof].node].rotation;
+      return (place[dof].component == 1) != (nodes[place[dof].node].kind == Kind::rotation);
     }
 
     unsigned int size() const { return nodes.size(); }
@@ -89,7 +95,11 @@ namespace ringmotor
 
     const dealii::Point<3> &position(const unsigned int node) const { return nodes[node].position; }
 
-    /** The unit vector (Cartesian) along which a degree of freedom moves its node. */
+    /** The number of degrees of freedom of a node: three, or one of a potential. */
+    unsigned int n_components(const unsigned int node) const { return nodes[node].n_dofs(); }
+
+    /** The unit vector (Cartesian) along which a degree of freedom moves its node; zero for a
+     * potential. */
     dealii::Tensor<1, 3> direction(const Dof dof) const;
 
     /**
@@ -102,7 +112,8 @@ namespace ringmotor
 
     /** The constraints of hanging nodes for a scalar with one value for each node, closed. */
     dealii::AffineConstraints<double>
-    scalar_hanging_node_constraints(const dealii::DoFHandler<3> &solid) const;
+    scalar_hanging_node_constraints(const dealii::DoFHandler<3> &solid,
+                                    const PotentialDofs &potentials) const;
 
     /** The same as constraints on vectors. */
     static std::vector<SlaveNode>
@@ -132,14 +143,24 @@ namespace ringmotor
       unsigned int node      = 0;
       unsigned int component = 0;
     };
+    enum class Kind
+    {
+      displacement,
+      rotation, ///< of a shell
+      potential
+    };
     struct Node
     {
-      std::array<Dof, 3> dofs;
+      std::array<Dof, 3> dofs; ///< the first one only for a potential
       dealii::Point<3> position;
       dealii::types::boundary_id plane; ///< mirror, one of the cuts, or free
-      bool rotation;                    ///< of a shell; else a displacement
+      Kind kind;
       /** Unit vectors of r and theta, where the node lies on a cut. */
       double cosine = 1., sine = 0.;
+
+      unsigned int n_dofs() const { return kind == Kind::potential ? 1 : 3; }
+      /** Whether its axes are not x, y, z. */
+      bool is_turned() const { return kind != Kind::potential && sine != 0.; }
     };
 
     template <int dim>
@@ -149,6 +170,12 @@ namespace ringmotor
     template <int dim>
     bool mark(const dealii::DoFHandler<dim, 3> &dof_handler,
               const dealii::types::boundary_id boundary, const Dof first_dof);
+    void collect(const PotentialDofs &potentials, const SectorMesh &mesh,
+                 const dealii::Mapping<3> &mapping);
+    void mark(const PotentialDofs &potentials, const SectorMesh &mesh,
+              const dealii::types::boundary_id boundary);
+    void add_constraints(const SlaveNode &slave,
+                         dealii::AffineConstraints<double> &constraints) const;
     void check_angle(const dealii::types::boundary_id boundary, const double angle,
                      const char *what) const;
 
@@ -156,7 +183,7 @@ namespace ringmotor
     void check_turn(const Node &low, const Node &high) const;
 
     double pitch              = 0.; ///< angle of a whole sector
-    unsigned int n_solid_dofs = 0;
+    unsigned int n_solid_dofs = 0, n_mechanical_dofs = 0;
     std::vector<Node> nodes;
     std::vector<Place> place; ///< of each degree of freedom
   };

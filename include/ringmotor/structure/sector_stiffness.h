@@ -13,7 +13,9 @@ namespace ringmotor
    * The dynamic stiffness K - shift M of a sector, with no condition on the mirror plane or the
    * cuts, as the sum of small matrices: those of cells, bars and foundations, in the axes of the
    * nodes and in degrees of freedom that do not depend on others. The inner degrees of freedom of a
-   * cell meet no other cell and are eliminated in it.
+   * cell meet no other cell and are eliminated in it. In piezoelectric cells the potential is among
+   * the degrees of freedom, and the matrix is indefinite: (K - shift M, B; B^T, -D), see
+   * SolidElement.
    */
   class SectorStiffness
   {
@@ -73,6 +75,9 @@ namespace ringmotor
     /** Adds an element with a matrix in Cartesian components; the last @p n_inner of @p dofs are
      * eliminated. */
     void add(std::vector<Dof> dofs, const unsigned int n_inner, dealii::FullMatrix<double> &matrix);
+    /** The share of a cell with a potential. */
+    void add_piezoelectric(const SectorElements::Cell &cell, SolidElement &element,
+                           const double shift);
     /** Turns a matrix into that of the degrees of freedom that do not depend on others. */
     void remove_dependent(std::vector<Dof> &dofs, dealii::FullMatrix<double> &matrix) const;
     /** What remains of an element when its last @p n_inner degrees of freedom are eliminated. */

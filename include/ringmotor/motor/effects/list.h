@@ -18,5 +18,6 @@ namespace ringmotor::effects
   EffectPointer spin_convection();
   EffectPointer target_plates();
   EffectPointer felt_support();
+  EffectPointer piezoelectric_coupling();
   EffectPointer friction_lining();
 } // namespace ringmotor::effects

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Rings of ceramic between two electrodes. Expected values: frequencies, capacitances and charges
+// of the axisymmetric vibrations of a thin ring in its plane, from Bessel functions (plane stress),
+// for both faces at one potential and for an insulated face. Consistency: the modes of half and
+// whole sectors; the pole of the response at a mode against the charge of that mode.
+
+#include "support/materials.h"
+#include "support/ring_sector.h"
+
+#include <ringmotor/structure/electric_response.h>
+#include <ringmotor/structure/modes.h>
+#include <ringmotor/structure/motion_products.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace ringmotor;
+using namespace ringmotor::tests;
+using dealii::numbers::PI;
+
+namespace
+{
+  /** PZT-4 as in the tables. */
+  Material ceramic(const double e31 = -4.1)
+  {
+    Piezoelectricity constants;
+    constants.c11            = 132e9;
+    constants.c12            = 71e9;
+    constants.c13            = 73e9;
+    constants.c33            = 115e9;
+    constants.c44            = 26e9;
+    constants.coupling31     = e31;
+    constants.coupling33     = 14.1;
+    constants.coupling15     = 10.5;
+    constants.permittivity11 = 7.124e-9;
+    constants.permittivity33 = 5.841e-9;
+    Material material{80e9, 0.3, 7500., 0.};
+    material.law = constants.law();
+    return material;
+  }
+
+  /** A ring of 0.1 to 0.6 m in radius. It is so thin that stresses across it hardly matter. */
+  class ThinRing
+  {
+  public:
+    explicit ThinRing(const Material &material)
+        : mesh(rectangular_ring(0.1, std::vector<double>(5, 0.1), thickness, 1, 24,
+                                SectorForm::half, 1)),
+          sector(mesh, all_of(material), 4), factors(sector), response(sector)
+    {
+    }
+
+    /** In F, for a thickness of 20 mm. */
+    double capacitance(const double frequency)
+    {
+      const double square = std::pow(2. * PI * frequency, 2);
+      return response.capacitances(factors, 0, square, {0})(0, 0).real() * thickness / 0.02;
+    }
+
+    /** Where @p function has a zero near a frequency. */
+    template <typename Function>
+    static double zero(const Function &function, const double near)
+    {
+      double a = near, b = near * (1. + 1e-3), at_a = function(a), at_b = function(b);
+      for (unsigned int i = 0; i < 6 && std::abs(b - a) > 1e-9 * near; ++i)
+      {
+        const double c = b - at_b * (b - a) / (at_b - at_a);
+        a = b, at_a = at_b, b = c, at_b = function(c);
+      }
+      return b;
+    }
+    double short_circuit(const double near)
+    {
+      return zero([&](const double f) { return 1. / capacitance(f); }, near);
+    }
+    double open_circuit(const double near)
+    {
+      return zero([&](const double f) { return capacitance(f); }, near);
+    }
+
+  private:
+    static constexpr double thickness = 0.002;
+    const SectorMesh mesh;
+    const CyclicSector sector;
+    CyclicFactors factors;
+    ElectricResponse response;
+  };
+} // namespace
+
+TEST(PiezoelectricRing, ContourModes)
+{
+  ThinRing ring(ceramic());
+  const auto expect = [&](const double found, const double expected)
+  { EXPECT_NEAR(found, expected, 1e-4 * expected); };
+  const double short_circuit[] = {1669.69493, 4293.58556, 7235.99064, 10443.1644};
+  const double open[]          = {1852.40002, 4475.64566, 7258.18770, 10539.5779};
+  const double k_square[]      = {0.187535, 0.0797012, 0.00610707, 0.0182118};
+  for (unsigned int m = 0; m < 4; ++m)
+  {
+    const double f_r = ring.short_circuit(short_circuit[m]), f_a = ring.open_circuit(open[m]);
+    expect(f_r, short_circuit[m]);
+    expect(f_a, open[m]);
+    EXPECT_NEAR(1. - std::pow(f_r / f_a, 2), k_square[m], 1e-4 * k_square[m] + 2e-5);
+  }
+}
+
+TEST(PiezoelectricRing, ChargesPerVolt)
+{
+  ThinRing ring(ceramic());
+  const auto expect = [&](const double frequency, const double expected)
+  { EXPECT_NEAR(ring.capacitance(frequency), expected, 1e-4 * std::abs(expected)) << frequency; };
+  expect(1., 5.8591936e-7);
+  expect(834.8474659, 6.2464154e-7);
+  expect(1758.6764679, -5.3718765e-7);
+  expect(2820.1840299, 4.4323219e-7);
+  expect(5690.8461663, 3.8691367e-7);
+}
+
+// The sign of e31 opposite to that of e33, as it must be in a ceramic: otherwise a fifth remains.
+TEST(PiezoelectricRing, WrongSignOfCoupling)
+{
+  ThinRing ring(ceramic(4.1));
+  const double f_r = ring.short_circuit(1669.);
+  EXPECT_NEAR(1. - std::pow(f_r / ring.open_circuit(1.018 * f_r), 2), 0.035, 5e-4);
+}
+
+TEST(PiezoelectricRing, HalfAndWholeSectors)
+{
+  std::vector<Mode> modes[2];
+  for (const SectorForm form : {SectorForm::half, SectorForm::whole})
+  {
+    const SectorMesh mesh =
+        rectangular_ring(0.8, {0.1, 0.1}, 0.1, 2, 12, form, form == SectorForm::half ? 1 : 2);
+    const CyclicSector sector(mesh, all_of(ceramic()), 3);
+    ModeSolver solver(sector);
+    const double shift               = solver.shift_above(3, 4, 0.);
+    modes[form == SectorForm::whole] = solver.below(3, shift); // complete, or it throws
+  }
+  ASSERT_GE(modes[0].size(), 4);
+  ASSERT_EQ(modes[0].size(), modes[1].size());
+  for (unsigned int i = 0; i < modes[0].size(); ++i)
+    EXPECT_NEAR(modes[1][i].eigenvalue, modes[0][i].eigenvalue, 1e-8 * modes[0][i].eigenvalue);
+}
+
+// Near a mode the charge of harmonic l per volt of harmonic k is Q_l conj(Q_k) / (mass times the
+// distance of the squares of frequencies), with charges Q and the mass of the ring's mode.
+class PoleOfTheResponse : public ::testing::TestWithParam<SectorForm>
+{
+};
+
+TEST_P(PoleOfTheResponse, FollowsFromTheMode)
+{
+  const SectorForm form = GetParam();
+  const bool is_half    = form == SectorForm::half;
+  const SectorMesh mesh = rectangular_ring(0.8, {0.1, 0.1}, 0.1, 1, 12, form, is_half ? 1 : 2);
+  const CyclicSector sector(mesh, all_of(ceramic()), 3);
+  ModeSolver solver(sector);
+  const ElectricResponse response(sector);
+  CyclicFactors factors(sector);
+  const std::vector<int> harmonics{3, -9, 15};
+  for (const Mode &mode : solver.below(3, solver.shift_above(3, 3, 0.)))
+  {
+    const double mass =
+        motion_products(sector, {&mode.motion}).front().mass * 12 * (is_half ? 2. : 1.);
+    const double distance = 1e-4 * mode.eigenvalue;
+    const auto below = response.capacitances(factors, 3, mode.eigenvalue - distance, harmonics),
+               above = response.capacitances(factors, 3, mode.eigenvalue + distance, harmonics);
+    double largest   = 0.;
+    for (const int k : harmonics)
+      largest = std::max(largest, std::norm(response.charge(mode.motion, k)) / mass / distance);
+    for (unsigned int l = 0; l < harmonics.size(); ++l)
+      for (unsigned int k = 0; k < harmonics.size(); ++k)
+      {
+        const std::complex<double> expected =
+            response.charge(mode.motion, harmonics[l]) *
+            std::conj(response.charge(mode.motion, harmonics[k])) / mass / distance;
+        EXPECT_LT(std::abs(0.5 * (below(l, k) - above(l, k)) - expected), 1e-4 * largest);
+        EXPECT_LT(std::abs(below(l, k) - std::conj(below(k, l))), 1e-8 * largest);
+      }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(PiezoelectricRing, PoleOfTheResponse,
+                         ::testing::Values(SectorForm::half, SectorForm::whole));
+
+// Where the mesh is shared, modes and charges are the same.
+TEST(PiezoelectricRanks, SameCharges)
+{
+  const auto charge = [](MPI_Comm communicator)
+  {
+    const SectorMesh mesh =
+        rectangular_ring(0.8, {0.1, 0.1}, 0.1, 2, 12, SectorForm::half, 1, communicator);
+    const CyclicSector sector(mesh, all_of(ceramic()), 2);
+    const ElectricResponse response(sector);
+    CyclicFactors factors(sector);
+    return response.capacitances(factors, 3, 1e6, {3})(0, 0).real();
+  };
+  const double alone = charge(MPI_COMM_SELF);
+  EXPECT_NEAR(charge(MPI_COMM_WORLD), alone, 1e-9 * std::abs(alone));
+}
