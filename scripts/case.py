@@ -114,6 +114,9 @@ class Case(Results):
     wave     attributes and surface traces of the motor's wave, None if it is not among the modes
     points   with a wave: name of a point of the tooth -> dict of the columns of ellipses.csv
     errors   with a wave: name of a quantity of the wave -> error bar, in the unit of the summary
+    circuits    with a piezoelectric ceramic: phase -> dict of the columns of circuits.csv, else False
+    admittance  with circuits: column of admittance.csv -> list of numbers
+    electrodes  with circuits: list of dict, the rows of electrodes.csv
     """
 
     program = "stator"
@@ -127,6 +130,11 @@ class Case(Results):
         self.load("modes.h5", self.read_modes)
         if self.wave:
             self.load("ellipses.csv", self.read_ellipses)
+        self.circuits = os.path.exists(os.path.join(self.folder, "circuits.csv"))
+        if self.circuits:
+            self.load("circuits.csv", self.read_circuits)
+            self.load("admittance.csv", self.read_admittance)
+            self.load("electrodes.csv", self.read_electrodes)
 
     def read_summary(self, path):
         super().read_summary(path)
@@ -147,6 +155,16 @@ class Case(Results):
         with open(path, newline="") as file:
             self.points = {row.pop("point"): {key: float(value) for key, value in row.items()}
                            for row in csv.DictReader(file)}
+
+    def read_circuits(self, path):
+        self.circuits = {row.pop("phase"): row for row in read_table(path, texts=("phase",))}
+
+    def read_admittance(self, path):
+        rows = read_table(path)
+        self.admittance = {column: [row[column] for row in rows] for column in rows[0]}
+
+    def read_electrodes(self, path):
+        self.electrodes = read_table(path, texts=("phase", "poling"))
 
     def read_modes(self, path):
         with h5py.File(path, "r") as file:

@@ -8,7 +8,9 @@ Reads CASE_DIR/stator and writes, as PNG and SVG, into CASE_DIR/figures:
   elliptic_paths   paths of 18 points of a tooth in the travelling wave (Fig. 4 of Maeno et al. 1992)
   tooth_edge       amplitudes and phase along the outer edge of the teeth (Fig. 5 of the same paper)
   dispersion       natural frequency against the number of waves, with error bars
-The first two need the motor's wave among the modes; without it only the third is drawn.
+  electrodes       the arcs of both phases, with a piezoelectric ceramic
+  admittance       of each phase around the resonance, with a piezoelectric ceramic
+All but the third need the motor's wave among the modes.
 From CASE_DIR/contact, where it exists:
   contact_shape        teeth and rotor over one and a half waves, without load (Fig. 8)
   normal_displacement  of teeth and rotor over two waves, without load (Fig. 9)
@@ -35,10 +37,12 @@ from curve_figures import draw_lip_amplification, draw_torque_speed
 from drawing import figures_folder, save_all
 from loss_figures import draw_efficiency, draw_energy, draw_losses
 from losses_case import read_case
-from stator_figures import draw_dispersion, draw_elliptic_paths, draw_tooth_edge
+from stator_figures import draw_admittance, draw_dispersion, draw_electrodes, draw_elliptic_paths, draw_tooth_edge
 
-STATOR_FIGURES = {"elliptic_paths": draw_elliptic_paths, "tooth_edge": draw_tooth_edge, "dispersion": draw_dispersion}
+STATOR_FIGURES = {"elliptic_paths": draw_elliptic_paths, "tooth_edge": draw_tooth_edge, "dispersion": draw_dispersion,
+                  "electrodes": draw_electrodes, "admittance": draw_admittance}
 NEED_WAVE = (draw_elliptic_paths, draw_tooth_edge)
+NEED_CIRCUITS = (draw_electrodes, draw_admittance)
 CONTACT_FIGURES = {"contact_shape": draw_contact_shape, "normal_displacement": draw_normal_displacement,
                    "contact_forces": draw_contact_forces, "friction_history": draw_friction_history,
                    "warped_displacement": draw_warped_displacement, "torque_speed": draw_torque_speed,
@@ -55,7 +59,9 @@ def remove_figure(folder, name):
 def figures_of_stator(case, folder):
     figures = {}
     for name, draw in STATOR_FIGURES.items():
-        if draw in NEED_WAVE and not case.wave:
+        if draw in NEED_CIRCUITS and not case.circuits:
+            remove_figure(folder, name)
+        elif draw in NEED_WAVE and not case.wave:
             remove_figure(folder, name)
             print(f"figures: no {name}, as the motor's wave is not among the modes of this run")
         else:

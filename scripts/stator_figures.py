@@ -305,3 +305,59 @@ def draw_dispersion(case):
         axes.grid(color="#DDDDDD", lw=0.5)
         axes.set_axisbelow(True)
     return figure
+
+
+def draw_electrodes(case):
+    """The arcs as one sees them from below the ceramic, where theta runs clockwise."""
+    figure = start_figure(case, "electrode arcs under the ceramic, seen from below", (5.6, 5.6))
+    axes = figure.subplots(subplot_kw={"projection": "polar"})
+    axes.set_theta_direction(-1)
+    inner, outer = (1e3 * float(case.parameters[f"Stator/Base {side} radius"]) for side in ("inner", "outer"))
+    for arc in case.electrodes:
+        begin, end = np.radians([arc["begin_deg"], arc["end_deg"]])
+        color = BLUE if arc["phase"] == "A" else ORANGE
+        axes.bar(begin, outer - inner, width=end - begin, bottom=inner, align="edge", color=color,
+                 alpha=0.75 if arc["poling"] == "up" else 0.4, lw=0.8, edgecolor=GREY)
+        axes.text(0.5 * (begin + end), 0.5 * (inner + outer), "+" if arc["poling"] == "up" else "−", ha="center",
+                  va="center", fontsize=9)
+    axes.set(ylim=(0, outer), yticks=[])
+    axes.tick_params(axis="x", labelsize=8)
+    axes.grid(False)
+    axes.spines["polar"].set_visible(False)
+    handles = [plt.Rectangle((0, 0), 1, 1, color=BLUE, alpha=0.75, label="phase A"),
+               plt.Rectangle((0, 0), 1, 1, color=ORANGE, alpha=0.75, label="phase B")]
+    axes.legend(handles=handles, loc="center", fontsize=8, frameon=False,
+                title="+ poled up, − poled down", title_fontsize=8)
+    return figure
+
+
+def draw_admittance(case):
+    """Magnitude and phase for each electrical phase around the resonance."""
+    figure = start_figure(case, f"admittance without rotor, {wave_text(case)}",
+                          (6.4, 4.8))
+    upper, lower = figure.subplots(nrows=2, sharex=True, height_ratios=(2, 1))
+    frequency = np.array(case.admittance["frequency_Hz"]) / KILO
+    for phase, color, style in (("A", BLUE, "-"), ("B", ORANGE, "--")):
+        admittance = (np.array(case.admittance[f"conductance_{phase}_S"]) +
+                      1j * np.array(case.admittance[f"susceptance_{phase}_S"]))
+        circuit = case.circuits[phase]
+        upper.semilogy(frequency, 1e3 * abs(admittance), color=color, ls=style, lw=1.6,
+                       label=f"phase {phase}: $k_\\mathrm{{eff}}^2$ = {circuit['k_eff^2']:.5f}, "
+                             f"$C_0$ = {circuit['C0_nF']:.3g} nF, $L_m$ = {circuit['Lm_H']:.3g} H, "
+                             f"$C_m$ = {circuit['Cm_pF']:.3g} pF, $R_m$ = {circuit['Rm_ohm']:.3g} Ω")
+        lower.plot(frequency, np.angle(admittance, deg=True), color=color, ls=style, lw=1.6)
+    for axes in (upper, lower):
+        for name, side in (("short", "right"), ("open", "left")):
+            place = case.circuits["A"][f"{name}_circuit_frequency_Hz"] / KILO
+            axes.axvline(place, color=GREY, lw=0.8, ls=":")
+            if axes is lower:
+                axes.annotate(f"{name} circuit", (place, -88), (3 if side == "left" else -3, 0), ha=side, va="bottom",
+                              textcoords="offset points", fontsize=7, color=GREY, rotation=90)
+        axes.spines[["top", "right"]].set_visible(False)
+        axes.grid(color="#DDDDDD", lw=0.5)
+        axes.set_axisbelow(True)
+    upper.set_ylabel("admittance of one phase,\nthe other grounded, in mS")
+    upper.legend(fontsize=7, frameon=False, loc="lower left", bbox_to_anchor=(0, 1), borderpad=0.1)
+    lower.set(xlabel="frequency in kHz", ylabel="phase in degrees", ylim=(-95, 95), yticks=(-90, -45, 0, 45, 90),
+              xlim=frequency[[0, -1]])
+    return figure

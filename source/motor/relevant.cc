@@ -32,7 +32,6 @@ namespace ringmotor
       parameters.motor.accepts_unusual_values = defaults.motor.accepts_unusual_values;
       parameters.modes                        = defaults.modes;
       parameters.uncertainty                  = defaults.uncertainty;
-      parameters.electrodes                   = defaults.electrodes;
       parameters.output                       = defaults.output;
       reset_loss_factors(parameters.materials);
       for (const auto &effect : all_effects())
@@ -58,6 +57,7 @@ namespace ringmotor
     relevant.accuracy.interface_refinement = defaults.accuracy.interface_refinement;
     relevant.accuracy.rotor_modes          = defaults.accuracy.rotor_modes;
     relevant.support                       = defaults.support;
+    relevant.electrodes                    = defaults.electrodes;
     forget_what_never_matters(relevant);
     if (motor_model(parameters).rotor_needs_modes())
       relevant.materials.rotor_metal.loss_factor = parameters.materials.rotor_metal.loss_factor;

@@ -18,15 +18,19 @@ namespace ringmotor
               {"speed", units::speed, losses.point.result.speed}};
     }
 
-    /** The quantities of a list with the causes of their errors. */
-    std::vector<Quantity> quantities_of(const PointLosses &losses, const List list)
+    /** The quantities of a result with the causes of their errors, from those of one cause each. */
+    template <typename Result>
+    std::vector<Quantity> with_causes(const Result &result,
+                                      const std::vector<std::pair<std::string, Result>> &by_cause,
+                                      std::vector<Quantity> (Result::*const list)() const)
     {
-      std::vector<Quantity> quantities = (losses.budget.*list)();
-      for (const auto &[cause, budget] : losses.by_cause)
+      std::vector<Quantity> quantities = (result.*list)();
+      for (const auto &[cause, of_cause] : by_cause)
       {
-        const std::vector<Quantity> of_cause = (budget.*list)();
+        const std::vector<Quantity> with_one = (of_cause.*list)();
         for (unsigned int i = 0; i < quantities.size(); ++i)
-          quantities[i].error_causes[cause] = *of_cause[i].error;
+          if (quantities[i].error)
+            quantities[i].error_causes[cause] = *with_one[i].error;
       }
       return quantities;
     }
@@ -45,6 +49,17 @@ namespace ringmotor
     }
   } // namespace
 
+  namespace
+  {
+    /** `12.31 +- 0.22 V and ...` */
+    std::string describe(const DrivePoint &drive)
+    {
+      return text(drive.voltage, units::voltage, 2) + " per phase at " +
+             text(1e-3 * drive.frequency, 3) + " kHz, electrical efficiency " +
+             text(drive.electrical_efficiency, units::percent, 2);
+    }
+  } // namespace
+
   std::string describe(const PointLosses &losses)
   {
     const LossBudget &budget = losses.budget;
@@ -54,7 +69,8 @@ namespace ringmotor
            text(budget.output, units::power, 1) + ", losses " +
            text(budget.total(), units::power, 1) + " (friction " + part(budget.friction) +
            ", stator " + part(budget.stator()) + ", rotor " + part(budget.rotor) + ", support " +
-           part(budget.support) + "), efficiency " + text(budget.efficiency(), units::percent, 2);
+           part(budget.support) + "), efficiency " + text(budget.efficiency(), units::percent, 2) +
+           (losses.drive ? "; " + describe(*losses.drive) : "");
   }
 
   void write_losses(const std::string &path, const std::vector<PointLosses> &points)
@@ -67,16 +83,35 @@ namespace ringmotor
     write_points(path, points, &LossBudget::powers);
   }
 
+  void write_drive(const std::string &path, const std::vector<PointLosses> &points)
+  {
+    std::vector<NamedRow> rows;
+    for (const PointLosses &losses : points)
+    {
+      rows.emplace_back();
+      add_entries(rows.back(), load_of(losses));
+      add_entries(rows.back(), losses.drive->quantities());
+    }
+    write_table(path, rows);
+  }
+
   void add_losses(Summary &summary, const std::vector<PointLosses> &points, const double seconds)
   {
-    double worst_imbalance = 0., outside = 0.;
+    double worst_imbalance = 0., worst_electrical = 0., outside = 0.;
     for (const PointLosses &losses : points)
     {
       Summary::Labels labels;
       for (const Quantity &load : load_of(losses))
         labels[name_with_unit(load.name, load.unit.si)] = load.value;
       for (const List list : {&LossBudget::losses, &LossBudget::powers})
-        add_quantities(summary, quantities_of(losses, list), seconds, labels);
+        add_quantities(summary, with_causes(losses.budget, losses.by_cause, list), seconds, labels);
+      if (losses.drive)
+      {
+        add_quantities(summary,
+                       with_causes(*losses.drive, losses.drive_by_cause, &DrivePoint::quantities),
+                       seconds, labels);
+        worst_electrical = std::max(worst_electrical, losses.drive->imbalance);
+      }
       const Estimate efficiency = losses.budget.efficiency();
       worst_imbalance           = std::max(worst_imbalance, losses.point.result.power_imbalance());
       outside                   = std::max({outside, -efficiency.value, efficiency.value - 1.});
@@ -88,5 +123,8 @@ namespace ringmotor
          "run the program contact with a larger Time/Snapshots or a smaller Accuracy/Contact "
          "target"});
     summary.certificate.push_back({"efficiency outside 0 to 1", outside, 0.});
+    if (points.front().drive)
+      summary.certificate.push_back({"electrical input against output and all losses, relative",
+                                     worst_electrical, OperatingPoint::largest_imbalance});
   }
 } // namespace ringmotor

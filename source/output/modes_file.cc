@@ -221,6 +221,38 @@ namespace ringmotor
     return energies;
   }
 
+  std::optional<DrivenWave> read_driven_wave(const std::string &path, const Parameters &parameters)
+  {
+    const ModesFile file(path, parameters);
+    if (!file.has("circuits"))
+      return {};
+    DrivenWave wave;
+    wave.amplitude         = file.attribute<double>("/wave", "amplitude_m");
+    wave.natural_frequency = {file.attribute<double>("/wave", "natural_frequency_Hz"),
+                              file.attribute<double>("/wave", "natural_frequency_error_Hz")};
+    wave.modal_mass        = shape_number(file, "modal_mass");
+    // All of it is strain energy and, for the rest, that of the fields.
+    wave.electric_energy = shape_number(file, "strain_energy");
+    for (const std::string part : {"base", "tooth", "piezoceramic"})
+      wave.electric_energy.value -= shape_number(file, "strain_energy_" + part).value;
+    wave.electric_energy.error *=
+        wave.electric_energy.value / shape_number(file, "strain_energy").value;
+    for (const Phase phase : {Phase::a, Phase::b})
+    {
+      const std::string group = "/circuits/" + name_of(phase);
+      const auto number       = [&](const std::string &name)
+      {
+        return Estimate{file.attribute<double>(group, name),
+                        file.attribute<double>(group, name + " error")};
+      };
+      wave.force_factor[PhaseHarmonics::index(phase)]         = number("force_factor_N_per_V");
+      wave.parallel_capacitance[PhaseHarmonics::index(phase)] = number("C0_F");
+    }
+    wave.dielectric_loss_factor    = parameters.piezoelectricity.dielectric_loss_factor;
+    wave.piezoelectric_loss_factor = parameters.piezoelectricity.piezoelectric_loss_factor;
+    return wave;
+  }
+
   SectorField read_wave_body(const std::string &path, const Parameters &parameters)
   {
     const ModesFile file(path, parameters);

@@ -110,6 +110,21 @@ namespace ringmotor
     }
   } // namespace
 
+  namespace
+  {
+    void write_circuits(Hdf5Writer &file, const MotorCircuits &circuits)
+    {
+      for (const Phase phase : {Phase::a, Phase::b})
+        for (const Quantity &number : circuits.quantities(phase))
+        {
+          const std::string group = "circuits/" + name_of(phase),
+                            name  = name_with_unit(number.name, number.unit.si);
+          file.set_attribute(group, name, number.value);
+          file.set_attribute(group, name + " error", *number.error);
+        }
+    }
+  } // namespace
+
   void write_frequencies(const std::string &path, const std::vector<FoundMode> &modes)
   {
     CsvTable table({"n", "family", "frequency_Hz", "error_Hz", "axial", "in_plane", "torsion",
@@ -134,7 +149,7 @@ namespace ringmotor
 
   void write_modes_h5(const std::string &path, const Parameters &parameters,
                       const CyclicSector &sector, const std::vector<FoundMode> &modes,
-                      const WaveResult *wave)
+                      const WaveResult *wave, const MotorCircuits *circuits)
   {
     Hdf5Writer file("ringmotor modes", modes_format_version);
     file.set_attribute("/", "motor", parameters.motor.name);
@@ -145,6 +160,8 @@ namespace ringmotor
     write_mode_list(file, modes);
     if (wave != nullptr)
       write_wave(file, sector, *wave);
+    if (circuits != nullptr)
+      write_circuits(file, *circuits);
     file.save(path);
   }
 } // namespace ringmotor

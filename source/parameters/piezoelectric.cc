@@ -66,6 +66,13 @@ namespace ringmotor
     require(c11 + c12 > 0. && std::abs(c13) < bound, "Stiffness c13", c13,
             "a magnitude below sqrt((c11 + c12) c33 / 2) = " + short_text(bound),
             "makes the ceramic unstable: its stiffness is not positive definite");
+    constexpr double largest_d = 1e-8; // m/V; ceramics have up to 1e-9
+    if (form == CouplingForm::d)
+      for (const auto &[name, value] :
+           {std::make_pair("Coupling 31", coupling31), std::make_pair("Coupling 33", coupling33),
+            std::make_pair("Coupling 15", coupling15)})
+        require(std::abs(value) <= largest_d, name, value, "up to 1e-8 m/V, or Coupling form = e",
+                "is no constant d in m/V");
     const PiezoelectricLaw of_ceramic = law();
     const std::string advice = "leaves, without the part that comes from strains, no positive "
                                "permittivity of the clamped ceramic: a coupling factor of 1 or "

@@ -70,10 +70,28 @@ namespace ringmotor
       if (is_root_rank && parameters.output.vtu)
         body = read_wave_body(from + "/stator/modes.h5", parameters);
       const StatorWave of_now = read_stator_wave(from + "/stator/modes.h5", parameters);
+      const auto driven       = read_driven_wave(from + "/stator/modes.h5", parameters);
+      if (driven && difference_of_phases(*driven) > 0.01)
+        log.line("warning: the force factors of the phases differ by " +
+                 text(100. * difference_of_phases(*driven), 1) +
+                 " %, so that equal voltages drive a wave that is partly standing; voltages are "
+                 "those for the mean");
       for (const CurvePoint &point :
            read_contact_points(from + "/contact/contact.h5", parameters, of_now))
-        points.push_back({point, loss_budget(point, wave, parameters.materials, parameters.support),
-                          budgets_by_cause(point, wave, parameters.materials, parameters.support)});
+      {
+        PointLosses losses{point,
+                           loss_budget(point, wave, parameters.materials, parameters.support),
+                           budgets_by_cause(point, wave, parameters.materials, parameters.support),
+                           {},
+                           {}};
+        if (driven)
+        {
+          const auto &frequency = parameters.wave.frequency;
+          losses.drive          = drive_point(point, losses.budget, *driven, frequency);
+          losses.drive_by_cause = drives_by_cause(point, losses.by_cause, *driven, frequency);
+        }
+        points.push_back(std::move(losses));
+      }
     }
 
     void LossesProgram::report()
@@ -94,11 +112,13 @@ namespace ringmotor
       Summary summary = begin_summary("losses", parameters, phases);
       add_losses(summary, points, phases.seconds().front().second / points.size());
       require_certified(summary);
-      prepare_results(folder,
-                      "used\\.prm|losses\\.csv|efficiency\\.csv|loss_density\\.vtu|summary\\.json");
+      prepare_results(folder, "used\\.prm|losses\\.csv|efficiency\\.csv|drive\\.csv|"
+                              "loss_density\\.vtu|summary\\.json");
       write_used_prm(folder + "used.prm", "losses", parameters);
       write_losses(folder + "losses.csv", points);
       write_efficiency(folder + "efficiency.csv", points);
+      if (points.front().drive)
+        write_drive(folder + "drive.csv", points);
       if (parameters.output.vtu)
         write_ring_scalar(folder + "loss_density.vtu", body, {"loss_density", 1, "W/m^3"},
                           loss_density(body, parameters.materials));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/output/circuit_files.h>
 #include <ringmotor/output/files.h>
 #include <ringmotor/output/log.h>
 #include <ringmotor/output/stator_files.h>
@@ -48,6 +49,7 @@ namespace ringmotor
       void report();
       void report_wave(const WaveResult &wave);
       void report_circuits(const MotorCircuits &circuits);
+      void report_excitation(const ElectrodeLayout &electrodes);
       void report_inertia();
       /** (omega/omega_1)^2, omega_1 the lowest mode of the tooth or, with the waves of the motor,
        * of the rotor: how much its inertia would matter. None if that mode or omega is not known.
@@ -56,6 +58,7 @@ namespace ringmotor
       /** The mode, scaled to the largest displacement Wave/Amplitude. */
       Mode scaled(Mode mode) const;
       void write_results();
+      void write_circuit_files(const MotorCircuits &circuits);
       void write_fields();
       /** @param plate_shift relative, of the frequency by target plates */
       Summary make_summary(const std::vector<EffectRow> &effects) const;
@@ -99,8 +102,12 @@ namespace ringmotor
       if (is_root_rank)
       {
         prepare_results(folder, "used\\.prm|frequencies\\.csv|ellipses\\.csv|modes\\.h5|"
+                                "circuits\\.csv|admittance\\.csv|electrodes\\.csv|excitation\\.csv|"
                                 "summary\\.json|sector\\.vtu|ring\\.pvd|ring_[0-9]+\\.vtu");
       }
+      if (of_stator && parameters.effects.piezoelectric_coupling != EffectChoice::off)
+        for (const std::string &warning : parameters.piezoelectricity.warnings())
+          log.line("warning: " + warning);
       body.find([&](const Pass &pass) { after_pass(pass); });
       report();
       write_results();
@@ -170,24 +177,44 @@ namespace ringmotor
 
     void StatorProgram::report_circuits(const MotorCircuits &circuits)
     {
-      for (const std::string &warning : parameters.piezoelectricity.warnings())
-        log.line("warning: " + warning);
-      for (const MotorCircuits::PhaseResult &of_phase : circuits.results())
+
+      for (const Phase of : {Phase::a, Phase::b})
       {
-        const PhaseCircuit &circuit = of_phase.circuit;
-        const std::string phase     = "phase " + name_of(of_phase.phase) + ": ";
-        log.line(phase + "open-circuit frequency " +
-                 text(1e-3 * circuit.open_circuit_frequency, 4) +
-                 " kHz, k_eff^2 = " + text(circuit.coupling_squared(), 5) +
-                 ", capacitance C0 = " + text(circuit.parallel_capacitance, units::capacitance, 3) +
-                 ", clamped " + text(circuit.clamped_capacitance, units::capacitance, 3) +
-                 ", free " + text(circuit.free_capacitance, units::capacitance, 3));
-        log.line(phase + "Lm = " + text(circuit.inductance, units::inductance, 4) +
-                 ", Cm = " + text(circuit.capacitance, units::motional_capacitance, 2) +
-                 ", Rm = " + text(circuit.resistance, units::resistance, 2) +
-                 ", Q = " + text(circuit.quality, 0) + ", force factor " +
-                 text(circuit.force_factor, units::force_factor, 4));
+        const PhaseCircuit circuit = circuits.circuit(of);
+        const std::string phase    = "phase " + name_of(of) + ": ";
+        log.line(
+            phase + "open-circuit frequency " + text(1e-3 * circuit.open_circuit_frequency(), 4) +
+            " kHz, k_eff^2 = " + text(circuit.coupling_squared(), 5) +
+            ", capacitance C0 = " + text(circuit.parallel.at_resonance, units::capacitance, 3) +
+            ", clamped " + text(circuit.parallel.clamped, units::capacitance, 3) + ", free " +
+            text(circuit.parallel.free, units::capacitance, 3));
+        log.line(phase + "Lm = " + text(circuit.branch.inductance, units::inductance, 4) +
+                 ", Cm = " + text(circuit.branch.capacitance, units::motional_capacitance, 2) +
+                 ", Rm = " + text(circuit.branch.resistance, units::resistance, 2) +
+                 ", Q = " + text(circuit.branch.quality, 0) + ", force factor " +
+                 text(circuit.branch.force_factor, units::force_factor, 4));
       }
+      report_excitation(circuits.electrodes());
+    }
+
+    void StatorProgram::report_excitation(const ElectrodeLayout &electrodes)
+    {
+      constexpr double least     = 0.1; // of what the wave gets
+      const unsigned int n_waves = parameters.motor.n_waves;
+      const auto share           = [&](const unsigned int n)
+      {
+        return (electrodes.excitation(Phase::a, n) + electrodes.excitation(Phase::b, n)) /
+               (electrodes.excitation(Phase::a, n_waves) +
+                electrodes.excitation(Phase::b, n_waves));
+      };
+      std::string others;
+      for (unsigned int n = 0; n <= parameters.motor.n_teeth / 2; ++n)
+        if (n != n_waves && share(n) > least)
+          others += (others.empty() ? "" : ", ") + std::to_string(n) + " (" +
+                    text(100. * share(n), 0) + " %)";
+      if (!others.empty())
+        log.line("the phases also drive other nodal diameters, in percent of n = " +
+                 std::to_string(n_waves) + ": " + others);
     }
 
     void StatorProgram::report_inertia()
@@ -240,15 +267,26 @@ namespace ringmotor
         write_frequencies(folder + "frequencies.csv", body.search().modes());
         if (of_stator)
           write_modes_h5(folder + "modes.h5", parameters, body.search().sector(),
-                         body.search().modes(), wave);
+                         body.search().modes(), wave, body.circuits());
         if (wave != nullptr)
           write_ellipses(folder + "ellipses.csv", *wave);
+        if (body.circuits() != nullptr)
+          write_circuit_files(*body.circuits());
       }
       if (is_root_rank && parameters.output.vtu && (body.wave() != nullptr || !of_stator))
         write_fields();
       if (is_root_rank)
         write_summary(folder + "summary.json", make_summary(effects));
       log.line("results in " + folder);
+    }
+
+    void StatorProgram::write_circuit_files(const MotorCircuits &circuits)
+    {
+      write_circuits(folder + "circuits.csv", circuits);
+      write_admittance(folder + "admittance.csv", circuits);
+      write_electrodes(folder + "electrodes.csv", circuits.electrodes());
+      write_excitation(folder + "excitation.csv", circuits.electrodes(),
+                       parameters.motor.n_teeth / 2);
     }
 
     void StatorProgram::write_fields()
@@ -282,9 +320,9 @@ namespace ringmotor
       if (body.wave() != nullptr)
         add_wave_quantities(summary, *body.wave(), seconds);
       if (body.circuits() != nullptr)
-        for (const MotorCircuits::PhaseResult &of_phase : body.circuits()->results())
-          add_quantities(summary, of_phase.quantities, seconds,
-                         {{"phase", name_of(of_phase.phase)}});
+        for (const Phase phase : {Phase::a, Phase::b})
+          add_quantities(summary, body.circuits()->quantities(phase), seconds,
+                         {{"phase", name_of(phase)}});
       if (const auto ratio = of_stator ? std::nullopt : inertia_ratio())
         add_quantities(summary,
                        {on_body_mesh("(omega/omega_1)^2", units::one,

@@ -109,12 +109,13 @@ namespace ringmotor
     if (parameters.accuracy.mode == AccuracyMode::fixed)
     {
       const unsigned int degree = parameters.accuracy.polynomial_degree;
-      after_pass(compute({std::max(scout_degree, degree - 1), scout_level}));
+      after_pass(first_pass({std::max(scout_degree, degree - 1), scout_level}));
       after_pass(compute({degree, parameters.accuracy.refinement}));
+      refine_capacitances();
       return;
     }
 
-    after_pass(compute({scout_degree, scout_level}));
+    after_pass(first_pass({scout_degree, scout_level}));
     const Accuracy &accuracy = parameters.accuracy;
     const double by_wave     = wave() ? wave_target(accuracy) / wave_to_frequency_error : 1.;
     aim_at(by_wave < accuracy.target);
@@ -136,6 +137,30 @@ namespace ringmotor
         give_up();
       mode_search->refine(mesh);
       after_pass(compute_pass(discretisation.degree));
+    }
+    refine_capacitances();
+  }
+
+  Pass BodyModes::first_pass(const BodyDiscretisation &discretisation)
+  {
+    const Pass pass = compute(discretisation);
+    if (circuits() != nullptr)
+      motor_circuits->add_capacitances(*mode_search);
+    return pass;
+  }
+
+  void BodyModes::refine_capacitances()
+  {
+    if (circuits() == nullptr)
+      return;
+    const MotorModel model = motor_model(parameters);
+    while (motor_circuits->n_capacitances() < 2)
+    {
+      const unsigned int degree = scout_degree + motor_circuits->n_capacitances();
+      const SectorMesh coarse   = stator_mesh({degree, scout_level}, model);
+      const auto search         = new_search(model);
+      search->compute(coarse, degree);
+      motor_circuits->add_capacitances(*search);
     }
   }
 

@@ -1,73 +1,93 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/parameters/errors.h>
 #include <ringmotor/quantities/motor_circuits.h>
 
-#include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace ringmotor
 {
   MotorCircuits::MotorCircuits(const Parameters &parameters)
       : layout(parameters.electrodes, parameters.motor, parameters.stator),
-        losses(parameters.piezoelectricity)
+        harmonics(layout, parameters.motor.n_teeth), losses(parameters.piezoelectricity),
+        n_waves(parameters.motor.n_waves)
   {
   }
-
-  namespace
-  {
-    /** Adds a part to the error of a quantity. */
-    void add_error(Quantity &quantity, const std::string &cause, const double error)
-    {
-      quantity.error = quantity.error.value_or(0.) + error;
-      quantity.error_causes[cause] += error;
-    }
-  } // namespace
 
   void MotorCircuits::add_pass(const ModeSearch &search, const WaveResult &wave)
   {
-    PhaseCapacitances capacitances(search.sector(), layout);
-    const double quality = stator_quality(search.sector(), wave.found.mode, losses);
-    const auto circuits =
-        phase_circuits(capacitances, search.sector(), wave.found.mode, wave.amplitude, quality);
-    const FrequencySample &now = wave.found.samples.back();
-    std::vector<PhaseResult> results;
-    for (const Phase phase : {Phase::a, Phase::b})
-    {
-      const PhaseCircuit &circuit = circuits[static_cast<unsigned int>(phase)];
-      PhaseResult result{phase, circuit, circuit.quantities()};
-      if (earlier_frequency)
-      {
-        const std::vector<Quantity> earlier = of_phases[results.size()].circuit.quantities();
-        for (unsigned int i = 0; i < earlier.size(); ++i)
-          add_error(result.quantities[i], "body mesh",
-                    shape_estimate(result.quantities[i].value, earlier[i].value, now,
-                                   *earlier_frequency,
-                                   wave.found.frequency.error / wave.found.frequency.value)
-                        .error);
-        for (Quantity &quantity : result.quantities)
-        {
-          if (quantity.unit.shown == units::capacitance.shown)
-            add_error(quantity, "harmonics of the electrodes",
-                      capacitances.rest(phase) * quantity.value);
-          if (quantity.name == "C0")
-            add_error(quantity, "other modes", std::abs(circuit.change_of_parallel));
-        }
-      }
-      results.push_back(std::move(result));
-    }
-    of_phases         = std::move(results);
-    earlier_frequency = now;
+    samples.push_back({wave.found.frequency, wave.found.samples.back(),
+                       motional_branches(harmonics, search.sector(), wave.found.mode,
+                                         2. * dealii::numbers::PI * wave.found.frequency.value,
+                                         wave.amplitude, losses)});
   }
 
-  double MotorCircuits::excitation(const unsigned int n) const
+  void MotorCircuits::add_capacitances(const ModeSearch &search)
   {
-    const auto strength = [&](const unsigned int k)
+    const FoundMode *wave = search.working_mode(n_waves);
+    if (wave == nullptr)
+      throw ComputationError("the motor's wave was not found on the coarse mesh for the "
+                             "capacitances of the phases");
+    constexpr double any_amplitude = 1.; // force factors do not matter here
+    const CyclicSector &sector     = search.sector();
+    ElectricResponse response(sector.sector_mesh(), sector.material_table(),
+                              sector.dofs().get_fe().degree);
+    capacitances.push_back(parallel_capacitances(harmonics, response, wave->mode,
+                                                 motional_branches(harmonics, sector, wave->mode,
+                                                                   std::sqrt(wave->mode.eigenvalue),
+                                                                   any_amplitude, losses)));
+  }
+
+  PhaseCircuit MotorCircuits::circuit(const Phase phase) const
+  {
+    const unsigned int i = PhaseHarmonics::index(phase);
+    return {samples.back().frequency.value, samples.back().branches[i], capacitances.back()[i],
+            losses.dielectric_loss_factor};
+  }
+
+  std::vector<Quantity> MotorCircuits::quantities(const Phase phase) const
+  {
+    const unsigned int i = PhaseHarmonics::index(phase);
+    const auto &before = samples[samples.size() - 2], &last = samples.back();
+    const auto &coarse = capacitances[capacitances.size() - 2][i], &fine = capacitances.back()[i];
+    const double of_frequency = last.frequency.error / last.frequency.value;
+    const auto of_branch =
+        [&](const std::string &name, const Unit &unit, double MotionalBranch::*const number)
     {
-      return std::hypot(std::abs(layout.harmonic(Phase::a, static_cast<int>(k))),
-                        std::abs(layout.harmonic(Phase::b, static_cast<int>(k))));
+      return on_body_mesh(name, unit,
+                          shape_estimate(last.branches[i].*number, before.branches[i].*number,
+                                         last.quality_of_mesh, before.quality_of_mesh,
+                                         of_frequency));
     };
-    double largest = 0.;
-    for (unsigned int k = 0; k < 200; ++k)
-      largest = std::max(largest, strength(k));
-    return strength(n) / largest;
+    const auto capacitance = [&](const std::string &name, double ParallelCapacitance::*const number,
+                                 const double of_other_modes)
+    {
+      const double of_mesh = std::abs(fine.*number - coarse.*number);
+      return Quantity{name,
+                      units::capacitance,
+                      fine.*number,
+                      of_mesh + fine.rest + of_other_modes,
+                      {{"body mesh", of_mesh},
+                       {"harmonics of the electrodes", fine.rest},
+                       {"other modes", of_other_modes}}};
+    };
+    const Quantity c0 =
+                       capacitance("C0", &ParallelCapacitance::at_resonance, std::abs(fine.change)),
+                   cm = of_branch("Cm", units::motional_capacitance, &MotionalBranch::capacitance);
+    const PhaseCircuit here  = circuit(phase);
+    const double of_coupling = *c0.error / c0.value + *cm.error / cm.value,
+                 k_square = here.coupling_squared(), f_open = here.open_circuit_frequency();
+    return {on_body_mesh("short_circuit_frequency", units::hertz, last.frequency),
+            on_body_mesh("open_circuit_frequency", units::hertz,
+                         {f_open, f_open * (of_frequency + 0.5 * k_square * of_coupling)}),
+            on_body_mesh("k_eff^2", units::one, {k_square, k_square * of_coupling}),
+            of_branch("force_factor", units::force_factor, &MotionalBranch::force_factor),
+            c0,
+            capacitance("free_capacitance", &ParallelCapacitance::free, 0.),
+            capacitance("clamped_capacitance", &ParallelCapacitance::clamped, 0.),
+            of_branch("Lm", units::inductance, &MotionalBranch::inductance),
+            cm,
+            of_branch("Rm", units::resistance, &MotionalBranch::resistance),
+            of_branch("Q", units::one, &MotionalBranch::quality)};
   }
 } // namespace ringmotor

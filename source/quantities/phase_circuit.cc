@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace ringmotor
 {
@@ -14,152 +15,135 @@ namespace ringmotor
   namespace
   {
     using Complex = std::complex<double>;
-
-    /** Nodal diameters n and N - n are conjugate to each other: one stands for both. */
-    double weight(const unsigned int n, const unsigned int n_sectors)
-    {
-      return n == 0 || 2 * n == n_sectors ? 1. : 2.;
-    }
+    constexpr PerPhase<Phase> phases{{Phase::a, Phase::b}};
   } // namespace
 
-  PhaseCapacitances::PhaseCapacitances(const CyclicSector &sector, const ElectrodeLayout &layout)
-      : sector(sector), response(sector), factors(sector)
+  PhaseHarmonics::PhaseHarmonics(const ElectrodeLayout &layout, const unsigned int n_sectors)
+      : sectors(n_sectors)
   {
-    const int n_sectors = static_cast<int>(sector.sector_mesh().n_sectors), last = 2 * n_sectors;
-    for (const Phase phase : {Phase::a, Phase::b})
-      mean_square[index(phase)] = layout.mean_square(phase);
+    for (const Phase phase : phases)
+      square[index(phase)] = layout.mean_square(phase);
+    const int period = static_cast<int>(n_sectors), last = 2 * period;
     for (int k = -last; k <= last; ++k)
     {
-      const int n = ((k % n_sectors) + n_sectors) % n_sectors;
-      if (2 * n > n_sectors)
+      const int n = ((k % period) + period) % period;
+      if (2 * n > period)
         continue;
       Harmonic harmonic{k, {}};
-      for (const Phase phase : {Phase::a, Phase::b})
+      for (const Phase phase : phases)
       {
-        const unsigned int i  = index(phase);
-        harmonic.potential[i] = std::conj(layout.harmonic(phase, k));
-        resolved[i] += weight(n, n_sectors) * std::norm(harmonic.potential[i]) / mean_square[i];
+        harmonic.potential[index(phase)] = std::conj(layout.harmonic(phase, k));
+        resolved[index(phase)] += weight(n) * std::norm(harmonic.potential[index(phase)]);
       }
       harmonics[n].push_back(harmonic);
     }
   }
 
-  PhaseMatrix PhaseCapacitances::at(const double shift)
+  PerPhase<double> phase_capacitances(const PhaseHarmonics &harmonics, ElectricResponse &response,
+                                      const double shift)
   {
-    const int n_sectors = static_cast<int>(sector.sector_mesh().n_sectors);
-    PhaseMatrix sum{};
+    response.condense(shift);
+    PerPhase<double> sum{};
     double n_last = 0., charge_of_last = 0.;
-    for (const auto &[n, of_diameter] : harmonics)
+    for (unsigned int n = 0; 2 * n <= harmonics.n_sectors(); ++n)
     {
+      const std::vector<PhaseHarmonics::Harmonic> &of_diameter = harmonics.of_diameter(n);
       std::vector<int> numbers;
-      for (const Harmonic &harmonic : of_diameter)
+      for (const PhaseHarmonics::Harmonic &harmonic : of_diameter)
         numbers.push_back(harmonic.k);
-      const auto matrix = response.capacitances(factors, n, shift, numbers);
+      const auto matrix = response.capacitances(n, numbers);
       for (unsigned int l = 0; l < numbers.size(); ++l)
         for (unsigned int k = 0; k < numbers.size(); ++k)
-          for (const unsigned int row : {0u, 1u})
-            for (const unsigned int column : {0u, 1u})
-              sum[row][column] +=
-                  weight(n, n_sectors) * (std::conj(of_diameter[l].potential[row]) * matrix(l, k) *
-                                          of_diameter[k].potential[column])
-                                             .real();
+          for (unsigned int i = 0; i < sum.size(); ++i)
+            sum[i] += harmonics.weight(n) * (std::conj(of_diameter[l].potential[i]) * matrix(l, k) *
+                                             of_diameter[k].potential[i])
+                                                .real();
       for (unsigned int k = 0; k < numbers.size(); ++k)
-        if (2 * std::abs(numbers[k]) > 3 * n_sectors)
+        if (2 * std::abs(numbers[k]) > 3 * static_cast<int>(harmonics.n_sectors()))
         {
           n_last += 1.;
           charge_of_last += matrix(k, k).real();
         }
     }
-    for (const unsigned int i : {0u, 1u})
-      sum[i][i] += (1. - resolved[i]) * mean_square[i] * charge_of_last / n_last;
+    for (const Phase phase : phases)
+      sum[PhaseHarmonics::index(phase)] += harmonics.rest(phase) * charge_of_last / n_last;
     return sum;
   }
 
-  PhaseMatrix PhaseCapacitances::free()
-  {
-    return at(-slow_eigenvalue(sector)); // below zero, where rigid motions are not singular
-  }
-
-  PhaseMatrix PhaseCapacitances::clamped()
-  {
-    constexpr double fast = 1e20; // inertia resists so much that nothing moves
-    return at(-fast * slow_eigenvalue(sector));
-  }
-
-  std::complex<double> PhaseCapacitances::charge(const Mode &mode, const Phase phase) const
-  {
-    Complex sum = 0.;
-    for (const Harmonic &harmonic : harmonics.at(mode.nodal_diameter))
-      sum += std::conj(harmonic.potential[index(phase)]) * response.charge(mode.motion, harmonic.k);
-    return sum;
-  }
-
-  std::array<PhaseCircuit, 2> phase_circuits(PhaseCapacitances &capacitances,
+  PerPhase<MotionalBranch> motional_branches(const PhaseHarmonics &harmonics,
                                              const CyclicSector &sector, const Mode &wave,
-                                             const double amplitude, const double quality)
+                                             const double angular_frequency, const double amplitude,
+                                             const Piezoelectricity &losses)
   {
-    const double mass      = modal_mass(wave_energy(sector, wave), wave, amplitude),
-                 square    = wave.eigenvalue;
-    const PhaseMatrix free = capacitances.free(), clamped = capacitances.clamped();
-    std::array<PhaseCircuit, 2> circuits;
-    double highest = 0.; // of the open-circuit frequencies, over the square of the frequency
-    for (const Phase phase : {Phase::a, Phase::b})
+    const auto &of_wave = harmonics.of_diameter(wave.nodal_diameter);
+    std::vector<int> numbers;
+    for (const PhaseHarmonics::Harmonic &harmonic : of_wave)
+      numbers.push_back(harmonic.k);
+    const std::vector<Complex> of_mode = electrode_charges(sector, wave.motion, numbers);
+    PerPhase<Complex> charges{}; // on the arcs of a phase, each with the sign of its poling
+    for (unsigned int k = 0; k < of_wave.size(); ++k)
+      for (unsigned int i = 0; i < charges.size(); ++i)
+        charges[i] += std::conj(of_wave[k].potential[i]) * of_mode[k];
+    const double mass = modal_mass(wave_energy(sector, wave), wave, amplitude);
+    PerPhase<MotionalBranch> branches;
+    for (unsigned int i = 0; i < branches.size(); ++i)
     {
-      const unsigned int i            = static_cast<unsigned int>(phase);
-      PhaseCircuit &circuit           = circuits[i];
-      circuit.quality                 = quality;
-      circuit.short_circuit_frequency = wave.frequency();
-      circuit.force_factor            = std::abs(capacitances.charge(wave, phase)) / amplitude;
-      circuit.inductance              = mass / std::pow(circuit.force_factor, 2);
-      circuit.capacitance             = 1. / (square * circuit.inductance);
-      circuit.resistance              = std::sqrt(square) * circuit.inductance / quality;
-      circuit.free_capacitance        = free[i][i];
-      circuit.clamped_capacitance     = clamped[i][i];
-      highest                         = std::max(highest, 1. + circuit.capacitance /
-                                                                   (circuit.free_capacitance - circuit.capacitance));
+      MotionalBranch &branch = branches[i];
+      branch.force_factor    = std::abs(charges[i]) / amplitude;
+      branch.inductance      = mass / std::pow(branch.force_factor, 2);
+      branch.capacitance     = 1. / (angular_frequency * angular_frequency * branch.inductance);
+      branch.quality         = stator_quality(sector, wave, losses);
+      branch.resistance      = angular_frequency * branch.inductance / branch.quality;
     }
-    // What the ceramic and other modes give changes slowly with the frequency, unless one of them
-    // is near.
-    const PhaseMatrix above = capacitances.at(highest * square),
-                      below = capacitances.at((2. - highest) * square);
-    for (const unsigned int i : {0u, 1u})
+    return branches;
+  }
+
+  PerPhase<ParallelCapacitance> parallel_capacitances(const PhaseHarmonics &harmonics,
+                                                      ElectricResponse &response, const Mode &wave,
+                                                      const PerPhase<MotionalBranch> &branches)
+  {
+    const auto at = [&](const double shift)
+    { return phase_capacitances(harmonics, response, shift); };
+    const double slow = slow_eigenvalue(response.body());
+    // Below zero, where rigid motions are not singular; where inertia resists so much that nothing
+    // moves; and about as far beside the resonance as the antiresonance.
+    constexpr double fast       = 1e20;
+    const PerPhase<double> free = at(-slow), clamped = at(-fast * slow);
+    double distance = 0.;
+    for (unsigned int i = 0; i < free.size(); ++i)
+      distance = std::max(distance, branches[i].capacitance / (free[i] - branches[i].capacitance));
+    const PerPhase<double> below = at((1. - distance) * wave.eigenvalue),
+                           above = at((1. + distance) * wave.eigenvalue);
+    PerPhase<ParallelCapacitance> results;
+    for (const Phase phase : phases)
     {
-      PhaseCircuit &circuit        = circuits[i];
-      const double pole            = circuit.capacitance / (highest - 1.);
-      circuit.parallel_capacitance = 0.5 * (above[i][i] + below[i][i]);
-      circuit.change_of_parallel   = 0.5 * (above[i][i] + pole - (below[i][i] - pole));
-      circuit.open_circuit_frequency =
-          circuit.short_circuit_frequency *
-          std::sqrt(1. + circuit.capacitance / circuit.parallel_capacitance);
+      const unsigned int i    = PhaseHarmonics::index(phase);
+      const double of_mode    = branches[i].capacitance / distance; // of either sign
+      results[i].at_resonance = 0.5 * (below[i] + above[i]);
+      results[i].change       = 0.5 * (above[i] + of_mode - (below[i] - of_mode));
+      results[i].free         = free[i];
+      results[i].clamped      = clamped[i];
+      results[i].rest         = harmonics.rest(phase) / harmonics.mean_square(phase) * clamped[i];
     }
-    return circuits;
+    return results;
+  }
+
+  double PhaseCircuit::open_circuit_frequency() const
+  {
+    return short_circuit_frequency * std::sqrt(1. + branch.capacitance / parallel.at_resonance);
   }
 
   double PhaseCircuit::coupling_squared() const
   {
-    return 1. - std::pow(short_circuit_frequency / open_circuit_frequency, 2);
-  }
-
-  std::vector<Quantity> PhaseCircuit::quantities() const
-  {
-    return {{"short_circuit_frequency", units::hertz, short_circuit_frequency},
-            {"open_circuit_frequency", units::hertz, open_circuit_frequency},
-            {"k_eff^2", units::one, coupling_squared()},
-            {"force_factor", units::force_factor, force_factor},
-            {"C0", units::capacitance, parallel_capacitance},
-            {"free_capacitance", units::capacitance, free_capacitance},
-            {"clamped_capacitance", units::capacitance, clamped_capacitance},
-            {"Lm", units::inductance, inductance},
-            {"Cm", units::motional_capacitance, capacitance},
-            {"Rm", units::resistance, resistance},
-            {"Q", units::one, quality}};
+    return branch.capacitance / (branch.capacitance + parallel.at_resonance);
   }
 
   std::complex<double> PhaseCircuit::admittance(const double frequency) const
   {
     const Complex i_omega(0., 2. * numbers::PI * frequency);
-    return i_omega * parallel_capacitance +
-           1. / (resistance + i_omega * inductance + 1. / (i_omega * capacitance));
+    return i_omega * Complex(1., -dielectric_loss_factor) * parallel.at_resonance +
+           1. / (branch.resistance + i_omega * branch.inductance +
+                 1. / (i_omega * branch.capacitance));
   }
 
   double stator_quality(const CyclicSector &sector, const Mode &wave,

@@ -13,8 +13,8 @@ namespace ringmotor
   using namespace dealii;
 
   CyclicSector::CyclicSector(const SectorMesh &mesh, const MaterialTable &materials,
-                             const unsigned int degree)
-      : SectorElements(mesh, materials, degree)
+                             const unsigned int degree, const LowerElectrode lower_electrode)
+      : SectorElements(mesh, materials, degree, lower_electrode)
   {
     if (mesh.form == SectorForm::half)
       number_half_sector();

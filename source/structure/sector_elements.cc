@@ -27,7 +27,7 @@ namespace ringmotor
   }
 
   SectorElements::SectorElements(const SectorMesh &mesh, const MaterialTable &materials,
-                                 const unsigned int degree)
+                                 const unsigned int degree, const LowerElectrode lower_electrode)
       : mesh(mesh), materials(materials), mapping(2), fe(FE_Q<3>(degree), 3), shell_mapping(2),
         shell_fe(FE_Q<2, 3>(degree), 6)
   {
@@ -44,10 +44,10 @@ namespace ringmotor
     }
     sector_nodes =
         SectorNodes(dof_handler, mapping, shell_dof_handler, shell_mapping, potentials, mesh);
-    constrain();
+    constrain(lower_electrode);
   }
 
-  void SectorElements::constrain()
+  void SectorElements::constrain(const LowerElectrode lower_electrode)
   {
     hanging = sector_nodes.scalar_hanging_node_constraints(dof_handler, potentials);
     std::vector<SlaveNode> slaves = SectorNodes::slaves_of(hanging);
@@ -68,7 +68,10 @@ namespace ringmotor
         if (sector_nodes.component(dof) == 0)
           slaves.push_back({sector_nodes.node(dof), {}, {}});
     for (Dof i = 0; i < potentials.size(); ++i)
-      if (potentials.place(i) != PotentialDofs::Place::inside)
+      if (const PotentialDofs::Place place = potentials.place(i);
+          place == PotentialDofs::Place::upper_electrode ||
+          (place == PotentialDofs::Place::lower_electrode &&
+           lower_electrode == LowerElectrode::grounded))
         slaves.push_back({sector_nodes.node(sector_nodes.first_potential_dof() + i), {}, {}});
     dependent_dofs = sector_nodes.constraints(slaves);
   }

@@ -52,6 +52,13 @@ namespace ringmotor
      * phase. */
     std::complex<double> harmonic(const Phase phase, const int k) const;
 
+    /** How strongly one volt on a phase drives the nodal diameter @p n: the amplitude of the wave
+     * of the potential with n waves around the ring, in V; for n = 0 its mean. */
+    double excitation(const Phase phase, const unsigned int n) const
+    {
+      return (n == 0 ? 1. : 2.) * std::abs(harmonic(phase, static_cast<int>(n)));
+    }
+
     /** The mean over the ring of the square of that potential: the sum of |V_k|^2. */
     double mean_square(const Phase phase) const;
 

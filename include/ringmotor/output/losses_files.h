@@ -2,8 +2,9 @@
 #pragma once
 
 #include <ringmotor/output/summary.h>
-#include <ringmotor/quantities/loss_budget.h>
+#include <ringmotor/quantities/drive.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,8 @@ namespace ringmotor
     CurvePoint point;
     LossBudget budget;
     std::vector<std::pair<std::string, LossBudget>> by_cause; ///< see budgets_by_cause()
+    std::optional<DrivePoint> drive;                          ///< with a piezoelectric ceramic
+    std::vector<std::pair<std::string, DrivePoint>> drive_by_cause; ///< see drives_by_cause()
   };
 
   /** `50.00 mN m: output 432.1 +- 2.6 mW, losses ..., efficiency 39.9 +- 0.4 %` */
@@ -25,6 +28,9 @@ namespace ringmotor
 
   /** `efficiency.csv`: input and output power at each operating point. */
   void write_efficiency(const std::string &path, const std::vector<PointLosses> &points);
+
+  /** `drive.csv`: voltage, current and electrical power at each operating point. */
+  void write_drive(const std::string &path, const std::vector<PointLosses> &points);
 
   /** Adds the quantities of the points to a summary, and the certificates of their balance.
    * @param seconds spent on the losses of a point */

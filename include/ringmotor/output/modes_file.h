@@ -2,8 +2,9 @@
 #pragma once
 
 #include <ringmotor/motor/condensed_motor.h>
-#include <ringmotor/quantities/loss_budget.h>
+#include <ringmotor/quantities/drive.h>
 
+#include <optional>
 #include <string>
 
 namespace ringmotor
@@ -19,6 +20,10 @@ namespace ringmotor
   /** Reads the energies that the wave stores, from the same file and with the same errors; see
    * felt_energy() for the felt. */
   WaveEnergies read_wave_energies(const std::string &path, const Parameters &parameters);
+
+  /** Reads the wave with the electrodes that drive it, from the same file and with the same errors;
+   * none if its ceramic had no potential. */
+  std::optional<DrivenWave> read_driven_wave(const std::string &path, const Parameters &parameters);
 
   /** Reads the spatial distribution of the strain energy of the wave, from the same file and with
    * the same errors; displacements are left out. */

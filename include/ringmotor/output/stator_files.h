@@ -2,7 +2,7 @@
 #pragma once
 
 #include <ringmotor/parameters/parameters.h>
-#include <ringmotor/quantities/motor_wave.h>
+#include <ringmotor/quantities/motor_circuits.h>
 #include <ringmotor/quantities/surface_trace.h>
 
 #include <string>
@@ -18,9 +18,9 @@ namespace ringmotor
   /** `ellipses.csv`: the elliptic motion of the named points in the travelling wave. */
   void write_ellipses(const std::string &path, const WaveResult &wave);
 
-  /** `modes.h5`: everything `contact` needs of the wave, and the list of modes. See doc/files.md.
-   */
+  /** `modes.h5`: everything `contact` and `losses` need of the wave and, unless null, of its
+   * circuits, and the list of modes. See doc/files.md. */
   void write_modes_h5(const std::string &path, const Parameters &parameters,
                       const CyclicSector &sector, const std::vector<FoundMode> &modes,
-                      const WaveResult *wave);
+                      const WaveResult *wave, const MotorCircuits *circuits);
 } // namespace ringmotor

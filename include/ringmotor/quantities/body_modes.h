@@ -73,8 +73,8 @@ namespace ringmotor
      * is not among the requested modes. */
     const WaveResult *wave() const { return motor_wave.result(); }
 
-    /** The circuits of the phases, as the last pass found them; null without a wave or without
-     * piezoelectric coupling. */
+    /** The circuits of the phases after find(); null without a wave or without piezoelectric
+     * coupling. */
     const MotorCircuits *circuits() const
     {
       return motor_circuits && wave() ? &*motor_circuits : nullptr;
@@ -92,6 +92,10 @@ namespace ringmotor
     std::unique_ptr<ModeSearch> new_search(const MotorModel &model) const;
     /** Decides on effects and prepares the search. */
     void begin();
+    /** A pass that also finds capacitances. */
+    Pass first_pass(const BodyDiscretisation &discretisation);
+    /** Finds them with elements of a higher degree. */
+    void refine_capacitances();
     /** The relative change of the wave's frequency by a ceramic with a potential, on a coarse mesh.
      * Collective. */
     double shift_by_coupling(const MotorModel &coupled) const;

@@ -5,37 +5,50 @@
 #include <ringmotor/quantities/motor_wave.h>
 #include <ringmotor/quantities/phase_circuit.h>
 
-#include <array>
-#include <optional>
+#include <vector>
 
 namespace ringmotor
 {
-  /** The equivalent circuits of the phases of a motor, and which waves its electrodes excite. */
+  /**
+   * The equivalent circuits of the phases of a motor. Their motional branches follow the wave from
+   * mesh to mesh. Capacitances are integral quantities that coarse meshes give accurately, but ask
+   * for the response of all nodal diameters: they have two coarse meshes of their own.
+   */
   class MotorCircuits
   {
   public:
     explicit MotorCircuits(const Parameters &parameters);
 
-    /** Adds the results of one mesh; error bars come from their change to the next mesh. */
+    /** Adds the motional branches on one mesh. */
     void add_pass(const ModeSearch &search, const WaveResult &wave);
 
-    struct PhaseResult
-    {
-      Phase phase;
-      PhaseCircuit circuit;
-      std::vector<Quantity> quantities; ///< without errors after the first mesh
-    };
-    /** Empty before the first pass. */
-    const std::vector<PhaseResult> &results() const { return of_phases; }
+    /** Adds the capacitances on one of at least two coarse meshes, the finer one last. @throws
+     * ComputationError if the motor's wave is not found on it */
+    void add_capacitances(const ModeSearch &search);
+    /** On how many meshes they are known. */
+    unsigned int n_capacitances() const { return capacitances.size(); }
 
-    /** The share of a nodal diameter in what the electrodes of both phases excite: |V_n| over the
-     * largest one of all. */
-    double excitation(const unsigned int n) const;
+    /** The circuit of a phase, from the last meshes. */
+    PhaseCircuit circuit(const Phase phase) const;
+
+    const ElectrodeLayout &electrodes() const { return layout; }
+
+    /** Its numbers with their error bars. Requires two passes and two coarse meshes. */
+    std::vector<Quantity> quantities(const Phase phase) const;
 
   private:
+    struct Sample
+    {
+      Estimate frequency;
+      FrequencySample quality_of_mesh;
+      PerPhase<MotionalBranch> branches;
+    };
+
     const ElectrodeLayout layout;
+    const PhaseHarmonics harmonics;
     const Piezoelectricity losses;
-    std::vector<PhaseResult> of_phases;
-    std::optional<FrequencySample> earlier_frequency;
+    const unsigned int n_waves;
+    std::vector<Sample> samples; ///< by pass
+    std::vector<PerPhase<ParallelCapacitance>> capacitances;
   };
 } // namespace ringmotor

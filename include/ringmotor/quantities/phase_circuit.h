@@ -3,7 +3,6 @@
 
 #include <ringmotor/motor/electrode_layout.h>
 #include <ringmotor/quantities/mode_search.h>
-#include <ringmotor/quantities/quantity.h>
 #include <ringmotor/structure/electric_response.h>
 
 #include <array>
@@ -13,87 +12,103 @@
 
 namespace ringmotor
 {
-  /** Charge of a phase (first index) per volt on a phase (second index), in F. */
-  using PhaseMatrix = std::array<std::array<double, 2>, 2>;
+  /** Something for each Phase. */
+  template <typename Type>
+  using PerPhase = std::array<Type, 2>;
 
-  /**
-   * Charges per volt of both phases, without damping: the sum over the harmonics of their
-   * potentials around the ring up to twice the number of sectors. The rest of the harmonics moves
-   * nothing; it is added with the charge per volt of the last ones.
-   */
-  class PhaseCapacitances
+  /** The potentials of the phases as harmonics around the ring, up to twice the number of sectors,
+   * each with the nodal diameter that it moves. */
+  class PhaseHarmonics
   {
   public:
-    /** @p sector must outlive this object. */
-    PhaseCapacitances(const CyclicSector &sector, const ElectrodeLayout &layout);
-
-    /** At the frequency of a shift omega^2 (rad^2/s^2). */
-    PhaseMatrix at(const double shift);
-
-    /** Of a body at rest, free to move. */
-    PhaseMatrix free();
-    /** Of one that is held everywhere, as at infinite frequency. */
-    PhaseMatrix clamped();
-
-    /** The charge (C) of a mode on the arcs of a phase, each with the sign of its poling; also the
-     * modal force (N m) per volt. */
-    std::complex<double> charge(const Mode &mode, const Phase phase) const;
-
-    /** The share of the harmonics that is added in the square of a phase's potential. */
-    double rest(const Phase phase) const { return 1. - resolved[index(phase)]; }
-
-  private:
-    static unsigned int index(const Phase phase) { return static_cast<unsigned int>(phase); }
+    PhaseHarmonics(const ElectrodeLayout &layout, const unsigned int n_sectors);
 
     struct Harmonic
     {
       int k;
-      std::array<std::complex<double>, 2> potential; ///< coefficient of exp(-i k theta) by phase
+      PerPhase<std::complex<double>> potential; ///< coefficient of exp(-i k theta) for one volt
     };
+    /** Those of nodal diameter @p n; those of N - n are conjugate to them. */
+    const std::vector<Harmonic> &of_diameter(const unsigned int n) const { return harmonics.at(n); }
 
-    const CyclicSector &sector;
-    const ElectricResponse response;
-    CyclicFactors factors;
+    /** The mean square of a phase's potential over the ring, and the part of it in the harmonics
+     * that are left out. */
+    double mean_square(const Phase phase) const { return square[index(phase)]; }
+    double rest(const Phase phase) const { return square[index(phase)] - resolved[index(phase)]; }
+
+    unsigned int n_sectors() const { return sectors; }
+
+    static unsigned int index(const Phase phase) { return static_cast<unsigned int>(phase); }
+
+    /** How often a nodal diameter stands for itself and its conjugate. */
+    double weight(const unsigned int n) const { return n == 0 || 2 * n == sectors ? 1. : 2.; }
+
+  private:
+    const unsigned int sectors;
     std::map<unsigned int, std::vector<Harmonic>> harmonics; ///< by nodal diameter
-    std::array<double, 2> mean_square{};                     ///< of the potential over the ring
-    std::array<double, 2> resolved{};                        ///< the part of it in #harmonics
+    PerPhase<double> square{}, resolved{};
   };
 
   /**
-   * The equivalent circuit of one phase near the motor's wave, the other phase grounded: a
-   * capacitor C0 in parallel with Lm, Cm, Rm in series, which stand for one standing wave
-   * (Butterworth and Van Dyke). The rotor is not in contact.
+   * Charge per volt (F) of each phase at the frequency of a shift omega^2 (rad^2/s^2), the other
+   * phase grounded, without damping. The harmonics that are left out move nothing; their part is
+   * added with the charge per volt of the last ones.
    */
+  PerPhase<double> phase_capacitances(const PhaseHarmonics &harmonics, ElectricResponse &response,
+                                      const double shift);
+
+  /** The branch of the equivalent circuit (Butterworth and Van Dyke) for one standing wave of the
+   * motor, driven by one phase: Lm, Cm and Rm in series. */
+  struct MotionalBranch
+  {
+    double force_factor = 0.; ///< N/V at the outer edge of the tooth tops, also C/m
+    double inductance = 0., capacitance = 0., resistance = 0.; ///< Lm (H), Cm (F), Rm (ohm)
+    double quality = 0.; ///< Q of the stator alone, see stator_quality()
+  };
+
+  /** The branch of each phase.
+   *  @param angular_frequency (rad/s) of the mode: its own on this mesh, or a better estimate
+   *  @param amplitude (m) of @p wave at the outer edge of the tooth tops */
+  PerPhase<MotionalBranch> motional_branches(const PhaseHarmonics &harmonics,
+                                             const CyclicSector &sector, const Mode &wave,
+                                             const double angular_frequency, const double amplitude,
+                                             const Piezoelectricity &losses);
+
+  /** What lies in parallel to that branch. */
+  struct ParallelCapacitance
+  {
+    double at_resonance = 0.; ///< C0 (F): the ceramic with all other modes, near the wave
+    double change       = 0.; ///< F, of C0 from the resonance to the antiresonance
+    double free         = 0.; ///< F, of the whole phase at rest, with the wave's mode
+    double clamped      = 0.; ///< F, of the ceramic held everywhere
+    double rest         = 0.; ///< F, what all of them contain for harmonics that are left out
+  };
+
+  PerPhase<ParallelCapacitance> parallel_capacitances(const PhaseHarmonics &harmonics,
+                                                      ElectricResponse &response, const Mode &wave,
+                                                      const PerPhase<MotionalBranch> &branches);
+
+  /** The equivalent circuit of a phase near the motor's wave, the other phase grounded and the
+   * rotor not in contact. */
   struct PhaseCircuit
   {
-    double short_circuit_frequency = 0., open_circuit_frequency = 0.; ///< Hz
-    double force_factor         = 0.; ///< N/V at the outer edge of the tooth tops, per wave
-    double parallel_capacitance = 0.; ///< C0, F
-    double change_of_parallel   = 0.; ///< F, from the middle to the open-circuit frequency
-    double free_capacitance = 0., clamped_capacitance = 0.;    ///< F, at rest and at high frequency
-    double inductance = 0., capacitance = 0., resistance = 0.; ///< Lm (H), Cm (F), Rm (ohm)
-    double quality = 0.; ///< Q of the stator: losses in its materials only
+    double short_circuit_frequency = 0.; ///< Hz, of the wave
+    MotionalBranch branch;
+    ParallelCapacitance parallel;
+    double dielectric_loss_factor = 0.;
 
-    /** k_eff^2 = 1 - (f_short/f_open)^2 */
+    double open_circuit_frequency() const; ///< Hz
+    /** k_eff^2 = 1 - (f_short/f_open)^2 = Cm/(C0 + Cm) */
     double coupling_squared() const;
-
-    /** For all outputs. */
-    std::vector<Quantity> quantities() const;
-
-    /** Y(f) in S, without the losses of C0. */
+    /** Y(f) in S, with C0 (1 - i tan delta). */
     std::complex<double> admittance(const double frequency) const;
   };
 
-  /** The circuits of both phases.
-   *  @param amplitude (m) of @p wave at the outer edge of the tooth tops
-   *  @param quality see stator_quality() */
-  std::array<PhaseCircuit, 2> phase_circuits(PhaseCapacitances &capacitances,
-                                             const CyclicSector &sector, const Mode &wave,
-                                             const double amplitude, const double quality);
-
-  /** Q of a mode by the losses of the materials: stored energy over energy lost per radian. With
-   * complex constants, c (1 + i eta), e (1 - i tan_e) and eps (1 - i tan_eps), a wave of which the
-   * energies are K, B and D (see SolidElement) loses eta K + 2 tan_e B + tan_eps D. */
+  /**
+   * Q of a mode by the losses of the materials: stored energy over energy lost per radian. With
+   * complex constants c (1 + i eta), e (1 - i tan_e) and eps (1 - i tan_eps), a wave with the
+   * energies K, B and D of SolidElement loses eta K + 2 tan_e B + tan_eps D.
+   */
   double stator_quality(const CyclicSector &sector, const Mode &wave,
                         const Piezoelectricity &losses);
 } // namespace ringmotor

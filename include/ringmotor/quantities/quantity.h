@@ -23,6 +23,7 @@ namespace ringmotor
     inline constexpr Unit speed{"rad/s", "rpm", dealii::numbers::PI / 30.};
     inline constexpr Unit torque{"N m", "mN m", 1e-3};
     inline constexpr Unit power{"W", "mW", 1e-3};
+    inline constexpr Unit voltage{"V", "V", 1.}, current{"A", "mA", 1e-3};
     inline constexpr Unit capacitance{"F", "nF", 1e-9}, motional_capacitance{"F", "pF", 1e-12},
         inductance{"H", "H", 1.}, resistance{"ohm", "ohm", 1.}, force_factor{"N/V", "N/V", 1.};
     inline constexpr Unit length{"m", "mm", 1e-3}, amplitude{"m", "um", 1e-6};

@@ -38,7 +38,8 @@ namespace ringmotor
      * @throws UserError if the cuts do not match or the mirror and cut faces are not where they
      * belong.
      */
-    CyclicSector(const SectorMesh &mesh, const MaterialTable &materials, const unsigned int degree);
+    CyclicSector(const SectorMesh &mesh, const MaterialTable &materials, const unsigned int degree,
+                 const LowerElectrode lower_electrode = LowerElectrode::grounded);
     ~CyclicSector();
 
     /** Number of unknowns of one nodal diameter (real numbers; twice the complex unknowns on a

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/structure/cyclic_factors.h>
+#include <ringmotor/structure/sector_factors.h>
 
 #include <deal.II/lac/full_matrix.h>
 
@@ -11,50 +11,75 @@
 namespace ringmotor
 {
   /**
-   * Charges on the lower electrode of a piezoelectric ring and its response to potentials there,
-   * harmonic by harmonic around the ring: exp(-i k theta) for any whole k, which moves the ring
-   * with the nodal diameter n = +-k modulo the number of sectors.
+   * The charges (C) of a motion on the lower electrode of the whole ring: for each of the harmonics
+   * exp(-i k theta), which must belong to the nodal diameter of the motion, the sum of charge times
+   * exp(i k theta). With the potential of the motion in equilibrium these are also the modal
+   * forces, in N m, per volt of the potential exp(i k theta), see SolidElement.
+   */
+  std::vector<std::complex<double>> electrode_charges(const CyclicSector &sector,
+                                                      const SectorMotion &motion,
+                                                      const std::vector<int> &harmonics);
+
+  /**
+   * The response of a piezoelectric ring to potentials on its lower electrode, harmonic by harmonic
+   * around the ring: exp(-i k theta) for any whole k, which moves the ring with the nodal diameter
+   * n = +-k modulo the number of sectors. The sector is condensed to its cuts and to the electrode
+   * once for each frequency; then all nodal diameters are cheap.
    */
   class ElectricResponse
   {
   public:
-    /** @p sector must outlive this object. */
-    explicit ElectricResponse(const CyclicSector &sector);
+    /** @p mesh must outlive this object. */
+    ElectricResponse(const SectorMesh &mesh, const MaterialTable &materials,
+                     const unsigned int degree);
+
+    /** Condenses the sector at the frequency of a shift omega^2 (rad^2/s^2), without damping.
+     * @throws ComputationError at a resonance of the sector with its cuts held */
+    void condense(const double shift);
 
     /**
-     * The charge of a motion of nodal diameter n, of which exp(-i k theta) is one harmonic, on the
-     * whole ring: the sum of charge times exp(i k theta), in C. With the potential of the motion in
-     * equilibrium it is also the modal force, in N m, per volt of the potential exp(i k theta), see
-     * SolidElement.
+     * Charges per volt (F) at that frequency: entry (l, k) is the sum over the whole ring of the
+     * charge due to the potential exp(-i k theta), times exp(i l theta). Hermitian. All @p
+     * harmonics are those of one nodal diameter @p n, 0 to half the number of sectors.
      */
-    std::complex<double> charge(const SectorMotion &motion, const int k) const;
-
-    /**
-     * Charges per volt (F): entry (l, k) is charge() l of the response to the potential
-     * exp(-i k theta) on the lower electrode, at the frequency of the shift omega^2 (rad^2/s^2)
-     * without damping. Hermitian. All @p harmonics are those of one nodal diameter @p n.
-     */
-    dealii::FullMatrix<std::complex<double>> capacitances(CyclicFactors &factors,
-                                                          const unsigned int n, const double shift,
+    dealii::FullMatrix<std::complex<double>> capacitances(const unsigned int n,
                                                           const std::vector<int> &harmonics) const;
 
+    const CyclicSector &body() const { return sector; }
+
   private:
-    /** A piezoelectric cell of this rank. */
-    struct Cell
+    template <typename Type>
+    using PerField = SectorFactors::PerField<Type>;
+
+    /** The numbers in a field of the degrees of freedom on the cuts, without electrodes, and of
+     * those of the electrode. */
+    struct Kept
     {
-      std::vector<SectorNodes::Dof> displacements, potentials;
-      dealii::FullMatrix<double> coupling, dielectric; ///< B and D of SolidElement
+      std::vector<unsigned int> cut, electrode;
+      std::vector<unsigned int> place; ///< in #cut, by position in CyclicSector::RealField::cut
+      std::vector<dealii::Point<3>> positions; ///< of the electrode's nodes
+    };
+    PerField<std::vector<unsigned int>> all_kept() const;
+    static Kept kept_in(const CyclicSector &sector, const unsigned int part);
+
+    /** A condensed field: its blocks by columns; rows and columns on the cut (c) or electrode (e).
+     */
+    struct Field
+    {
+      std::vector<double> cc, ec, ee;
     };
 
-    /** Forces B phi and charges D phi - B^T u of a motion, on all ranks. */
-    SectorMotion electric_loads(const SectorMotion &motion) const;
-    /** charge() of a motion with these loads. */
-    std::complex<double> charge_of_loads(const SectorMotion &loads, const int k) const;
-    /** The potential exp(-i k theta) on the lower electrode, zero elsewhere. */
-    SectorMotion driven(const int k) const;
+    /** The potentials of harmonics on the electrode of a field, one after the other. */
+    std::vector<double> potentials(const unsigned int part,
+                                   const std::vector<int> &harmonics) const;
+    /** How the cuts of both fields follow from potentials of nodal diameter @p n on the electrode.
+     */
+    PerField<std::vector<double>>
+    motions_of_cuts(const unsigned int n, const PerField<std::vector<double>> &potentials) const;
 
-    const CyclicSector &sector;
-    std::vector<Cell> cells;
-    std::vector<SectorNodes::Dof> electrode;
+    const CyclicSector sector; ///< with a lower electrode that is not grounded
+    const PerField<Kept> kept;
+    SectorFactors factors;
+    PerField<Field> fields;
   };
 } // namespace ringmotor

@@ -42,11 +42,18 @@ namespace ringmotor
     SectorMotion &operator*=(const std::complex<double> factor);
   };
 
+  /** What is prescribed on the lower electrode of a piezoelectric layer. */
+  enum class LowerElectrode
+  {
+    grounded, ///< zero potential: modes at short circuit
+    driven    ///< nothing: its potential is among the unknowns
+  };
+
   /**
    * The solids, shells, bars and foundations of a sector in finite elements of one degree: their
    * degrees of freedom in one numbering, those of the shell after those of the solids, then those
    * of the potential, and the constraints among them that do not depend on the wave. The potential
-   * is zero on electrodes.
+   * is zero on grounded electrodes.
    */
   class SectorElements
   {
@@ -62,7 +69,8 @@ namespace ringmotor
      * belong.
      */
     SectorElements(const SectorMesh &mesh, const MaterialTable &materials,
-                   const unsigned int degree);
+                   const unsigned int degree,
+                   const LowerElectrode lower_electrode = LowerElectrode::grounded);
 
     /** All degrees of freedom. */
     unsigned int n_dofs() const { return sector_nodes.n_dofs(); }
@@ -127,7 +135,7 @@ namespace ringmotor
     MPI_Comm communicator() const { return mesh.triangulation->get_communicator(); }
 
   private:
-    void constrain();
+    void constrain(const LowerElectrode lower_electrode);
 
     const SectorMesh &mesh;
     const MaterialTable materials;

@@ -35,7 +35,11 @@ namespace ringmotor::effects
         model.ceramic = parameters.piezoelectricity.law();
       }
 
-      void forget(Parameters &parameters) const override { parameters.piezoelectricity = {}; }
+      void forget(Parameters &parameters) const override
+      {
+        parameters.piezoelectricity = {};
+        parameters.electrodes       = {};
+      }
 
       /** The change of the frequency against an isotropic ceramic; none if it is off, as modes are
        * computed for it. */

@@ -1,0 +1,161 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A motor with piezoelectric coupling as its user meets it: circuits, voltages, messages.
+
+Usage: tests/programs/volts.py STATOR CONTACT LOSSES [unittest arguments]
+
+What is compared: files with each other; the numbers of a circuit with its admittance; voltages and currents with
+those that follow by hand from the powers of the other files.
+"""
+import json
+import math
+import pathlib
+import shutil
+import sys
+import tempfile
+import unittest
+
+sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
+from program import QUICK, rows_of, run, settings  # noqa: E402
+
+STATOR, CONTACT, LOSSES = sys.argv.pop(1), sys.argv.pop(1), sys.argv.pop(1)
+COUPLED = settings("Effects/Piezoelectric coupling = on", "Output/VTU = false")
+
+
+def numbers(path):
+    """Rows as dict; texts stay texts."""
+    def number(text):
+        try:
+            return float(text)
+        except ValueError:
+            return text
+    return [{key: number(value) for key, value in row.items()} for row in rows_of(path)]
+
+
+class Volts(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.case = pathlib.Path(tempfile.mkdtemp())
+        for program in (STATOR, CONTACT, LOSSES):
+            done = run(program, QUICK, "--output", cls.case, *COUPLED)
+            assert done.returncode == 0, done.stderr
+        cls.circuit = {row["phase"]: row for row in numbers(cls.case / "stator" / "circuits.csv")}
+
+    @classmethod
+    def tearDownClass(cls):
+        shutil.rmtree(cls.case)
+
+    def test_circuits_are_consistent(self):
+        summary = json.loads((self.case / "stator" / "summary.json").read_text())
+        for phase, row in self.circuit.items():
+            omega = 2 * math.pi * row["short_circuit_frequency_Hz"]
+            lm, cm, c0 = row["Lm_H"], 1e-12 * row["Cm_pF"], 1e-9 * row["C0_nF"]
+            self.assertAlmostEqual(omega**2 * lm * cm, 1, delta=1e-9)
+            self.assertAlmostEqual(omega * lm / row["Rm_ohm"] / row["Q"], 1, delta=1e-9)
+            self.assertAlmostEqual(row["k_eff^2"], cm / (c0 + cm), delta=1e-9)
+            self.assertAlmostEqual((row["short_circuit_frequency_Hz"] / row["open_circuit_frequency_Hz"])**2,
+                                   1 - row["k_eff^2"], delta=1e-9)
+            found = {quantity["name"]: quantity for quantity in summary["quantities"] if quantity.get("phase") == phase}
+            self.assertEqual(found["C0"]["value"], c0)
+            for quantity in found.values():
+                self.assertGreater(quantity["error"], 0)
+                self.assertLess(quantity["error"], 0.05 * quantity["value"], quantity["name"])
+                self.assertAlmostEqual(sum(quantity["error_causes"].values()), quantity["error"],
+                                       delta=1e-9 * quantity["error"])
+
+    def test_admittance_is_that_of_the_circuit(self):
+        rows = numbers(self.case / "stator" / "admittance.csv")
+        peak = max(rows, key=lambda row: row["conductance_A_S"])
+        row = self.circuit["A"]
+        self.assertAlmostEqual(peak["frequency_Hz"], row["short_circuit_frequency_Hz"],
+                               delta=1e-4 * peak["frequency_Hz"])
+        lost = 2 * math.pi * peak["frequency_Hz"] * 1e-9 * row["C0_nF"] * 0.004  # dielectric loss of C0
+        self.assertAlmostEqual((peak["conductance_A_S"] - lost) * row["Rm_ohm"], 1, delta=5e-3)
+
+    def test_electrodes(self):
+        arcs = numbers(self.case / "stator" / "electrodes.csv")
+        self.assertEqual([sum(arc["phase"] == phase for arc in arcs) for phase in "AB"], [6, 6])
+        self.assertEqual([arc["poling"] for arc in arcs[:3]], ["up", "down", "up"])
+        excitation = numbers(self.case / "stator" / "excitation.csv")
+        self.assertEqual(max(excitation, key=lambda row: row["phase_A"])["n"], 7)
+        self.assertAlmostEqual(excitation[7]["phase_A"], 12 / (7 * math.pi), delta=0.01)
+
+    def rows_of_losses(self):
+        return zip(*(numbers(self.case / "losses" / name) for name in ("drive.csv", "losses.csv", "efficiency.csv")))
+
+    def test_power_from_the_plug(self):
+        for drive, losses, efficiency in self.rows_of_losses():
+            self.assertAlmostEqual(drive["voltage_V"] * drive["current_mA"] * drive["power_factor"],
+                                   drive["electrical_input_mW"], delta=1e-6 * drive["electrical_input_mW"])
+            used = efficiency["output_power_mW"] + losses["total_loss_mW"] + drive["dielectric_loss_mW"]
+            self.assertAlmostEqual(drive["electrical_input_mW"] / used, 1, delta=1e-3)
+            self.assertAlmostEqual(drive["electrical_efficiency"] * drive["electrical_input_mW"],
+                                   max(0, efficiency["output_power_mW"]), delta=1e-6)
+        summary = json.loads((self.case / "losses" / "summary.json").read_text())
+        self.assertTrue(summary["certificate"]["holds"])
+        for quantity in summary["quantities"]:
+            if "error" in quantity:
+                self.assertAlmostEqual(sum(quantity["error_causes"].values()), quantity["error"],
+                                       delta=1e-9 + 1e-6 * quantity["error"], msg=quantity["name"])
+
+    def test_voltage_at_resonance(self):
+        force_factor = self.circuit["A"]["force_factor_N_per_V"]
+        for drive, _, efficiency in self.rows_of_losses():
+            omega_a = 2 * math.pi * drive["drive_frequency_Hz"] * 2e-6
+            by_hand = 1e-3 * efficiency["input_power_mW"] / omega_a / force_factor
+            self.assertAlmostEqual(drive["voltage_V"] / by_hand, 1, delta=5e-3)
+            c0 = 1e-9 * self.circuit["A"]["C0_nF"]
+            current = math.hypot(force_factor * omega_a, 2 * math.pi * drive["drive_frequency_Hz"] * c0 * by_hand)
+            self.assertAlmostEqual(1e-3 * drive["current_mA"] / current, 1, delta=5e-3)
+
+    def test_voltage_beside_the_resonance(self):
+        """One percent above the natural frequency inertia needs most of the force."""
+        with tempfile.TemporaryDirectory() as scratch:
+            frequency = f"Wave/Frequency = {1.01 * self.circuit['A']['short_circuit_frequency_Hz']}"
+            for program in (STATOR, CONTACT, LOSSES):
+                done = run(program, QUICK, "--output", scratch, *COUPLED, *settings(frequency))
+                self.assertEqual(done.returncode, 0, done.stderr)
+            row = self.circuit["A"]
+            mass = row["Lm_H"] * row["force_factor_N_per_V"]**2
+            for drive, near in zip(numbers(pathlib.Path(scratch) / "losses" / "drive.csv"),
+                                   numbers(self.case / "losses" / "drive.csv")):
+                squares = [(2 * math.pi * point["drive_frequency_Hz"])**2 for point in (drive, near)]
+                inertia = mass * (squares[0] - squares[1]) * 2e-6 / row["force_factor_N_per_V"]
+                self.assertAlmostEqual(drive["voltage_V"] / math.hypot(inertia, near["voltage_V"]), 1, delta=0.03)
+                self.assertLess(drive["power_factor"], near["power_factor"])
+
+    def refused(self, *entries):
+        done = run(STATOR, QUICK, "--output", self.case, *COUPLED, *settings(*entries))
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+        return done.stderr
+
+    def test_mistakes(self):
+        for entries, words in ((("Stator/Piezoceramic element = shell",), ("shell", "no potential", "solid")),
+                               (("Stator/Piezoceramic thickness = 0",), ("needs a ceramic",)),
+                               (("Electrodes/Arcs of phase A = 12",), ("Electrodes/Arcs of phase A = 12", "7")),
+                               (("Electrodes/Gap between arcs = 0.02",), ("Gap between arcs",)),
+                               (("Piezoelectricity/Permittivity at = stress", "Piezoelectricity/Permittivity 11 = 6e-9"),
+                                ("coupling factor", "Permittivity at")),
+                               (("Piezoelectricity/Coupling form = d",), ("Coupling 31", "m/V", "Coupling form = e")),
+                               (("Piezoelectricity/Stiffness c33 = 115.4",), ("Stiffness c33", "plausible"))):
+            message = self.refused(*entries)
+            for word in words:
+                self.assertIn(word, message)
+
+    def test_off_leaves_nothing_behind(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            for choice in ("on", "off"):
+                done = run(STATOR, QUICK, "--output", scratch, *settings(f"Effects/Piezoelectric coupling = {choice}",
+                                                                         "Output/VTU = false"))
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertEqual((pathlib.Path(scratch) / "stator" / "circuits.csv").exists(), choice == "on")
+
+    def test_wave_of_another_ceramic_is_refused(self):
+        done = run(CONTACT, QUICK, "--output", self.case, *COUPLED, *settings("Piezoelectricity/Stiffness c11 = 140e9"))
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("Piezoelectricity/Stiffness c11", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
