@@ -22,6 +22,7 @@ From CASE_DIR/losses, where it exists:
   losses               friction, inside stator and rotor, support and total against torque (Fig. 14)
   efficiency           against torque (Fig. 15)
   energy               where the power goes against torque: output and each loss, stacked
+  drive                voltage, current and efficiency from the plug against torque, with a piezoelectric ceramic
 """
 import functools
 import glob
@@ -35,7 +36,7 @@ from contact_figures import (draw_contact_forces, draw_contact_shape, draw_frict
                              draw_warped_displacement, history_touches)
 from curve_figures import draw_lip_amplification, draw_torque_speed
 from drawing import figures_folder, save_all
-from loss_figures import draw_efficiency, draw_energy, draw_losses
+from loss_figures import draw_drive, draw_efficiency, draw_energy, draw_losses
 from losses_case import read_case
 from stator_figures import draw_admittance, draw_dispersion, draw_electrodes, draw_elliptic_paths, draw_tooth_edge
 
@@ -47,7 +48,7 @@ CONTACT_FIGURES = {"contact_shape": draw_contact_shape, "normal_displacement": d
                    "contact_forces": draw_contact_forces, "friction_history": draw_friction_history,
                    "warped_displacement": draw_warped_displacement, "torque_speed": draw_torque_speed,
                    "lip_amplification": draw_lip_amplification}
-LOSSES_FIGURES = {"losses": draw_losses, "efficiency": draw_efficiency, "energy": draw_energy}
+LOSSES_FIGURES = {"losses": draw_losses, "efficiency": draw_efficiency, "energy": draw_energy, "drive": draw_drive}
 
 
 def remove_figure(folder, name):
@@ -82,6 +83,14 @@ def figures_of_contact(case, others, folder):
     return figures
 
 
+def figures_of_losses(losses, contact, folder):
+    figures = {name: functools.partial(draw, losses, contact) for name, draw in LOSSES_FIGURES.items()}
+    if not losses.has_drive:
+        remove_figure(folder, "drive")
+        del figures["drive"]
+    return figures
+
+
 def remove_figures(folder, names):
     for name in names:
         remove_figure(folder, name)
@@ -105,7 +114,7 @@ def main(arguments):
         else:
             remove_figures(folder, CONTACT_FIGURES)
         if losses:
-            figures.update({name: functools.partial(draw, losses, contact) for name, draw in LOSSES_FIGURES.items()})
+            figures.update(figures_of_losses(losses, contact, folder))
         else:
             remove_figures(folder, LOSSES_FIGURES)
         save_all(figures, folder)

@@ -11,7 +11,10 @@ PARTS = ("friction_loss", "internal_loss_stator_metal", "internal_loss_piezocera
 LOAD = ["torque_mNm", "speed_rpm"]
 NUMBERS = {"losses.csv": LOAD + [f"{name}{end}" for name in (*PARTS, "total_loss") for end in ("_mW", "_error_mW")],
            "efficiency.csv": LOAD + ["input_power_mW", "output_power_mW", "output_power_error_mW", "efficiency",
-                                     "efficiency_error"]}
+                                     "efficiency_error"],
+           "drive.csv": LOAD + [f"{name}{end}{unit}" for name, unit in (("voltage", "_V"), ("current", "_mA"),
+                                                                       ("power_factor", ""), ("electrical_efficiency", ""))
+                                for end in ("", "_error")]}
 
 
 class LossesCase(Results):
@@ -19,7 +22,9 @@ class LossesCase(Results):
 
     summary     content of summary.json
     parameters  "Section/Entry" -> text, from used.prm
-    points      list of dict, one for each operating point: the columns of losses.csv and efficiency.csv
+    points      list of dict, one for each operating point: the columns of losses.csv and efficiency.csv and, where
+                it exists, of drive.csv
+    has_drive   whether it exists: the ceramic is piezoelectric
     """
 
     program = "losses"
@@ -31,6 +36,9 @@ class LossesCase(Results):
         self.load("used.prm", self.read_parameters)
         self.load("losses.csv", self.read_points)
         self.load("efficiency.csv", self.read_points)
+        self.has_drive = os.path.exists(os.path.join(self.folder, "drive.csv"))
+        if self.has_drive:
+            self.load("drive.csv", self.read_points)
 
     def read_points(self, path):
         rows = read_table(path)

@@ -16,6 +16,18 @@ WAVE_QUANTITIES = {
     "modal_mass": ("modal mass", "g", 1e3),
     "strain_energy": ("strain energy of the wave", "mJ", 1e3),
 }
+CIRCUIT_QUANTITIES = (  # name and unit of a column of circuits.csv, what to call it, its unit
+    ("open_circuit_frequency", "_Hz", "open-circuit frequency", "Hz"),
+    ("k_eff^2", "", "k_eff^2", ""),
+    ("force_factor", "_N_per_V", "force factor", "N/V"),
+    ("C0", "_nF", "capacitance C0", "nF"),
+    ("free_capacitance", "_nF", "capacitance at rest, free", "nF"),
+    ("clamped_capacitance", "_nF", "capacitance, clamped", "nF"),
+    ("Lm", "_H", "Lm", "H"),
+    ("Cm", "_pF", "Cm", "pF"),
+    ("Rm", "_ohm", "Rm", "ohm"),
+    ("Q", "", "Q", ""),
+)
 LOSS_NAMES = dict(zip(PARTS, ("friction", "stator metal", "piezoceramic", "rotor", "support")))
 LOSS_FACTORS = {"Materials/Stator metal/Loss factor": "stator metal", "Materials/Piezoceramic/Loss factor": "piezoceramic",
                 "Materials/Rotor metal/Loss factor": "rotor", "Support/Felt loss factor": "felt of the support"}
@@ -24,9 +36,11 @@ FILES = {
     "figures": "figures, PNG and SVG",
     "stator/frequencies.csv": "natural frequencies",
     "stator/ellipses.csv": "motion of 18 points of a tooth",
+    "stator/circuits.csv": "equivalent circuits of the phases",
     "contact/torque_speed.csv": "operating points",
     "losses/losses.csv": "each loss at the operating points",
     "losses/efficiency.csv": "input, output, efficiency",
+    "losses/drive.csv": "voltage, current, power from the plug",
     "stator/ring.pvd": "the wave, for ParaView",
     "contact/motor.pvd": "rotor and teeth, for ParaView",
     "contact/contact.pvd": "contact on the tooth tops, for ParaView",
@@ -64,10 +78,15 @@ class Page:
         tables = {"glance": self.glance(), "modes": self.modes()}
         if self.case.wave:
             tables["wave"] = self.wave()
+        if self.case.circuits:
+            tables["circuits"] = self.circuits()
         if self.contact:
             tables["curve"] = self.curve()
         if self.losses:
             tables["losses"] = self.loss_table()
+            if self.losses.has_drive:
+                tables["drive"] = self.drive()
+                tables["simulators"] = self.for_simulators()
         self.tables = {**tables, "effects": self.effects(), "certificates": self.certificates(), "cost": self.cost(),
                        "files": self.files()}
 
@@ -143,6 +162,14 @@ class Page:
                          "above" if gap > 0 else "below"])
         return Table(f"The travelling wave, amplitude {case.wave['amplitude_m'] * 1e6:g} um", "lrll", rows=rows)
 
+    def circuits(self):
+        phases = self.case.circuits
+        rows = [[said, *(known(row[f"{name}{unit}"], row[f"{name}_error{unit}"]) for row in phases.values()), shown]
+                for name, unit, said, shown in CIRCUIT_QUANTITIES]
+        return Table("Electrodes and equivalent circuits", "lrrl",
+                     [("", ""), *((f"phase {name}", "") for name in phases), ("", "")], rows,
+                     ["without rotor, the other phase grounded; Q is that of the stator's materials alone"])
+
     def curve(self):
         columns = [("torque", "mN m", torque), ("speed", "rpm", speed), ("output", "mW", output)]
         if self.losses:
@@ -164,6 +191,35 @@ class Page:
         factors = ", ".join(f"{said} {float(self.losses.parameters[entry]):g}" for entry, said in LOSS_FACTORS.items())
         notes = [*self.notes_of_more("losses/losses.csv"), f"loss factors: {factors}"]
         return self.table_of_points("Where the power is lost", columns, notes)
+
+    def drive(self):
+        columns = [("torque", "mN m", torque), ("speed", "rpm", speed),
+                   ("voltage", "V", lambda point: known(point["voltage_V"], point["voltage_error_V"])),
+                   ("current", "mA", lambda point: known(point["current_mA"], point["current_error_mA"])),
+                   ("power factor", "", lambda point: known(point["power_factor"], point["power_factor_error"])),
+                   ("input", "mW", lambda point: power(point, "electrical_input")),
+                   ("efficiency", "%", electrical_efficiency)]
+        notes = [*self.notes_of_more("losses/drive.csv"), "voltage and current of each phase, zero to peak, for this "
+                 "amplitude of the wave; input and efficiency from the plug"]
+        return self.table_of_points("What the phases need", columns, notes)
+
+    def for_simulators(self):
+        """What a block of a system simulator for such a motor asks for."""
+        best = max(self.points, key=lambda point: point["electrical_efficiency"])
+        rows = [["rated torque", torque(best), "mN m"], ["rated speed", speed(best), "rpm"]]
+        for point in self.points:
+            if point["control"] == "torque" and abs(point["torque_mNm"]) < 1e-6:
+                rows.append(["no-load speed", speed(point), "rpm"])
+            elif point["control"] == "speed" and point["speed_rpm"] == 0:
+                rows.append(["stall torque", torque(point), "mN m"])
+        wave, circuit = self.case.wave, next(iter(self.case.circuits.values()))
+        rows += [["natural frequency", known(wave["natural_frequency_Hz"] / 1e3, wave["natural_frequency_error_Hz"] / 1e3),
+                  "kHz"],
+                 ["rated voltage, rms", known(best["voltage_V"] / 2**0.5, best["voltage_error_V"] / 2**0.5), "V"],
+                 ["capacitance of a phase", known(circuit["C0_nF"], circuit["C0_error_nF"]), "nF"],
+                 ["Q of the stator", known(circuit["Q"], circuit["Q_error"]), ""]]
+        return Table("For a system simulator", "lrl", rows=rows,
+                     notes=["rated: the operating point of the highest efficiency from the plug"])
 
     def table_of_points(self, title, columns, notes):
         return Table(title, "r" * len(columns), [(name, unit) for name, unit, _ in columns],
@@ -224,6 +280,10 @@ def output(point):
 
 def efficiency(point):
     return known(100 * point["efficiency"], 100 * point["efficiency_error"])
+
+
+def electrical_efficiency(point):
+    return known(100 * point["electrical_efficiency"], 100 * point["electrical_efficiency_error"])
 
 
 def power(point, name):

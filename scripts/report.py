@@ -27,6 +27,10 @@ FIGURES = {
         "elliptic_paths": "Paths of 18 points of a tooth in the travelling wave.",
         "tooth_edge": "Amplitudes and phase along the outer edge of the teeth.",
     },
+    "circuits": {
+        "electrodes": "Electrode arcs of both phases under the ceramic.",
+        "admittance": "Admittance of each phase around the resonance.",
+    },
     "curve": {
         "torque_speed": "Speed and friction loss against torque. Thin lines: the speed breaks down, nothing is known "
                         "between the points.",
@@ -40,6 +44,9 @@ FIGURES = {
         "losses": "Power losses against torque.",
         "efficiency": "Efficiency against torque.",
         "energy": "Power balance: output and losses, stacked. Pale where the speed breaks down.",
+    },
+    "drive": {
+        "drive": "Voltage and current that keep the amplitude of the wave, and efficiency from the plug.",
     },
 }
 

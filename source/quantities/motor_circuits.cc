@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/parameters/errors.h>
+#include <ringmotor/quantities/body_modes.h>
 #include <ringmotor/quantities/motor_circuits.h>
 
 #include <cmath>
@@ -10,16 +11,18 @@ namespace ringmotor
   MotorCircuits::MotorCircuits(const Parameters &parameters)
       : layout(parameters.electrodes, parameters.motor, parameters.stator),
         harmonics(layout, parameters.motor.n_teeth), losses(parameters.piezoelectricity),
+        materials(material_table(parameters.materials, Body::stator)),
         n_waves(parameters.motor.n_waves)
   {
   }
 
   void MotorCircuits::add_pass(const ModeSearch &search, const WaveResult &wave)
   {
-    samples.push_back({wave.found.frequency, wave.found.samples.back(),
-                       motional_branches(harmonics, search.sector(), wave.found.mode,
-                                         2. * dealii::numbers::PI * wave.found.frequency.value,
-                                         wave.amplitude, losses)});
+    samples.push_back(
+        {wave.found.frequency, wave.found.samples.back(),
+         motional_branches(harmonics, search.sector(), wave.found.mode,
+                           2. * dealii::numbers::PI * wave.found.frequency.value, wave.amplitude,
+                           stator_quality(search.sector(), wave.found.mode, materials, losses))});
   }
 
   void MotorCircuits::add_capacitances(const ModeSearch &search)
@@ -28,14 +31,14 @@ namespace ringmotor
     if (wave == nullptr)
       throw ComputationError("the motor's wave was not found on the coarse mesh for the "
                              "capacitances of the phases");
-    constexpr double any_amplitude = 1.; // force factors do not matter here
-    const CyclicSector &sector     = search.sector();
+    constexpr double any       = 1.; // force factors and losses do not matter here
+    const CyclicSector &sector = search.sector();
     ElectricResponse response(sector.sector_mesh(), sector.material_table(),
                               sector.dofs().get_fe().degree);
-    capacitances.push_back(parallel_capacitances(harmonics, response, wave->mode,
-                                                 motional_branches(harmonics, sector, wave->mode,
-                                                                   std::sqrt(wave->mode.eigenvalue),
-                                                                   any_amplitude, losses)));
+    capacitances.push_back(
+        parallel_capacitances(harmonics, response, wave->mode,
+                              motional_branches(harmonics, sector, wave->mode,
+                                                std::sqrt(wave->mode.eigenvalue), any, any)));
   }
 
   PhaseCircuit MotorCircuits::circuit(const Phase phase) const

@@ -73,7 +73,7 @@ namespace ringmotor
   PerPhase<MotionalBranch> motional_branches(const PhaseHarmonics &harmonics,
                                              const CyclicSector &sector, const Mode &wave,
                                              const double angular_frequency, const double amplitude,
-                                             const Piezoelectricity &losses)
+                                             const double quality)
   {
     const auto &of_wave = harmonics.of_diameter(wave.nodal_diameter);
     std::vector<int> numbers;
@@ -92,7 +92,7 @@ namespace ringmotor
       branch.force_factor    = std::abs(charges[i]) / amplitude;
       branch.inductance      = mass / std::pow(branch.force_factor, 2);
       branch.capacitance     = 1. / (angular_frequency * angular_frequency * branch.inductance);
-      branch.quality         = stator_quality(sector, wave, losses);
+      branch.quality         = quality;
       branch.resistance      = angular_frequency * branch.inductance / branch.quality;
     }
     return branches;
@@ -147,13 +147,13 @@ namespace ringmotor
   }
 
   double stator_quality(const CyclicSector &sector, const Mode &wave,
-                        const Piezoelectricity &losses)
+                        const MaterialTable &materials, const Piezoelectricity &losses)
   {
     const MotionProducts products = motion_products(sector, {&wave.motion}).front();
     double lost = 2. * losses.piezoelectric_loss_factor * products.electric.coupling +
                   losses.dielectric_loss_factor * products.electric.dielectric;
     for (const auto &[material, stiffness] : products.stiffness)
-      lost += sector.material_table().at(material).loss_factor * stiffness;
+      lost += materials.at(material).loss_factor * stiffness;
     return products.total_stiffness() / lost;
   }
 } // namespace ringmotor

@@ -19,7 +19,8 @@ sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
 from program import QUICK, rows_of, run, settings  # noqa: E402
 
 STATOR, CONTACT, LOSSES = sys.argv.pop(1), sys.argv.pop(1), sys.argv.pop(1)
-COUPLED = settings("Effects/Piezoelectric coupling = on", "Output/VTU = false")
+COUPLED = settings("Effects/Piezoelectric coupling = on", "Output/VTU = false",
+                   "Materials/Stator metal/Loss factor = 3e-3", "Materials/Piezoceramic/Loss factor = 7e-3")
 
 
 def numbers(path):
@@ -62,6 +63,14 @@ class Volts(unittest.TestCase):
                 self.assertLess(quantity["error"], 0.05 * quantity["value"], quantity["name"])
                 self.assertAlmostEqual(sum(quantity["error_causes"].values()), quantity["error"],
                                        delta=1e-9 * quantity["error"])
+
+    def test_quality(self):
+        """Stored energy, twice the strain energy of the wave, over what is lost per radian, by the file of losses."""
+        summary = json.loads((self.case / "stator" / "summary.json").read_text())
+        energy = next(quantity["value"] for quantity in summary["quantities"] if quantity["name"] == "strain_energy")
+        lost = 1e-3 * numbers(self.case / "losses" / "losses.csv")[0]["internal_loss_stator_mW"]
+        omega = 2 * math.pi * self.circuit["A"]["short_circuit_frequency_Hz"]
+        self.assertAlmostEqual(2 * energy * omega / lost / self.circuit["A"]["Q"], 1, delta=5e-3)
 
     def test_admittance_is_that_of_the_circuit(self):
         rows = numbers(self.case / "stator" / "admittance.csv")

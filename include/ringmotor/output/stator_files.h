@@ -22,5 +22,5 @@ namespace ringmotor
    * circuits, and the list of modes. See doc/files.md. */
   void write_modes_h5(const std::string &path, const Parameters &parameters,
                       const CyclicSector &sector, const std::vector<FoundMode> &modes,
-                      const WaveResult *wave, const MotorCircuits *circuits);
+                      const WaveResult *wave, const MotorCircuits *circuits = nullptr);
 } // namespace ringmotor

@@ -47,6 +47,7 @@ namespace ringmotor
     const ElectrodeLayout layout;
     const PhaseHarmonics harmonics;
     const Piezoelectricity losses;
+    const MaterialTable materials; ///< with their loss factors
     const unsigned int n_waves;
     std::vector<Sample> samples; ///< by pass
     std::vector<PerPhase<ParallelCapacitance>> capacitances;

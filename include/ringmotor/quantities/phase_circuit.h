@@ -68,11 +68,12 @@ namespace ringmotor
 
   /** The branch of each phase.
    *  @param angular_frequency (rad/s) of the mode: its own on this mesh, or a better estimate
-   *  @param amplitude (m) of @p wave at the outer edge of the tooth tops */
+   *  @param amplitude (m) of @p wave at the outer edge of the tooth tops
+   *  @param quality see stator_quality() */
   PerPhase<MotionalBranch> motional_branches(const PhaseHarmonics &harmonics,
                                              const CyclicSector &sector, const Mode &wave,
                                              const double angular_frequency, const double amplitude,
-                                             const Piezoelectricity &losses);
+                                             const double quality);
 
   /** What lies in parallel to that branch. */
   struct ParallelCapacitance
@@ -108,7 +109,8 @@ namespace ringmotor
    * Q of a mode by the losses of the materials: stored energy over energy lost per radian. With
    * complex constants c (1 + i eta), e (1 - i tan_e) and eps (1 - i tan_eps), a wave with the
    * energies K, B and D of SolidElement loses eta K + 2 tan_e B + tan_eps D.
+   * @param materials with their loss factors eta
    */
   double stator_quality(const CyclicSector &sector, const Mode &wave,
-                        const Piezoelectricity &losses);
+                        const MaterialTable &materials, const Piezoelectricity &losses);
 } // namespace ringmotor
