@@ -15,13 +15,16 @@ namespace ringmotor
 
   namespace
   {
-    /** Only the program losses reads them. */
-    void reset_loss_factors(Materials &materials)
+    /** Only the program losses reads them, and the circuits that stator prints. */
+    void reset_loss_factors(Parameters &parameters)
     {
+      const Piezoelectricity of_ceramic;
+      parameters.piezoelectricity.dielectric_loss_factor    = of_ceramic.dielectric_loss_factor;
+      parameters.piezoelectricity.piezoelectric_loss_factor = of_ceramic.piezoelectric_loss_factor;
       const Materials defaults;
       for (Material Materials::*material : {&Materials::stator_metal, &Materials::piezoceramic,
                                             &Materials::rotor_metal, &Materials::target_plate})
-        (materials.*material).loss_factor = (defaults.*material).loss_factor;
+        (parameters.materials.*material).loss_factor = (defaults.*material).loss_factor;
     }
 
     /** Resets the entries that affect neither the wave nor any operating point. */
@@ -33,7 +36,7 @@ namespace ringmotor
       parameters.modes                        = defaults.modes;
       parameters.uncertainty                  = defaults.uncertainty;
       parameters.output                       = defaults.output;
-      reset_loss_factors(parameters.materials);
+      reset_loss_factors(parameters);
       for (const auto &effect : all_effects())
         if (effect->choice(parameters) == EffectChoice::off)
           effect->forget(parameters);

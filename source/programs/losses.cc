@@ -81,9 +81,7 @@ namespace ringmotor
       {
         PointLosses losses{point,
                            loss_budget(point, wave, parameters.materials, parameters.support),
-                           budgets_by_cause(point, wave, parameters.materials, parameters.support),
-                           {},
-                           {}};
+                           budgets_by_cause(point, wave, parameters.materials, parameters.support)};
         if (driven)
         {
           const auto &frequency = parameters.wave.frequency;

@@ -343,8 +343,11 @@ TEST(Piezoelectric, ThicknessModes)
   };
   check(set_v, 7500., 2001.0679, 2228.8792);
 
-  // PZT-5A, from its stiffened modulus and k_t in a table
-  const double open = 0.5 * std::sqrt(144.197e9 / 7750.), k_t = 0.486987;
+  // PZT-5A, by its stiffened modulus and k_t, which are those of a table
+  const double stiffened = 110e9 + 15.8 * 15.8 / 7.3e-9, k_t = 15.8 / std::sqrt(7.3e-9 * stiffened),
+               open = 0.5 * std::sqrt(stiffened / 7750.);
+  EXPECT_NEAR(stiffened, 144.197e9, 0.5e6);
+  EXPECT_NEAR(k_t, 0.486987, 5e-7);
   double low = 0.5 * open, high = open;
   while (high - low > 1e-9 * open)
   {

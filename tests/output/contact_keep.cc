@@ -45,7 +45,16 @@ namespace
       // entries of effects that are off
       "Stator/Target plate cross-section", "Materials/Target plate/Young modulus",
       "Materials/Target plate/Poisson ratio", "Materials/Target plate/Density",
-      "Friction/Lining normal stiffness", "Friction/Lining tangential stiffness"};
+      "Piezoelectricity/Stiffness c11", "Piezoelectricity/Stiffness c12",
+      "Piezoelectricity/Stiffness c13", "Piezoelectricity/Stiffness c33",
+      "Piezoelectricity/Stiffness c44", "Piezoelectricity/Coupling form",
+      "Piezoelectricity/Coupling 31", "Piezoelectricity/Coupling 33",
+      "Piezoelectricity/Coupling 15", "Piezoelectricity/Permittivity at",
+      "Piezoelectricity/Permittivity 11", "Piezoelectricity/Permittivity 33",
+      "Piezoelectricity/Dielectric loss factor", "Piezoelectricity/Piezoelectric loss factor",
+      "Electrodes/Arcs of phase A", "Electrodes/Arcs of phase B", "Electrodes/Distance of phases",
+      "Electrodes/Gap between arcs", "Friction/Lining normal stiffness",
+      "Friction/Lining tangential stiffness"};
   const std::set<std::string> not_of_condensation{"Loading/Preload",
                                                   "Friction/Law",
                                                   "Friction/Static coefficient",
@@ -90,6 +99,19 @@ TEST(ContactKeepKeys, HoldTheTargetThatMarchedPointsSettleTo)
   const Parameters warped = with({warp}), other = with({warp, "Accuracy/Contact target = 0.01"});
   EXPECT_NE(points_key(warped, wave, 1), points_key(other, wave, 1));
   EXPECT_EQ(condensation_key(warped, wave, 1), condensation_key(other, wave, 1));
+}
+
+TEST(ContactKeepKeys, HoldTheCeramicWhereItHasAPotential)
+{
+  const StatorWave wave = some_wave();
+  const auto key        = [&](const std::string &entry) {
+    return points_key(with({"Effects/Piezoelectric coupling = on", entry}), wave, 1);
+  };
+  const std::string reference = key("Motor/Name = other");
+  EXPECT_NE(key("Piezoelectricity/Stiffness c11 = 140e9"), reference);
+  EXPECT_NE(key("Piezoelectricity/Coupling 31 = -5"), reference);
+  EXPECT_EQ(key("Piezoelectricity/Dielectric loss factor = 0.01"), reference);
+  EXPECT_EQ(key("Electrodes/Arcs of phase A = 4"), reference);
 }
 
 TEST(ContactKeepKeys, HoldTheLiningWhereItTakesPart)

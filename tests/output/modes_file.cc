@@ -38,7 +38,8 @@ namespace
                                                 "Materials/Rotor metal/Density",
                                                 "Materials/Rotor metal/Loss factor"};
     static const std::set<std::string> added{"Wave/Amplitude", "Wave/Frequency",
-                                             "Effects/Target plates", "Effects/Felt support"};
+                                             "Effects/Target plates", "Effects/Felt support",
+                                             "Effects/Piezoelectric coupling"};
     const std::string section = entry.substr(0, entry.find('/'));
     return added.count(entry) > 0 ||
            ((section == "Motor" || section == "Stator" || section == "Materials") &&
@@ -109,12 +110,28 @@ TEST_P(ModesFileOwner, IsToldByEveryEntryThatTheWaveDependsOn)
       ++n_accepted;
     }
   }
-  EXPECT_EQ(n_refused, has_plates ? 26u : 22u);
+  EXPECT_EQ(n_refused, has_plates ? 27u : 23u);
   EXPECT_GT(n_accepted, 60u);
 }
 
 INSTANTIATE_TEST_SUITE_P(TargetPlates, ModesFileOwner,
                          testing::Values(EffectChoice::off, EffectChoice::on));
+
+class ModesFileCeramic : public ModesFileOwner
+{
+};
+
+// The entries of the ceramic and of its electrodes matter where it has a potential, losses never.
+TEST_F(ModesFileCeramic, IsToldByItsEntries)
+{
+  const std::string on = "Effects/Piezoelectric coupling = on";
+  write(with({on}));
+  for (const std::string entry : {"Piezoelectricity/Stiffness c11", "Piezoelectricity/Coupling 15",
+                                  "Electrodes/Distance of phases", "Electrodes/Arcs of phase A"})
+    expect_message(refusal(with({on, entry + (entry[0] == 'P' ? " = 13e10" : " = 1")})), {entry});
+  EXPECT_NO_THROW(
+      read_stator_wave(path, with({on, "Piezoelectricity/Dielectric loss factor = 0.02"})));
+}
 
 class ModesFileMesh : public ModesFileOwner
 {
