@@ -6,6 +6,7 @@
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -104,14 +105,19 @@ namespace ringmotor
 
   void write_sector(const std::string &path, const SectorField &field)
   {
-    LatticeOutput<3> output({{"displacement_real", 3, "m"},
-                             {"displacement_imaginary", 3, "m"},
-                             {"amplitude_radial", 1, "m"},
-                             {"amplitude_tangential", 1, "m"},
-                             {"amplitude_axial", 1, "m"},
-                             {"strain_energy", 1, "J/m^3"},
-                             {"material", 1, ""}},
-                            field.order);
+    std::vector<FieldName> names{{"displacement_real", 3, "m"},
+                                 {"displacement_imaginary", 3, "m"},
+                                 {"amplitude_radial", 1, "m"},
+                                 {"amplitude_tangential", 1, "m"},
+                                 {"amplitude_axial", 1, "m"},
+                                 {"strain_energy", 1, "J/m^3"},
+                                 {"material", 1, ""}};
+    const bool has_potential =
+        std::any_of(field.cells.begin(), field.cells.end(),
+                    [](const SectorField::Cell &cell) { return !cell.potential.empty(); });
+    if (has_potential)
+      names.insert(names.end(), {{"potential_real", 1, "V"}, {"potential_imaginary", 1, "V"}});
+    LatticeOutput<3> output(names, field.order);
     output.reserve(field.cells.size());
     for (const SectorField::Cell &cell : field.cells)
     {
@@ -128,6 +134,12 @@ namespace ringmotor
         }
         data(9, point)  = cell.strain_energy[point];
         data(10, point) = cell.material;
+        if (has_potential)
+        {
+          const std::complex<double> phi = cell.potential.empty() ? 0. : cell.potential[point];
+          data(11, point)                = phi.real();
+          data(12, point)                = phi.imag();
+        }
       }
     }
     output.write(path);

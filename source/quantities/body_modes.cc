@@ -109,13 +109,13 @@ namespace ringmotor
     if (parameters.accuracy.mode == AccuracyMode::fixed)
     {
       const unsigned int degree = parameters.accuracy.polynomial_degree;
-      after_pass(first_pass({std::max(scout_degree, degree - 1), scout_level}));
+      after_pass(compute({std::max(scout_degree, degree - 1), scout_level}));
       after_pass(compute({degree, parameters.accuracy.refinement}));
-      refine_capacitances();
+      find_capacitances();
       return;
     }
 
-    after_pass(first_pass({scout_degree, scout_level}));
+    after_pass(compute({scout_degree, scout_level}));
     const Accuracy &accuracy = parameters.accuracy;
     const double by_wave     = wave() ? wave_target(accuracy) / wave_to_frequency_error : 1.;
     aim_at(by_wave < accuracy.target);
@@ -138,27 +138,18 @@ namespace ringmotor
       mode_search->refine(mesh);
       after_pass(compute_pass(discretisation.degree));
     }
-    refine_capacitances();
+    find_capacitances();
   }
 
-  Pass BodyModes::first_pass(const BodyDiscretisation &discretisation)
-  {
-    const Pass pass = compute(discretisation);
-    if (circuits() != nullptr)
-      motor_circuits->add_capacitances(*mode_search);
-    return pass;
-  }
-
-  void BodyModes::refine_capacitances()
+  void BodyModes::find_capacitances()
   {
     if (circuits() == nullptr)
       return;
     const MotorModel model = motor_model(parameters);
-    while (motor_circuits->n_capacitances() < 2)
+    for (const unsigned int degree : {scout_degree, scout_degree + 1})
     {
-      const unsigned int degree = scout_degree + motor_circuits->n_capacitances();
-      const SectorMesh coarse   = stator_mesh({degree, scout_level}, model);
-      const auto search         = new_search(model);
+      const SectorMesh coarse = stator_mesh({degree, scout_level}, model, MPI_COMM_SELF);
+      const auto search       = new_search(model);
       search->compute(coarse, degree);
       motor_circuits->add_capacitances(*search);
     }
@@ -190,22 +181,22 @@ namespace ringmotor
     else if (parameters.modes.body == Body::tooth)
       mesh = make_tooth(parameters.stator, n_teeth, SectorGrading::level(level), share_mesh);
     else
-      mesh = stator_mesh(discretisation, motor_model(parameters));
+      mesh = stator_mesh(discretisation, motor_model(parameters), share_mesh);
   }
 
   SectorMesh BodyModes::stator_mesh(const BodyDiscretisation &discretisation,
-                                    const MotorModel &model) const
+                                    const MotorModel &model, MPI_Comm ranks) const
   {
     const unsigned int n_teeth = parameters.motor.n_teeth;
     if (!is_generated())
     {
-      SectorMesh stator = read_sector(parameters.stator.mesh_file, n_teeth, share_mesh);
+      SectorMesh stator = read_sector(parameters.stator.mesh_file, n_teeth, ranks);
       stator.triangulation->refine_global(discretisation.level);
       return stator;
     }
     SectorMesh stator = make_stator_sector(
         parameters.stator, n_teeth, SectorForm::half,
-        discretisation.grading.value_or(SectorGrading::level(discretisation.level)), share_mesh);
+        discretisation.grading.value_or(SectorGrading::level(discretisation.level)), ranks);
     add_to_stator(model, stator);
     return stator;
   }
@@ -230,7 +221,7 @@ namespace ringmotor
     if (parameters.modes.body != Body::stator ||
         std::none_of(all.begin(), all.end(), has_to_choose))
       return;
-    SectorMesh bare   = stator_mesh({scout_degree, scout_level}, MotorModel());
+    SectorMesh bare   = stator_mesh({scout_degree, scout_level}, MotorModel(), share_mesh);
     const auto search = new_search(MotorModel());
     search->compute(bare, scout_degree);
     choices_by(*search, parameters);
@@ -238,7 +229,7 @@ namespace ringmotor
 
   double BodyModes::shift_by_coupling(const MotorModel &coupled) const
   {
-    const SectorMesh bare = stator_mesh({scout_degree, scout_level}, MotorModel());
+    const SectorMesh bare = stator_mesh({scout_degree, scout_level}, MotorModel(), MPI_COMM_SELF);
     const auto frequency  = [&](const MotorModel &model)
     {
       const auto search = new_search(model);

@@ -37,6 +37,8 @@ namespace ringmotor
         image.points[point]        = mirrored(cell.points[source]);
         image.strain_energy[point] = cell.strain_energy[source];
         image.displacement[point]  = mirrored(cell.displacement[source]);
+        if (!cell.potential.empty())
+          image.potential[point] = std::conj(cell.potential[source]);
       }
       return image;
     }
@@ -47,6 +49,24 @@ namespace ringmotor
       field.cells.push_back(cell);
       if (form == SectorForm::half)
         field.cells.push_back(image_of(cell, field.order));
+    }
+
+    std::vector<std::complex<double>> potential_at(const Quadrature<3> &points,
+                                                   const CyclicSector &sector,
+                                                   const SectorElements::Cell &cell,
+                                                   const ComplexField &potential)
+    {
+      const FiniteElement<3> &scalar           = sector.dofs().get_fe().base_element(0);
+      const std::vector<SectorNodes::Dof> dofs = sector.potential_dofs_of(cell);
+      std::vector<std::complex<double>> values(points.size());
+      for (unsigned int q = 0; q < points.size(); ++q)
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+        {
+          const unsigned int number = dofs[i] - sector.nodes().first_potential_dof();
+          values[q] += scalar.shape_value(i, points.point(q)) *
+                       std::complex<double>(potential.real[number], potential.imaginary[number]);
+        }
+      return values;
     }
 
     void add_solids(const CyclicSector &sector, const Mode &mode, SectorField &field)
@@ -68,6 +88,8 @@ namespace ringmotor
         SectorField::Cell sampled;
         sampled.material = cell->material_id();
         sampled.points   = values.get_quadrature_points();
+        if (sector.has_potential(cell))
+          sampled.potential = potential_at(points, sector, cell, mode.motion.potential);
         for (unsigned int q = 0; q < points.size(); ++q)
         {
           sampled.displacement.push_back({{{real[q][0], imaginary[q][0]},

@@ -16,7 +16,7 @@ import tempfile
 import unittest
 
 sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
-from program import QUICK, rows_of, run, settings  # noqa: E402
+from program import QUICK, rows_of, run, settings, vtu_array  # noqa: E402
 
 STATOR, CONTACT, LOSSES = sys.argv.pop(1), sys.argv.pop(1), sys.argv.pop(1)
 COUPLED = settings("Effects/Piezoelectric coupling = on", "Output/VTU = false",
@@ -151,6 +151,20 @@ class Volts(unittest.TestCase):
             message = self.refused(*entries)
             for word in words:
                 self.assertIn(word, message)
+
+    def test_potential_for_paraview(self):
+        """Between two grounded electrodes a bent ceramic has a potential inside, which mirror images share."""
+        with tempfile.TemporaryDirectory() as scratch:
+            done = run(STATOR, QUICK, "--output", scratch, *settings("Effects/Piezoelectric coupling = on"))
+            self.assertEqual(done.returncode, 0, done.stderr)
+            file = pathlib.Path(scratch) / "stator" / "sector.vtu"
+            points = vtu_array(file, "").reshape(-1, 3)
+            potential = vtu_array(file, "potential_real")
+            inside = (points[:, 2] < -1e-5) & (points[:, 2] > -0.00049)
+            self.assertEqual(abs(potential[~inside]).max(), 0)
+            self.assertGreater(abs(potential[inside]).max(), 0.1)
+            self.assertLess(abs(potential[inside]).max(), 100)
+            self.assertAlmostEqual(potential[points[:, 1] > 0].sum() / potential[points[:, 1] < 0].sum(), 1, delta=1e-4)
 
     def test_off_leaves_nothing_behind(self):
         with tempfile.TemporaryDirectory() as scratch:

@@ -92,16 +92,15 @@ namespace ringmotor
     std::unique_ptr<ModeSearch> new_search(const MotorModel &model) const;
     /** Decides on effects and prepares the search. */
     void begin();
-    /** A pass that also finds capacitances. */
-    Pass first_pass(const BodyDiscretisation &discretisation);
-    /** Finds them with elements of a higher degree. */
-    void refine_capacitances();
+    /** Finds those of the phases on two coarse meshes. */
+    void find_capacitances();
     /** The relative change of the wave's frequency by a ceramic with a potential, on a coarse mesh.
      * Collective. */
     double shift_by_coupling(const MotorModel &coupled) const;
     void make_mesh(const BodyDiscretisation &discretisation);
-    /** The stator with what @p model adds to it. */
-    SectorMesh stator_mesh(const BodyDiscretisation &discretisation, const MotorModel &model) const;
+    /** The stator with what @p model adds to it; @p ranks share its cells. */
+    SectorMesh stator_mesh(const BodyDiscretisation &discretisation, const MotorModel &model,
+                           MPI_Comm ranks) const;
     /** Decides on effects set to `auto` from the modes of a coarse mesh without them.
      * Collective. */
     void choose_effects();

@@ -25,8 +25,6 @@ namespace ringmotor
     /** Adds the capacitances on one of at least two coarse meshes, the finer one last. @throws
      * ComputationError if the motor's wave is not found on it */
     void add_capacitances(const ModeSearch &search);
-    /** On how many meshes they are known. */
-    unsigned int n_capacitances() const { return capacitances.size(); }
 
     /** The circuit of a phase, from the last meshes. */
     PhaseCircuit circuit(const Phase phase) const;

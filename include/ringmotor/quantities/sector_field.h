@@ -31,6 +31,9 @@ namespace ringmotor
       std::vector<double> strain_energy;
       /** Material of the cell, see mesh/ids.h. */
       dealii::types::material_id material;
+      /** Complex amplitude of the electric potential in V there, at short circuit; empty in a cell
+       * without one. */
+      std::vector<std::complex<double>> potential = {};
     };
 
     unsigned int order = 1;           ///< subdivisions of a cell per direction
