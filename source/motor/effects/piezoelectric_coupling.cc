@@ -41,11 +41,11 @@ namespace ringmotor::effects
         parameters.electrodes       = {};
       }
 
-      /** The change of the frequency against an isotropic ceramic; none if it is off, as modes are
-       * computed for it. */
+      /** The change of the frequency against an isotropic ceramic. As modes are computed for it,
+       * only where it decides. */
       std::optional<double> indicator(const Scene &scene) const override
       {
-        if (choice(scene.parameters) == EffectChoice::off)
+        if (choice(scene.parameters) != EffectChoice::automatic)
           return {};
         return measured_in(scene);
       }
