@@ -92,6 +92,12 @@ namespace ringmotor
     return sum / (2. * pi);
   }
 
+  double ElectrodeLayout::standing_part(const unsigned int n) const
+  {
+    const int k = static_cast<int>(n);
+    return std::abs(std::cos(std::arg(harmonic(Phase::b, k) / harmonic(Phase::a, k))));
+  }
+
   double ElectrodeLayout::mean_square(const Phase phase) const
   {
     const std::vector<Corner> line = corners(phase);

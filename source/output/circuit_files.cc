@@ -28,7 +28,8 @@ namespace ringmotor
     constexpr unsigned int n_frequencies = 1001;
     const PhaseCircuit one               = circuits.circuit(Phase::a);
     const double low = one.short_circuit_frequency, high = one.open_circuit_frequency(),
-                 margin = std::max(4. * (high - low), 20. * low / one.branch.quality);
+                 margin = std::min(0.9 * low,
+                                   std::max(4. * (high - low), 20. * low / one.branch.quality));
     CsvTable table({"frequency_Hz", "conductance_A_S", "susceptance_A_S", "conductance_B_S",
                     "susceptance_B_S"});
     for (unsigned int i = 0; i < n_frequencies; ++i)

@@ -55,7 +55,7 @@ namespace ringmotor
     std::string describe(const DrivePoint &drive)
     {
       return text(drive.voltage, units::voltage, 2) + " per phase at " +
-             text(1e-3 * drive.frequency, 3) + " kHz, electrical efficiency " +
+             text(1e-3 * drive.frequency.value, 3) + " kHz, electrical efficiency " +
              text(drive.electrical_efficiency, units::percent, 2);
     }
   } // namespace
@@ -110,7 +110,9 @@ namespace ringmotor
         add_quantities(summary,
                        with_causes(*losses.drive, losses.drive_by_cause, &DrivePoint::quantities),
                        seconds, labels);
-        worst_electrical = std::max(worst_electrical, losses.drive->imbalance);
+        worst_electrical       = std::max(worst_electrical, losses.drive->imbalance);
+        const double from_plug = losses.drive->electrical_efficiency.value;
+        outside                = std::max({outside, -from_plug, from_plug - 1.});
       }
       const Estimate efficiency = losses.budget.efficiency();
       worst_imbalance           = std::max(worst_imbalance, losses.point.result.power_imbalance());

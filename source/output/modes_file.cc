@@ -231,12 +231,7 @@ namespace ringmotor
     wave.natural_frequency = {file.attribute<double>("/wave", "natural_frequency_Hz"),
                               file.attribute<double>("/wave", "natural_frequency_error_Hz")};
     wave.modal_mass        = shape_number(file, "modal_mass");
-    // All of it is strain energy and, for the rest, that of the fields.
-    wave.electric_energy = shape_number(file, "strain_energy");
-    for (const std::string part : {"base", "tooth", "piezoceramic"})
-      wave.electric_energy.value -= shape_number(file, "strain_energy_" + part).value;
-    wave.electric_energy.error *=
-        wave.electric_energy.value / shape_number(file, "strain_energy").value;
+    wave.electric_energy   = shape_number(file, "electric_energy");
     for (const Phase phase : {Phase::a, Phase::b})
     {
       const std::string group = "/circuits/" + name_of(phase);

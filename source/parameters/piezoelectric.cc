@@ -73,6 +73,11 @@ namespace ringmotor
             std::make_pair("Coupling 15", coupling15)})
         require(std::abs(value) <= largest_d, name, value, "up to 1e-8 m/V, or Coupling form = e",
                 "is no constant d in m/V");
+    if (coupling31 == 0. && coupling33 == 0.)
+      throw UserError(
+          "Piezoelectricity/Coupling 31 = 0 and Coupling 33 = 0: such a ceramic does not "
+          "answer to a voltage; allowed: one of them different from 0, or "
+          "Effects/Piezoelectric coupling = off");
     const PiezoelectricLaw of_ceramic = law();
     const std::string advice = "leaves, without the part that comes from strains, no positive "
                                "permittivity of the clamped ceramic: a coupling factor of 1 or "

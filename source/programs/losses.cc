@@ -34,6 +34,8 @@ namespace ringmotor
 
     private:
       void find_losses();
+      /** The wave with its electrodes; none if they cannot drive it. */
+      std::optional<DrivenWave> driven_wave(const std::string &path);
       void report();
       void write_results();
 
@@ -70,12 +72,7 @@ namespace ringmotor
       if (is_root_rank && parameters.output.vtu)
         body = read_wave_body(from + "/stator/modes.h5", parameters);
       const StatorWave of_now = read_stator_wave(from + "/stator/modes.h5", parameters);
-      const auto driven       = read_driven_wave(from + "/stator/modes.h5", parameters);
-      if (driven && difference_of_phases(*driven) > 0.01)
-        log.line("warning: the force factors of the phases differ by " +
-                 text(100. * difference_of_phases(*driven), 1) +
-                 " %, so that equal voltages drive a wave that is partly standing; voltages are "
-                 "those for the mean");
+      const auto driven       = driven_wave(from + "/stator/modes.h5");
       for (const CurvePoint &point :
            read_contact_points(from + "/contact/contact.h5", parameters, of_now))
       {
@@ -90,6 +87,32 @@ namespace ringmotor
         }
         points.push_back(std::move(losses));
       }
+    }
+
+    std::optional<DrivenWave> LossesProgram::driven_wave(const std::string &path)
+    {
+      constexpr double largest = 0.02; // part of a standing wave in the travelling one
+      auto driven              = read_driven_wave(path, parameters);
+      if (!driven)
+        return {};
+      const double standing =
+          ElectrodeLayout(parameters.electrodes, parameters.motor, parameters.stator)
+              .standing_part(parameters.motor.n_waves);
+      if (standing > largest)
+      {
+        log.line(
+            "warning: with Electrodes/Distance of phases = " +
+            text(parameters.electrodes.phase_distance, 3) +
+            " voltages a quarter of a period apart do not drive a travelling wave, but one with " +
+            text(100. * standing, 0) + " % of a standing one: no voltages are computed");
+        return {};
+      }
+      if (difference_of_phases(*driven) > largest)
+        log.line("warning: the force factors of the phases differ by " +
+                 text(100. * difference_of_phases(*driven), 1) +
+                 " %, so that equal voltages drive a wave that is partly standing; voltages are "
+                 "those for the mean");
+      return driven;
     }
 
     void LossesProgram::report()

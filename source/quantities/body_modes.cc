@@ -290,6 +290,10 @@ namespace ringmotor
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
     if (parameters.modes.body == Body::stator)
       motor_wave.add_pass(*mode_search);
+    const SectorNodes &nodes = mode_search->sector().nodes();
+    if (motor_circuits && nodes.first_potential_dof() == nodes.n_dofs())
+      throw UserError("Stator/Mesh file has no cells of the piezoceramic (physical id 3), which "
+                      "Effects/Piezoelectric coupling needs; mark them, or set the effect to off");
     if (circuits() != nullptr)
       motor_circuits->add_pass(*mode_search, *wave());
     return {++n_passes,     degree, level, mesh.n_cells(), mode_search->sector().n_dofs(),

@@ -29,7 +29,7 @@ namespace ringmotor
     const auto quantity = [](const std::string &name, const Unit &unit, const Estimate &estimate) {
       return Quantity{name, unit, estimate.value, estimate.error};
     };
-    return {{"drive_frequency", units::hertz, frequency},
+    return {quantity("drive_frequency", units::hertz, frequency),
             quantity("voltage", units::voltage, voltage),
             quantity("current", units::current, current),
             quantity("power_factor", units::one, power_factor),
@@ -45,36 +45,40 @@ namespace ringmotor
     const Estimate eta = mean(wave.force_factor), c0 = mean(wave.parallel_capacitance);
     const double a = wave.amplitude, m = wave.modal_mass.value,
                  of_phases = relative_error(eta) + relative_error(wave.modal_mass);
-    const double loaded    = wave.natural_frequency.value * (1. + result.detuning);
+    // The detuning is as uncertain as the friction loss, which comes from the same forces.
+    const double detuning_error = std::abs(result.detuning) * relative_error(budget.friction);
     DrivePoint drive;
-    drive.frequency    = frequency.value_or(loaded);
-    const double omega = 2. * numbers::PI * drive.frequency;
+    drive.frequency    = frequency ? Estimate{*frequency, 0.}
+                                   : Estimate{wave.natural_frequency.value * (1. + result.detuning),
+                                           wave.natural_frequency.error +
+                                               wave.natural_frequency.value * detuning_error};
+    const double omega = 2. * numbers::PI * drive.frequency.value;
 
     // What the contact takes, with the rotor's damping as the budget has it, and the stator's
     // losses
     const double of_fields = 2. * omega * wave.electric_energy.value *
-                             (wave.dielectric_loss_factor + 2. * wave.piezoelectric_loss_factor);
+                             (wave.dielectric_loss_factor - 2. * wave.piezoelectric_loss_factor);
     const double mechanical = result.input_power - result.modal_damping + budget.rotor.value +
                               budget.stator().value + budget.support.value + of_fields;
     const double power_error =
         budget.input().error + relative_error(wave.electric_energy) * of_fields;
-    // Force over displacement of one standing wave. The detuning is as uncertain as the friction
-    // loss, from the same forces; a drive that follows the resonance does not feel it.
+    // Force over displacement of one standing wave; a drive that follows the resonance feels no
+    // spring. Errors are bounds and add up.
     const double omega_r_square = std::pow(2. * numbers::PI * wave.natural_frequency.value, 2),
                  spring         = frequency
                                       ? m * (omega_r_square * (1. + 2. * result.detuning) - omega * omega)
                                       : 0.,
                  damper         = mechanical / (omega * a * a);
     const double spring_error =
-        frequency ? 2. * m * omega_r_square *
-                            (relative_error(wave.natural_frequency) +
-                             std::abs(result.detuning) * relative_error(budget.friction)) +
-                        std::abs(spring) * relative_error(wave.modal_mass)
-                  : 0.;
+        frequency
+            ? 2. * m * omega_r_square * (relative_error(wave.natural_frequency) + detuning_error) +
+                  std::abs(spring) * relative_error(wave.modal_mass)
+            : 0.;
     const Complex stiffness(spring, damper);
-    const double stiffness_error =
-        (std::abs(spring) * spring_error + damper * damper * power_error / mechanical) /
-        std::abs(stiffness);
+    const double damper_error    = power_error / (omega * a * a),
+                 stiffness_error = spring_error + damper_error,
+                 angle_error = (std::abs(damper) * spring_error + std::abs(spring) * damper_error) /
+                               std::norm(stiffness);
 
     const double voltage = std::abs(stiffness) * a / eta.value;
     drive.voltage        = {voltage, voltage * (stiffness_error / std::abs(stiffness) + of_phases)};
@@ -83,7 +87,7 @@ namespace ringmotor
                              Complex(1., -wave.dielectric_loss_factor) * voltage,
                   current = motional + parallel;
     const double current_error =
-        std::abs(motional) * of_phases +
+        std::abs(motional) * (of_phases + angle_error) +
         std::abs(parallel) * (relative_error(c0) + relative_error(drive.voltage));
     drive.current          = {std::abs(current), current_error};
     const double of_c0     = parallel.real() * voltage; // of both phases
@@ -96,12 +100,11 @@ namespace ringmotor
                               drive.electrical_input.value / apparent *
                                   (relative_error(drive.electrical_input) +
                                relative_error(drive.current) + relative_error(drive.voltage))};
-    const double input     = drive.electrical_input.value;
-    drive.electrical_efficiency = {
-        std::max(0., budget.output.value / input),
-        (budget.output.error +
-         std::abs(budget.output.value) * relative_error(drive.electrical_input)) /
-            input};
+    const double input = drive.electrical_input.value, efficiency = budget.output.value / input;
+    drive.electrical_efficiency = {budget.output.value > 0. && input > 0. ? efficiency : 0.,
+                                   budget.output.error / std::abs(input) +
+                                       std::abs(efficiency) *
+                                           relative_error(drive.electrical_input)};
     drive.imbalance =
         std::abs(input - budget.input().value - drive.dielectric_loss.value) / std::abs(input);
     return drive;

@@ -17,6 +17,7 @@ namespace ringmotor
     for (const auto &[material, product] : products.stiffness)
       energy.strain[material] = factor * product;
     energy.total_strain = factor * products.total_stiffness();
+    energy.electric     = factor * (2. * products.electric.coupling - products.electric.dielectric);
     energy.kinetic      = factor * mode.eigenvalue * products.mass;
     return energy;
   }

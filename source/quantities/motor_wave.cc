@@ -27,14 +27,18 @@ namespace ringmotor
       };
       const EllipticMotion center                        = motion("top_outer_C");
       const std::map<types::material_id, double> &strain = wave.energy.strain;
-      return {{tangential_ratio, units::one, center.tangential / center.normal},
-              {"A_r/A_n", units::one, center.radial / center.normal},
-              {"phi_edge", units::degree, motion("top_outer_R").phi * 180. / numbers::PI},
-              {"modal_mass", units::kilogram, wave.modal_mass},
-              {"strain_energy", units::joule, wave.energy.total_strain},
-              {"strain_energy_base", units::joule, strain.at(ids::base)},
-              {"strain_energy_tooth", units::joule, strain.at(ids::tooth)},
-              {"strain_energy_piezoceramic", units::joule, strain.at(ids::piezoceramic)}};
+      std::vector<Quantity> shape{
+          {tangential_ratio, units::one, center.tangential / center.normal},
+          {"A_r/A_n", units::one, center.radial / center.normal},
+          {"phi_edge", units::degree, motion("top_outer_R").phi * 180. / numbers::PI},
+          {"modal_mass", units::kilogram, wave.modal_mass},
+          {"strain_energy", units::joule, wave.energy.total_strain},
+          {"strain_energy_base", units::joule, strain.at(ids::base)},
+          {"strain_energy_tooth", units::joule, strain.at(ids::tooth)},
+          {"strain_energy_piezoceramic", units::joule, strain.at(ids::piezoceramic)}};
+      if (wave.energy.electric > 0.)
+        shape.push_back({"electric_energy", units::joule, wave.energy.electric});
+      return shape;
     }
   } // namespace
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/parameters/errors.h>
 #include <ringmotor/quantities/energy.h>
 #include <ringmotor/quantities/phase_circuit.h>
 #include <ringmotor/structure/motion_products.h>
@@ -109,7 +110,7 @@ namespace ringmotor
     // moves; and about as far beside the resonance as the antiresonance.
     constexpr double fast       = 1e20;
     const PerPhase<double> free = at(-slow), clamped = at(-fast * slow);
-    double distance = 0.;
+    double distance = 1e-4; // with less, rounding errors of a weak coupling would show
     for (unsigned int i = 0; i < free.size(); ++i)
       distance = std::max(distance, branches[i].capacitance / (free[i] - branches[i].capacitance));
     const PerPhase<double> below = at((1. - distance) * wave.eigenvalue),
@@ -123,7 +124,7 @@ namespace ringmotor
       results[i].change       = 0.5 * (above[i] + of_mode - (below[i] - of_mode));
       results[i].free         = free[i];
       results[i].clamped      = clamped[i];
-      results[i].rest         = harmonics.rest(phase) / harmonics.mean_square(phase) * clamped[i];
+      results[i].rest = 2. * harmonics.rest(phase) / harmonics.mean_square(phase) * clamped[i];
     }
     return results;
   }
@@ -150,10 +151,14 @@ namespace ringmotor
                         const MaterialTable &materials, const Piezoelectricity &losses)
   {
     const MotionProducts products = motion_products(sector, {&wave.motion}).front();
-    double lost = 2. * losses.piezoelectric_loss_factor * products.electric.coupling +
-                  losses.dielectric_loss_factor * products.electric.dielectric;
+    double lost                   = losses.dielectric_loss_factor * products.electric.dielectric -
+                  2. * losses.piezoelectric_loss_factor * products.electric.coupling;
     for (const auto &[material, stiffness] : products.stiffness)
       lost += materials.at(material).loss_factor * stiffness;
+    if (lost <= 0.)
+      throw ComputationError(
+          "the wave would gain power from Piezoelectricity/Piezoelectric loss factor; choose a "
+          "smaller one, or larger loss factors of ceramic and metal");
     return products.total_stiffness() / lost;
   }
 } // namespace ringmotor

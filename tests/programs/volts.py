@@ -133,6 +133,33 @@ class Volts(unittest.TestCase):
                 self.assertAlmostEqual(drive["voltage_V"] / math.hypot(inertia, near["voltage_V"]), 1, delta=0.03)
                 self.assertLess(drive["power_factor"], near["power_factor"])
 
+    def drive_with(self, *entries):
+        """Rows of drive.csv, none if there is no such file, and the log of losses."""
+        with tempfile.TemporaryDirectory() as scratch:
+            for program in (STATOR, CONTACT, LOSSES):
+                done = run(program, QUICK, "--output", scratch, *COUPLED, *settings(*entries))
+                self.assertEqual(done.returncode, 0, done.stderr)
+            file = pathlib.Path(scratch) / "losses" / "drive.csv"
+            return numbers(file) if file.exists() else None, done.stdout
+
+    def test_rotor_driven_from_outside(self):
+        """Above the speed without load the rotor may give power back: errors stay positive, there is no efficiency."""
+        rows, _ = self.drive_with("Loading/Control = speed", "Loading/Values = 12")
+        self.assertEqual(rows[0]["electrical_efficiency"], 0)
+        for key, value in rows[0].items():
+            if "error" in key:
+                self.assertGreaterEqual(value, 0, key)
+
+    def test_phases_that_drive_no_travelling_wave(self):
+        rows, log = self.drive_with("Electrodes/Distance of phases = 0.5")
+        self.assertIsNone(rows)
+        self.assertIn("warning: with Electrodes/Distance of phases = 0.5", log)
+
+    def test_felt_has_no_electric_field(self):
+        rows, _ = self.drive_with("Effects/Felt support = on")
+        for with_felt, without in zip(rows, numbers(self.case / "losses" / "drive.csv")):
+            self.assertAlmostEqual(with_felt["dielectric_loss_mW"] / without["dielectric_loss_mW"], 1, delta=0.03)
+
     def refused(self, *entries):
         done = run(STATOR, QUICK, "--output", self.case, *COUPLED, *settings(*entries))
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
@@ -144,6 +171,8 @@ class Volts(unittest.TestCase):
                                (("Stator/Piezoceramic thickness = 0",), ("needs a ceramic",)),
                                (("Electrodes/Arcs of phase A = 12",), ("Electrodes/Arcs of phase A = 12", "7")),
                                (("Electrodes/Gap between arcs = 0.02",), ("Gap between arcs",)),
+                               (("Electrodes/Gap between arcs = 0.0001",), ("Gap between arcs", "half of")),
+                               (("Piezoelectricity/Coupling 31 = 0", "Piezoelectricity/Coupling 33 = 0"), ("Coupling 33",)),
                                (("Piezoelectricity/Permittivity at = stress", "Piezoelectricity/Permittivity 11 = 6e-9"),
                                 ("coupling factor", "Permittivity at")),
                                (("Piezoelectricity/Coupling form = d",), ("Coupling 31", "m/V", "Coupling form = e")),

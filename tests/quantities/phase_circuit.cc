@@ -157,6 +157,29 @@ TEST_F(StatorPhases, ClampedCapacitance)
   EXPECT_LT(circuits[0].parallel.clamped, 1.1 * plate);
 }
 
+// With the law e (1 - i tan_e), eps (1 - i tan_eps) the stiffness e^2/eps that a potential adds has
+// the loss factor tan_eps - 2 tan_e.
+TEST_F(StatorPhases, PiezoelectricLossOffsetsDielectricLoss)
+{
+  const auto quality = [&](const double dielectric, const double piezoelectric)
+  {
+    Piezoelectricity losses;
+    losses.dielectric_loss_factor    = dielectric;
+    losses.piezoelectric_loss_factor = piezoelectric;
+    return stator_quality(sector, wave, materials, losses);
+  };
+  EXPECT_NEAR(quality(0.04, 0.02), quality(0., 0.), 1e-6 * quality(0., 0.));
+  EXPECT_LT(quality(0.04, 0.), quality(0., 0.));
+  EXPECT_GT(quality(0., 0.02), quality(0., 0.));
+  MaterialTable lossless = materials;
+  for (auto &[id, material] : lossless)
+    material.loss_factor = 0.;
+  Piezoelectricity losses;
+  losses.dielectric_loss_factor    = 0.01;
+  losses.piezoelectric_loss_factor = 0.01;
+  EXPECT_THROW(stator_quality(sector, wave, lossless, losses), ComputationError);
+}
+
 TEST_F(StatorPhases, QualityOfOneLossFactor)
 {
   MaterialTable lossy = materials;

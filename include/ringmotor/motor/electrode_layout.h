@@ -59,6 +59,10 @@ namespace ringmotor
       return (n == 0 ? 1. : 2.) * std::abs(harmonic(phase, static_cast<int>(n)));
     }
 
+    /** The part of a standing wave that equal voltages a quarter of a period apart drive, from 0 to
+     * 1, for @p n waves: the cosine of the angle between the phases. */
+    double standing_part(const unsigned int n) const;
+
     /** The mean over the ring of the square of that potential: the sum of |V_k|^2. */
     double mean_square(const Phase phase) const;
 

@@ -31,7 +31,7 @@ namespace ringmotor
    */
   struct DrivePoint
   {
-    double frequency = 0.;          ///< Hz
+    Estimate frequency;             ///< Hz
     Estimate voltage;               ///< V, zero to peak, of each phase
     Estimate current;               ///< A, zero to peak, of each phase
     Estimate power_factor;          ///< real over apparent power

@@ -13,6 +13,7 @@ namespace ringmotor
     /** Strain energy in J by material id; constant in time for a travelling wave. */
     std::map<dealii::types::material_id, double> strain;
     double total_strain = 0.; ///< J
+    double electric     = 0.; ///< J, of the fields inside a piezoelectric ceramic, in total_strain
     double kinetic      = 0.; ///< J; equals total_strain for a natural mode
   };
 

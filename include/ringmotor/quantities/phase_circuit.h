@@ -82,7 +82,7 @@ namespace ringmotor
     double change       = 0.; ///< F, of C0 from the resonance to the antiresonance
     double free         = 0.; ///< F, of the whole phase at rest, with the wave's mode
     double clamped      = 0.; ///< F, of the ceramic held everywhere
-    double rest         = 0.; ///< F, what all of them contain for harmonics that are left out
+    double rest = 0.; ///< F, twice what they contain for harmonics that are left out: an error
   };
 
   PerPhase<ParallelCapacitance> parallel_capacitances(const PhaseHarmonics &harmonics,
@@ -108,8 +108,9 @@ namespace ringmotor
   /**
    * Q of a mode by the losses of the materials: stored energy over energy lost per radian. With
    * complex constants c (1 + i eta), e (1 - i tan_e) and eps (1 - i tan_eps), a wave with the
-   * energies K, B and D of SolidElement loses eta K + 2 tan_e B + tan_eps D.
+   * energies K, B and D of SolidElement loses eta K - 2 tan_e B + tan_eps D.
    * @param materials with their loss factors eta
+   * @throws ComputationError if it gains power
    */
   double stator_quality(const CyclicSector &sector, const Mode &wave,
                         const MaterialTable &materials, const Piezoelectricity &losses);

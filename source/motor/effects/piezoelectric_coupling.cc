@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/motor/effects/list.h>
 #include <ringmotor/motor/electrode_layout.h>
+#include <ringmotor/parameters/check_geometry.h>
 #include <ringmotor/parameters/errors.h>
 
 namespace ringmotor::effects
@@ -27,6 +28,22 @@ namespace ringmotor::effects
                           " needs a ceramic, but Stator/Piezoceramic thickness = 0; allowed: off, "
                           "or a thickness above 0");
         parameters.piezoelectricity.check();
+        const Materials &materials = parameters.materials;
+        if (materials.stator_metal.loss_factor == 0. && materials.piezoceramic.loss_factor == 0. &&
+            parameters.piezoelectricity.dielectric_loss_factor == 0.)
+          throw UserError(
+              given(parameters) +
+              " needs a loss: Materials/Stator metal/Loss factor, Materials/Piezoceramic/"
+              "Loss factor and Piezoelectricity/Dielectric loss factor are all 0; "
+              "allowed: one of them above 0");
+        const double thickness = parameters.stator.piezoceramic_thickness;
+        if (parameters.stator.mesh_file.empty() && parameters.electrodes.arc_gap < 0.5 * thickness)
+          throw UserError(
+              ringmotor::entry("Electrodes/Gap between arcs", parameters.electrodes.arc_gap) +
+              " is less than half of " +
+              ringmotor::entry("Stator/Piezoceramic thickness", thickness) +
+              ", so narrow that the fields there are not resolved; allowed: at least half "
+              "of it");
         ElectrodeLayout(parameters.electrodes, parameters.motor, parameters.stator);
       }
 
