@@ -13,7 +13,18 @@ namespace ringmotor
   namespace
   {
     constexpr double pi = dealii::numbers::PI;
-  }
+
+    /** Arcs of a length with gaps between them, all angles in rad, poled up and down in turn. */
+    std::vector<ElectrodeLayout::Arc> row_of_arcs(const unsigned int n_arcs, const double begin,
+                                                  const double length, const double gap)
+    {
+      std::vector<ElectrodeLayout::Arc> arcs;
+      for (unsigned int i = 0; i < n_arcs; ++i)
+        arcs.push_back({begin + i * length + 0.5 * gap, begin + (i + 1) * length - 0.5 * gap,
+                        i % 2 == 0 ? 1. : -1.});
+      return arcs;
+    }
+  } // namespace
 
   ElectrodeLayout::ElectrodeLayout(const Electrodes &electrodes, const Motor &motor,
                                    const StatorGeometry &stator)
@@ -37,18 +48,6 @@ namespace ringmotor
                       short_text(electrodes.arc_gap * arc / gap) + " m");
     arcs_of[0] = row_of_arcs(n_a, 0., arc, gap);
     arcs_of[1] = row_of_arcs(n_b, (n_a + 2. * electrodes.phase_distance) * arc, arc, gap);
-  }
-
-  std::vector<ElectrodeLayout::Arc> ElectrodeLayout::row_of_arcs(const unsigned int n_arcs,
-                                                                 const double begin,
-                                                                 const double length,
-                                                                 const double gap) const
-  {
-    std::vector<Arc> arcs;
-    for (unsigned int i = 0; i < n_arcs; ++i)
-      arcs.push_back({begin + i * length + 0.5 * gap, begin + (i + 1) * length - 0.5 * gap,
-                      i % 2 == 0 ? 1. : -1.});
-    return arcs;
   }
 
   double ElectrodeLayout::coverage(const Phase phase) const

@@ -7,15 +7,10 @@
 
 namespace ringmotor
 {
-  namespace
-  {
-    constexpr PerPhase<Phase> phases{{Phase::a, Phase::b}};
-  }
-
   void write_circuits(const std::string &path, const MotorCircuits &circuits)
   {
     std::vector<NamedRow> rows;
-    for (const Phase phase : phases)
+    for (const Phase phase : both_phases)
     {
       rows.push_back({{"phase", name_of(phase)}});
       add_entries(rows.back(), circuits.quantities(phase));
@@ -38,7 +33,7 @@ namespace ringmotor
       const double place = 2. * i / (n_frequencies - 1.) - 1.,
                    f     = low + margin * std::pow(place, 3);
       std::vector<CsvTable::Entry> row{f};
-      for (const Phase phase : phases)
+      for (const Phase phase : both_phases)
       {
         const std::complex<double> admittance = circuits.circuit(phase).admittance(f);
         row.insert(row.end(), {admittance.real(), admittance.imag()});
@@ -51,7 +46,7 @@ namespace ringmotor
   void write_electrodes(const std::string &path, const ElectrodeLayout &layout)
   {
     CsvTable table({"phase", "begin_deg", "end_deg", "poling"});
-    for (const Phase phase : phases)
+    for (const Phase phase : both_phases)
       for (const ElectrodeLayout::Arc &arc : layout.arcs(phase))
         table.add_row({name_of(phase), arc.begin / units::angle.size, arc.end / units::angle.size,
                        arc.sign > 0. ? "up" : "down"});

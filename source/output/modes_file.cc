@@ -232,7 +232,7 @@ namespace ringmotor
                               file.attribute<double>("/wave", "natural_frequency_error_Hz")};
     wave.modal_mass        = shape_number(file, "modal_mass");
     wave.electric_energy   = shape_number(file, "electric_energy");
-    for (const Phase phase : {Phase::a, Phase::b})
+    for (const Phase phase : both_phases)
     {
       const std::string group = "/circuits/" + name_of(phase);
       const auto number       = [&](const std::string &name)

@@ -114,7 +114,7 @@ namespace ringmotor
   {
     void write_circuits(Hdf5Writer &file, const MotorCircuits &circuits)
     {
-      for (const Phase phase : {Phase::a, Phase::b})
+      for (const Phase phase : both_phases)
         for (const Quantity &number : circuits.quantities(phase))
         {
           const std::string group = "circuits/" + name_of(phase),

@@ -178,7 +178,7 @@ namespace ringmotor
     void StatorProgram::report_circuits(const MotorCircuits &circuits)
     {
 
-      for (const Phase of : {Phase::a, Phase::b})
+      for (const Phase of : both_phases)
       {
         const PhaseCircuit circuit = circuits.circuit(of);
         const std::string phase    = "phase " + name_of(of) + ": ";
@@ -320,7 +320,7 @@ namespace ringmotor
       if (body.wave() != nullptr)
         add_wave_quantities(summary, *body.wave(), seconds);
       if (body.circuits() != nullptr)
-        for (const Phase phase : {Phase::a, Phase::b})
+        for (const Phase phase : both_phases)
           add_quantities(summary, body.circuits()->quantities(phase), seconds,
                          {{"phase", name_of(phase)}});
       if (const auto ratio = of_stator ? std::nullopt : inertia_ratio())

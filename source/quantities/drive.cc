@@ -61,7 +61,7 @@ namespace ringmotor
     const double mechanical = result.input_power - result.modal_damping + budget.rotor.value +
                               budget.stator().value + budget.support.value + of_fields;
     const double power_error =
-        budget.input().error + relative_error(wave.electric_energy) * of_fields;
+        budget.input().error + relative_error(wave.electric_energy) * std::abs(of_fields);
     // Force over displacement of one standing wave; a drive that follows the resonance feels no
     // spring. Errors are bounds and add up.
     const double omega_r_square = std::pow(2. * numbers::PI * wave.natural_frequency.value, 2),
@@ -93,13 +93,12 @@ namespace ringmotor
     const double of_c0     = parallel.real() * voltage; // of both phases
     drive.dielectric_loss  = {of_c0 + of_fields,
                               of_c0 * (relative_error(c0) + 2. * relative_error(drive.voltage)) +
-                                  of_fields * relative_error(wave.electric_energy)};
+                                  std::abs(of_fields) * relative_error(wave.electric_energy)};
     drive.electrical_input = {current.real() * voltage, power_error + drive.dielectric_loss.error};
-    const double apparent  = std::abs(current) * voltage;
-    drive.power_factor     = {drive.electrical_input.value / apparent,
-                              drive.electrical_input.value / apparent *
-                                  (relative_error(drive.electrical_input) +
-                               relative_error(drive.current) + relative_error(drive.voltage))};
+    const double factor    = drive.electrical_input.value / (std::abs(current) * voltage);
+    drive.power_factor     = {factor, std::abs(factor) * (relative_error(drive.electrical_input) +
+                                                      relative_error(drive.current) +
+                                                      relative_error(drive.voltage))};
     const double input = drive.electrical_input.value, efficiency = budget.output.value / input;
     drive.electrical_efficiency = {budget.output.value > 0. && input > 0. ? efficiency : 0.,
                                    budget.output.error / std::abs(input) +

@@ -16,13 +16,12 @@ namespace ringmotor
   namespace
   {
     using Complex = std::complex<double>;
-    constexpr PerPhase<Phase> phases{{Phase::a, Phase::b}};
   } // namespace
 
   PhaseHarmonics::PhaseHarmonics(const ElectrodeLayout &layout, const unsigned int n_sectors)
       : sectors(n_sectors)
   {
-    for (const Phase phase : phases)
+    for (const Phase phase : both_phases)
       square[index(phase)] = layout.mean_square(phase);
     const int period = static_cast<int>(n_sectors), last = 2 * period;
     for (int k = -last; k <= last; ++k)
@@ -31,7 +30,7 @@ namespace ringmotor
       if (2 * n > period)
         continue;
       Harmonic harmonic{k, {}};
-      for (const Phase phase : phases)
+      for (const Phase phase : both_phases)
       {
         harmonic.potential[index(phase)] = std::conj(layout.harmonic(phase, k));
         resolved[index(phase)] += weight(n) * std::norm(harmonic.potential[index(phase)]);
@@ -66,7 +65,7 @@ namespace ringmotor
           charge_of_last += matrix(k, k).real();
         }
     }
-    for (const Phase phase : phases)
+    for (const Phase phase : both_phases)
       sum[PhaseHarmonics::index(phase)] += harmonics.rest(phase) * charge_of_last / n_last;
     return sum;
   }
@@ -116,7 +115,7 @@ namespace ringmotor
     const PerPhase<double> below = at((1. - distance) * wave.eigenvalue),
                            above = at((1. + distance) * wave.eigenvalue);
     PerPhase<ParallelCapacitance> results;
-    for (const Phase phase : phases)
+    for (const Phase phase : both_phases)
     {
       const unsigned int i    = PhaseHarmonics::index(phase);
       const double of_mode    = branches[i].capacitance / distance; // of either sign

@@ -17,6 +17,9 @@ namespace ringmotor
     b
   };
 
+  /** Both. */
+  inline constexpr std::array<Phase, 2> both_phases{{Phase::a, Phase::b}};
+
   /** `A` or `B`. */
   inline std::string name_of(const Phase phase)
   {
@@ -71,8 +74,7 @@ namespace ringmotor
     {
       double angle, potential;
     };
-    std::vector<Arc> row_of_arcs(const unsigned int n_arcs, const double begin, const double length,
-                                 const double gap) const;
+
     /** The potential as a broken line. */
     std::vector<Corner> corners(const Phase phase) const;
 
