@@ -283,6 +283,7 @@ namespace ringmotor
     motor.n_teeth           = parameters.motor.n_teeth;
     motor.n_waves           = wave.n_waves;
     motor.angular_frequency = wave.angular_frequency;
+    motor.amplitude         = wave.amplitude;
     motor.wave_energy       = wave.strain_energy;
     motor.near_rigid_modes  = std::move(rotor.near_rigid_modes);
     motor.rotor_mass        = rotor.mass;

@@ -27,6 +27,13 @@ namespace ringmotor
         (parameters.materials.*material).loss_factor = (defaults.*material).loss_factor;
     }
 
+    /** Whatever drives a wave, its motion at a given amplitude is the same. */
+    void forget_drive(Parameters &parameters)
+    {
+      parameters.wave.drive   = Drive::amplitude;
+      parameters.wave.voltage = {};
+    }
+
     /** Resets the entries that affect neither the wave nor any operating point. */
     void forget_what_never_matters(Parameters &parameters)
     {
@@ -37,6 +44,8 @@ namespace ringmotor
       parameters.uncertainty                  = defaults.uncertainty;
       parameters.output                       = defaults.output;
       reset_loss_factors(parameters);
+      if (parameters.wave.drive == Drive::amplitude)
+        parameters.wave.voltage = defaults.wave.voltage;
       for (const auto &effect : all_effects())
         if (effect->choice(parameters) == EffectChoice::off)
           effect->forget(parameters);
@@ -78,6 +87,7 @@ namespace ringmotor
     relevant.friction                = defaults.friction;
     relevant.time                    = defaults.time;
     relevant.initial_deformation     = defaults.initial_deformation;
+    forget_drive(relevant);
     // The condensed bodies include the lining, but do not depend on the friction law.
     relevant.friction.lining_normal_stiffness     = friction.lining_normal_stiffness;
     relevant.friction.lining_tangential_stiffness = friction.lining_tangential_stiffness;
@@ -101,6 +111,7 @@ namespace ringmotor
     relevant.contact               = defaults.contact;
     relevant.time                  = defaults.time;
     relevant.accuracy              = defaults.accuracy;
+    forget_drive(relevant);
     for (const auto &effect : all_effects())
       if (effect->stage != EffectStage::stator)
         relevant.effects.*effect->entry = defaults.effects.*effect->entry;

@@ -126,7 +126,7 @@ namespace ringmotor
     file.set_attribute("/", "angular_frequency_rad_per_s", motor.angular_frequency);
     file.set_attribute("/", "n_points", static_cast<unsigned int>(points.size()));
     file.set_attribute("/", "parameters", text_of(relevant_for_points(parameters)));
-    file.set_attribute("/", "wave", wave.fingerprint);
+    file.set_attribute("/", "wave", wave.identity());
     std::vector<double> radius, angle, area, free_motion;
     for (const CondensedMotor::Node &node : motor.nodes)
     {
@@ -160,9 +160,11 @@ namespace ringmotor
     if (!other.empty())
       throw UserError(path + " belongs to other parameters: " + other +
                       "; run the program contact with these parameters first");
-    if (file.attribute<std::string>("/", "wave") != wave.fingerprint)
-      throw UserError(path + " belongs to another wave of the stator than the present one; "
-                             "run the program contact again");
+    if (file.attribute<std::string>("/", "wave") != wave.identity())
+      throw UserError(
+          path +
+          " belongs to another wave of the stator, or another drive of it, than the present one; "
+          "run the program contact again");
     std::vector<CurvePoint> points;
     for (unsigned int p = 0; p < file.attribute<unsigned int>("/", "n_points"); ++p)
       points.push_back(read_point(file, group_of(p)));

@@ -38,10 +38,10 @@ namespace ringmotor
       return text(1e-6 * bytes, 1) + " MB";
     }
 
-    std::string key_of(const std::string &what, const Parameters &relevant, const StatorWave &wave,
+    std::string key_of(const std::string &what, const Parameters &relevant, const std::string &wave,
                        const unsigned int level)
     {
-      return what + " by " + this_build() + "wave " + wave.fingerprint + "\ninterface mesh " +
+      return what + " by " + this_build() + "wave " + wave + "\ninterface mesh " +
              std::to_string(level) + "\n" + text_of(relevant);
     }
   } // namespace
@@ -49,13 +49,14 @@ namespace ringmotor
   std::string condensation_key(const Parameters &parameters, const StatorWave &wave,
                                const unsigned int level)
   {
-    return key_of("condensed motor", relevant_for_condensation(parameters), wave, level);
+    return key_of("condensed motor", relevant_for_condensation(parameters), wave.fingerprint,
+                  level);
   }
 
   std::string points_key(const Parameters &parameters, const StatorWave &wave,
                          const unsigned int level)
   {
-    return key_of("operating point", relevant_for_points(parameters), wave, level);
+    return key_of("operating point", relevant_for_points(parameters), wave.identity(), level);
   }
 
   /** Points found on one motor, as files. */
@@ -179,7 +180,7 @@ namespace ringmotor
                             (setting.tells_window ? "with its window\n" : "");
     Points memory(points_folder, key, counts);
     return find_points(parameters, motor, setting, requests, communicator, after_point, &memory,
-                       starts);
+                       starts, wave.drive);
   }
 
   void ContactKeep::report()

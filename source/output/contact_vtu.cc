@@ -167,7 +167,8 @@ namespace ringmotor
   {
     std::vector<PointSample> last;
     for (const CurvePoint &point : points)
-      last.push_back({point.fields, static_cast<unsigned int>(point.fields.times.size() - 1)});
+      last.push_back({point.fields, static_cast<unsigned int>(point.fields.times.size() - 1),
+                      point.result.amplitude});
     const bool has_inertia                          = motor.has_rotor_modes();
     const std::vector<RingBody::Displacement> rotor = has_inertia
                                                           ? std::vector<RingBody::Displacement>()

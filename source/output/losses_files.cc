@@ -97,7 +97,7 @@ namespace ringmotor
 
   void add_losses(Summary &summary, const std::vector<PointLosses> &points, const double seconds)
   {
-    double worst_imbalance = 0., worst_electrical = 0., outside = 0.;
+    double worst_imbalance = 0., worst_electrical = 0., outside = 0., mismatch = 0.;
     for (const PointLosses &losses : points)
     {
       Summary::Labels labels;
@@ -111,6 +111,7 @@ namespace ringmotor
                        with_causes(*losses.drive, losses.drive_by_cause, &DrivePoint::quantities),
                        seconds, labels);
         worst_electrical       = std::max(worst_electrical, losses.drive->imbalance);
+        mismatch               = std::max(mismatch, losses.drive->voltage_mismatch);
         const double from_plug = losses.drive->electrical_efficiency.value;
         outside                = std::max({outside, -from_plug, from_plug - 1.});
       }
@@ -126,7 +127,12 @@ namespace ringmotor
          "target"});
     summary.certificate.push_back({"efficiency outside 0 to 1", outside, 0.});
     if (points.front().drive)
+    {
       summary.certificate.push_back({"electrical input against output and all losses, relative",
                                      worst_electrical, OperatingPoint::largest_imbalance});
+      summary.certificate.push_back(
+          {"voltage that the amplitude found needs against the given one, relative", mismatch,
+           AmplitudeSearch::largest_excess});
+    }
   }
 } // namespace ringmotor

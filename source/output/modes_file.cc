@@ -6,6 +6,7 @@
 #include <ringmotor/output/stator_files.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/parameters/fingerprint.h>
+#include <ringmotor/parameters/short_text.h>
 
 #include <deal.II/base/polynomial.h>
 
@@ -183,12 +184,41 @@ namespace ringmotor
     }
   } // namespace
 
+  namespace
+  {
+    /** @throws UserError if the ceramic had no potential */
+    VoltageDrive read_voltage_drive(const std::string &path, const Parameters &parameters)
+    {
+      const std::optional<DrivenWave> driven = read_driven_wave(path, parameters);
+      if (!driven)
+        throw UserError(path + " has no circuits of the phases, which Wave/Drive = voltage needs, "
+                               "as Effects/Piezoelectric coupling = auto was off; set it to on and "
+                               "run the program stator again");
+      if (driven->standing_part > DrivenWave::negligible)
+        throw UserError(
+            "Electrodes/Distance of phases = " + short_text(parameters.electrodes.phase_distance) +
+            ": voltages a quarter of a period apart then drive a wave that is partly standing (" +
+            short_text(100. * driven->standing_part) +
+            " %), which Wave/Drive = voltage does not compute; allowed: a distance of a quarter of "
+            "a wavelength, as 0.25 or 0.75, or Wave/Drive = amplitude");
+      CurvePoint at_rest; // with the wave alone
+      at_rest.result.amplitude = driven->amplitude;
+      const LossBudget losses  = loss_budget(at_rest, read_wave_energies(path, parameters),
+                                             parameters.materials, parameters.support);
+      VoltageDrive drive =
+          voltage_drive(*driven, losses, driven->amplitude, *parameters.wave.voltage);
+      drive.rotor_loss_factor = parameters.materials.rotor_metal.loss_factor;
+      return drive;
+    }
+  } // namespace
+
   StatorWave read_stator_wave(const std::string &path, const Parameters &parameters)
   {
     const ModesFile file(path, parameters);
     StatorWave wave;
     wave.n_waves           = file.attribute<unsigned int>("/wave", "nodal_diameter");
     wave.angular_frequency = file.attribute<double>("/wave", "angular_frequency_rad_per_s");
+    wave.amplitude         = file.attribute<double>("/wave", "amplitude_m");
     const auto foot = trace_of(file, "tooth_foot"), top = trace_of(file, "tooth_top");
     wave.relative_error = file.attribute<double>("/wave", "relative_error");
     wave.strain_energy  = shape_number(file, "strain_energy").value;
@@ -198,6 +228,8 @@ namespace ringmotor
     wave.top         = motion_of(top);
     wave.fingerprint = fingerprint(foot->bytes() + top->bytes() + to_bytes(wave.n_waves) +
                                    to_bytes(wave.angular_frequency));
+    if (parameters.wave.drive == Drive::voltage)
+      wave.drive = read_voltage_drive(path, parameters);
     return wave;
   }
 
@@ -209,6 +241,7 @@ namespace ringmotor
                    total = shape_number(file, "strain_energy");
     WaveEnergies energies;
     energies.angular_frequency = file.attribute<double>("/wave", "angular_frequency_rad_per_s");
+    energies.amplitude         = file.attribute<double>("/wave", "amplitude_m");
     energies.metal             = {base.value + tooth.value, base.error + tooth.error};
     energies.piezoceramic      = shape_number(file, "strain_energy_piezoceramic");
     energies.felt.value =
@@ -243,8 +276,13 @@ namespace ringmotor
       wave.force_factor[PhaseHarmonics::index(phase)]         = number("force_factor_N_per_V");
       wave.parallel_capacitance[PhaseHarmonics::index(phase)] = number("C0_F");
     }
+    wave.standing_part = ElectrodeLayout(parameters.electrodes, parameters.motor, parameters.stator)
+                             .standing_part(parameters.motor.n_waves);
     wave.dielectric_loss_factor    = parameters.piezoelectricity.dielectric_loss_factor;
     wave.piezoelectric_loss_factor = parameters.piezoelectricity.piezoelectric_loss_factor;
+    wave.frequency                 = parameters.wave.frequency;
+    if (parameters.wave.drive == Drive::voltage)
+      wave.voltage = parameters.wave.voltage;
     return wave;
   }
 

@@ -107,6 +107,26 @@ namespace ringmotor
       check_amplitude(parameters.wave, stator);
     }
 
+    /** A voltage makes a wave if the ceramic has a potential, and if the wave is steady. */
+    void check_drive(const Parameters &parameters)
+    {
+      if (parameters.wave.drive != Drive::voltage)
+        return;
+      const std::string given = "Wave/Drive = voltage ";
+      if (!parameters.wave.voltage)
+        throw UserError(given + "needs Wave/Voltage, found none; give it in V, zero to peak");
+      if (parameters.effects.piezoelectric_coupling == EffectChoice::off)
+        throw UserError(given + "needs Effects/Piezoelectric coupling = on, found off, with which "
+                                "electrodes exert no forces; allowed: on, auto, or Wave/Drive = "
+                                "amplitude");
+      if (is_marched(parameters))
+        throw UserError(given +
+                        "needs a steady state, but this motor is marched in time "
+                        "(Time/Scheme = marching, or a warped ring), in which the amplitude "
+                        "takes hundreds of periods to settle; allowed: Time/Scheme = steady "
+                        "without Effects/Initial deformation, or Wave/Drive = amplitude");
+    }
+
     /** The wave must be among the modes that the program stator computes. */
     void check_modes_for_contact(const Parameters &parameters)
     {
@@ -199,8 +219,12 @@ namespace ringmotor
     check_friction(parameters.friction);
     check_springs(parameters);
     check_time(parameters);
+    check_drive(parameters);
     check_history(parameters);
     std::vector<std::string> warnings;
+    if (parameters.wave.drive == Drive::amplitude && parameters.wave.voltage)
+      warnings.push_back(entry("Wave/Voltage", *parameters.wave.voltage) +
+                         " has no effect with Wave/Drive = amplitude");
     if (parameters.friction.dynamic_coefficient > parameters.friction.static_coefficient &&
         parameters.friction.law != FrictionLaw::coulomb)
       warnings.push_back("Friction/Dynamic coefficient is above Friction/Static coefficient: "

@@ -86,13 +86,22 @@ namespace ringmotor
 
   void Wave::declare(ParameterHandler &prm)
   {
+    add_entry(prm, "Drive", drive,
+              selection<Drive>({{"amplitude", Drive::amplitude}, {"voltage", Drive::voltage}}),
+              "What is given of the wave: its amplitude, or the voltage of both phases, from which "
+              "the amplitude at each operating point follows.");
     add_entry(prm, "Amplitude", amplitude, plausible(positive_number(), 1e-10, 1e-3),
-              "Normal amplitude of the wave at the outer edge of the tooth tops, zero to peak. "
+              "Normal amplitude of the wave at the outer edge of the tooth tops, zero to peak; "
+              "with Drive = voltage that from which the wave grows or decays until forces balance. "
               "Units: m.",
               Presence::required);
+    add_entry(prm, "Voltage", voltage, number_or("none", plausible(positive_number(), 0.01, 1e4)),
+              "Voltage of each phase, zero to peak, for Drive = voltage; the phases are a quarter "
+              "of a period apart. Units: V.");
     add_entry(prm, "Frequency", frequency,
               number_or("mode", plausible(positive_number(), 1e3, 1e7)),
               "Frequency at which the motor is driven; \"mode\" selects the computed frequency of "
-              "the driving mode. Units: Hz.");
+              "the driving mode and, with Drive = voltage, a drive that follows the resonance. "
+              "Units: Hz.");
   }
 } // namespace ringmotor

@@ -81,9 +81,8 @@ namespace ringmotor
                            budgets_by_cause(point, wave, parameters.materials, parameters.support)};
         if (driven)
         {
-          const auto &frequency = parameters.wave.frequency;
-          losses.drive          = drive_point(point, losses.budget, *driven, frequency);
-          losses.drive_by_cause = drives_by_cause(point, losses.by_cause, *driven, frequency);
+          losses.drive          = drive_point(point, losses.budget, *driven);
+          losses.drive_by_cause = drives_by_cause(point, losses.by_cause, *driven);
         }
         points.push_back(std::move(losses));
       }
@@ -91,23 +90,20 @@ namespace ringmotor
 
     std::optional<DrivenWave> LossesProgram::driven_wave(const std::string &path)
     {
-      constexpr double largest = 0.02; // part of a standing wave in the travelling one
-      auto driven              = read_driven_wave(path, parameters);
+      auto driven = read_driven_wave(path, parameters);
       if (!driven)
         return {};
-      const double standing =
-          ElectrodeLayout(parameters.electrodes, parameters.motor, parameters.stator)
-              .standing_part(parameters.motor.n_waves);
-      if (standing > largest)
+      if (driven->standing_part > DrivenWave::negligible)
       {
         log.line(
             "warning: with Electrodes/Distance of phases = " +
             text(parameters.electrodes.phase_distance, 3) +
             " voltages a quarter of a period apart do not drive a travelling wave, but one with " +
-            text(100. * standing, 0) + " % of a standing one: no voltages are computed");
+            text(100. * driven->standing_part, 0) +
+            " % of a standing one: no voltages are computed");
         return {};
       }
-      if (difference_of_phases(*driven) > largest)
+      if (difference_of_phases(*driven) > DrivenWave::negligible)
         log.line("warning: the force factors of the phases differ by " +
                  text(100. * difference_of_phases(*driven), 1) +
                  " %, so that equal voltages drive a wave that is partly standing; voltages are "

@@ -28,10 +28,11 @@ namespace ringmotor
   {
     const ContactSetting common = common_setting(parameters, period);
     const CondensedMotor &motor = motor_of(common).motor;
-    crest_speed                 = motor.crest_speed();
+
     borne_torque = parameters.friction.dynamic_coefficient * parameters.loading.preload *
                    motor.nodes.front().radius;
-    stalled = points_of(common, motor, {{Control::speed, 0.}}).front();
+    stalled     = points_of(common, motor, {{Control::speed, 0.}}).front();
+    crest_speed = motor.crest_speed() * (stalled.result.amplitude / motor.amplitude);
     find_requests();
     all = contact_settings(parameters, {period, motor.constants.normal});
   }
@@ -57,7 +58,7 @@ namespace ringmotor
   {
     std::ostringstream text;
     text.precision(std::numeric_limits<double>::max_digits10);
-    text << "wave " << wave.fingerprint << "\n"
+    text << "wave " << wave.identity() << "\n"
          << setting.knob << " " << setting.value << "\n"
          << setting.text();
     for (const PointRequest &request : requests)
@@ -99,9 +100,9 @@ namespace ringmotor
                                                   const CondensedMotor &motor,
                                                   const std::vector<PointRequest> &wanted) const
   {
-    return find_points(setting.parameters, motor,
-                       steps_of(setting.parameters, period, setting.n_steps), wanted, MPI_COMM_SELF,
-                       [](const CurvePoint &) {});
+    return find_points(
+        setting.parameters, motor, steps_of(setting.parameters, period, setting.n_steps), wanted,
+        MPI_COMM_SELF, [](const CurvePoint &) {}, nullptr, {}, wave.drive);
   }
 
   StudyRow ContactStudy::compute(const ContactSetting &setting)

@@ -75,7 +75,8 @@ namespace ringmotor
 
     /** What the harmonics of the wave beyond those of a level of RotorVibration change, see
      * effects.md; less where damping limits their resonances. */
-    PointError least_modes_error(const CurvePoint &point, const CondensedMotor &motor)
+    PointError least_modes_error(const CurvePoint &point, const CondensedMotor &motor,
+                                 const double crest_speed)
     {
       constexpr std::array<double, RotorVibration::finest_level + 1> of_speed{
           {1e-2, 1e-2, 8e-3, 4e-3}},
@@ -83,7 +84,7 @@ namespace ringmotor
       constexpr double with_loss_factor = 1e-3;
       const double sharpness =
           with_loss_factor / std::max(with_loss_factor, motor.dynamics.loss_factor);
-      return shares(point, motor.crest_speed(), sharpness * of_speed[motor.modes_level],
+      return shares(point, crest_speed, sharpness * of_speed[motor.modes_level],
                     sharpness * of_loss[motor.modes_level]);
     }
 
@@ -114,7 +115,7 @@ namespace ringmotor
       expected *= margin / ratio;
       raise(error, expected);
     }
-    raise(error, least_mesh_error(reached_level, point, motor().crest_speed()));
+    raise(error, least_mesh_error(reached_level, point, crest_speed()));
     return error;
   }
 
@@ -150,7 +151,7 @@ namespace ringmotor
       errors.modes = change(point_of(plain, request), point_of(coarse_modes(), request));
       errors.modes *= of_change;
       if (motor().has_rotor_modes() && !motor().dynamics.is_hysteretic)
-        raise(errors.modes, least_modes_error(point, motor()));
+        raise(errors.modes, least_modes_error(point, motor(), crest_speed()));
     }
     if (has_inertia)
     {
@@ -160,11 +161,17 @@ namespace ringmotor
           share_of_change(motor().dynamics.scheme) * std::pow(plain.n_steps() / own.n_steps(), 2);
     }
     errors.wave = change(point_of(plain, request), point_of(changed_wave(), request));
+    if (is_driven())
+      errors.drive = change(point_of(plain, request), point_of(other_drive(), request));
     // What a window given by the user misses does not depend on the steps.
     errors.window  = parameters.time.n_steps ? point_of(plain, request).window : point.window;
     errors.effects = left_out.of(point);
-    errors.algebra = change(CurvePoint(), point); // its values
-    errors.algebra *= point.largest_violation;
+    // Its values: linear, at most quadratic in the amplitude.
+    constexpr double of_amplitude = 2.;
+    errors.algebra                = change(CurvePoint(), point);
+    errors.algebra *= point.largest_violation + of_amplitude * point.unsettled;
+    if (!is_driven())
+      errors.algebra.amplitude = 0.; // it is given
     return errors;
   }
 
@@ -198,6 +205,13 @@ namespace ringmotor
     return setting;
   }
 
+  CurveSetting CurveSearch::other_drive() const
+  {
+    CurveSetting setting    = steps.plain(reached_level);
+    setting.has_drive_error = true;
+    return setting;
+  }
+
   std::vector<CurveSetting> CurveSearch::changed_motors() const
   {
     std::vector<CurveSetting> settings{changed_wave()};
@@ -205,6 +219,8 @@ namespace ringmotor
       settings.push_back(coarse_modes());
     if (has_inertia)
       settings.push_back(other_scheme());
+    if (is_driven())
+      settings.push_back(other_drive());
     return settings;
   }
 
@@ -225,7 +241,7 @@ namespace ringmotor
     switch (quantity)
     {
     case HeldQuantity::speed:
-      return std::max(largest, share_of_scales * motor().crest_speed());
+      return std::max(largest, share_of_scales * crest_speed());
     case HeldQuantity::torque:
       return std::max(std::abs(stall_torque), share_of_scales * borne_torque());
     case HeldQuantity::friction_loss:

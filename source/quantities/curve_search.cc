@@ -112,6 +112,23 @@ namespace ringmotor
     known.clear();
   }
 
+  void CurveSearch::require_accurate_drive() const
+  {
+    double worst = 0.;
+    for (const CurvePoint &point : points())
+      worst = std::max(worst, relative(point.errors.drive));
+    if (worst > parameters.accuracy.contact_target)
+      throw ComputationError(
+          "at the given voltage the errors of the circuits of the phases alone change the results "
+          "by " +
+          short_text(worst) +
+          ", Accuracy/Contact target = " + short_text(parameters.accuracy.contact_target) +
+          (parameters.wave.frequency ? "; close to the resonance the frequency must be known well"
+                                     : "") +
+          ": run the program stator with a smaller Accuracy/Target first, or choose a larger "
+          "Contact target");
+  }
+
   void CurveSearch::shorten_step(const unsigned int request, const unsigned int parts)
   {
     if (is_marched(parameters)) // fields at many times, from which nothing starts
@@ -121,7 +138,9 @@ namespace ringmotor
 
   void CurveSearch::refine()
   {
+    require_accurate_drive();
     bool shortened = false, needs_mesh = false, needs_modes = false;
+
     for (unsigned int i = 0; i < requests.size(); ++i)
     {
       const PointErrors &errors = results[i].errors;
@@ -231,12 +250,14 @@ namespace ringmotor
     }
     else if (needs_shape())
       outline = {point_of(setting, 1), stalled};
-    const double most = rotor_sticks() ? borne_torque() : stall_torque;
+    // At a given voltage the wave is weaker at stall than under some torques beyond it.
+    const double most = rotor_sticks() || is_driven() ? borne_torque() : stall_torque;
     if (parameters.loading.control == Control::torque)
       for (const double torque : parameters.loading.values)
         if (torque >= most)
           throw UserError("Loading/Values = " + short_text(torque) +
-                          " N m is beyond the stall of the motor, which is at " + short_text(most) +
+                          " N m is beyond the stall of the motor, which is at most at " +
+                          short_text(most) +
                           " N m; allowed: less than that, or Loading/Control = speed");
     requests =
         parameters.loading.values.empty() ? points_of_curve() : listed_points(parameters.loading);
@@ -263,6 +284,8 @@ namespace ringmotor
   {
     if (rotor_sticks())
       return rising_torques();
+    if (is_driven())
+      return falling_speeds();
     if (!needs_shape())
       return {{Control::torque, 0.}, {Control::speed, 0.}};
     known.clear();
@@ -283,6 +306,22 @@ namespace ringmotor
                : points_along_curve(shape, parameters.loading.n_curve_points);
   }
 
+  std::vector<PointRequest> CurveSearch::falling_speeds()
+  {
+    known.clear();
+    requests = {{Control::torque, 0.}};
+    recognise(outline);
+    const CurvePoint free = point_of(steps.plain(reached_level), 0);
+    // From its wave, the largest one, others decay.
+    outline                    = {free};
+    const unsigned int n_parts = parameters.loading.n_curve_points - 1;
+    std::vector<PointRequest> falling{free.request};
+    for (unsigned int i = 1; i < n_parts; ++i)
+      falling.push_back({Control::speed, free.result.speed * (n_parts - i) / n_parts});
+    falling.push_back({Control::speed, 0.});
+    return falling;
+  }
+
   std::vector<PointRequest> CurveSearch::rising_torques() const
   {
     const unsigned int n_parts = parameters.loading.n_curve_points - 1;
@@ -296,7 +335,7 @@ namespace ringmotor
   bool CurveSearch::stands_still(const CurvePoint &point) const
   {
     return std::abs(point.result.speed) <=
-           parameters.accuracy.contact_target * share_of_scales * motor().crest_speed();
+           parameters.accuracy.contact_target * share_of_scales * crest_speed();
   }
 
   void CurveSearch::find_held_torque()
@@ -323,6 +362,11 @@ namespace ringmotor
   {
     return parameters.friction.dynamic_coefficient * parameters.loading.preload *
            motor().nodes.front().radius;
+  }
+
+  double CurveSearch::crest_speed() const
+  {
+    return motor().crest_speed() * (stalled.result.amplitude / motor().amplitude);
   }
 
   bool CurveSearch::may_stand_still() const

@@ -30,6 +30,7 @@ namespace ringmotor
       return Quantity{name, unit, estimate.value, estimate.error};
     };
     return {quantity("drive_frequency", units::hertz, frequency),
+            quantity("amplitude", units::amplitude, amplitude),
             quantity("voltage", units::voltage, voltage),
             quantity("current", units::current, current),
             quantity("power_factor", units::one, power_factor),
@@ -38,62 +39,96 @@ namespace ringmotor
             quantity("electrical_efficiency", units::one, electrical_efficiency)};
   }
 
-  DrivePoint drive_point(const CurvePoint &point, const LossBudget &budget, const DrivenWave &wave,
-                         const std::optional<double> &frequency)
+  namespace
+  {
+    /** The losses (W) of the fields of a wave inside the ceramic, at an amplitude (m). */
+    Estimate loss_of_fields(const DrivenWave &wave, const double amplitude)
+    {
+      const double omega = 2. * numbers::PI * wave.frequency.value_or(wave.natural_frequency.value),
+                   ratio = amplitude / wave.amplitude,
+                   value = 2. * omega * ratio * ratio * wave.electric_energy.value *
+                           (wave.dielectric_loss_factor - 2. * wave.piezoelectric_loss_factor);
+      return {value, std::abs(value) * relative_error(wave.electric_energy)};
+    }
+  } // namespace
+
+  VoltageDrive voltage_drive(const DrivenWave &wave, const LossBudget &losses,
+                             const double amplitude, const double voltage)
+  {
+    const Estimate eta = mean(wave.force_factor), fields = loss_of_fields(wave, amplitude),
+                   stator = losses.stator();
+    VoltageDrive drive;
+    drive.voltage = voltage;
+    if (wave.frequency)
+      drive.frequency = 2. * numbers::PI * *wave.frequency;
+    drive.force_factor      = eta.value;
+    drive.modal_mass        = wave.modal_mass.value;
+    drive.natural_frequency = 2. * numbers::PI * wave.natural_frequency.value;
+    drive.internal_loss =
+        (stator.value + losses.support.value + fields.value) / (amplitude * amplitude);
+    drive.force_factor_error      = relative_error(eta);
+    drive.modal_mass_error        = relative_error(wave.modal_mass);
+    drive.natural_frequency_error = relative_error(wave.natural_frequency);
+    drive.internal_loss_error =
+        (stator.error + losses.support.error + fields.error) / (amplitude * amplitude);
+    return drive;
+  }
+
+  DrivePoint drive_point(const CurvePoint &point, const LossBudget &budget, const DrivenWave &wave)
   {
     const OperatingPoint &result = point.result;
     const Estimate eta = mean(wave.force_factor), c0 = mean(wave.parallel_capacitance);
-    const double a = wave.amplitude, m = wave.modal_mass.value,
+    const double a = budget.amplitude.value, amplitude_error = relative_error(budget.amplitude),
                  of_phases = relative_error(eta) + relative_error(wave.modal_mass);
     // The detuning is as uncertain as the friction loss, which comes from the same forces.
     const double detuning_error = std::abs(result.detuning) * relative_error(budget.friction);
     DrivePoint drive;
-    drive.frequency    = frequency ? Estimate{*frequency, 0.}
-                                   : Estimate{wave.natural_frequency.value * (1. + result.detuning),
-                                           wave.natural_frequency.error +
-                                               wave.natural_frequency.value * detuning_error};
+    drive.frequency    = wave.frequency
+                             ? Estimate{*wave.frequency, 0.}
+                             : Estimate{wave.natural_frequency.value * (1. + result.detuning),
+                                     wave.natural_frequency.error +
+                                         wave.natural_frequency.value * detuning_error};
+    drive.amplitude    = budget.amplitude;
     const double omega = 2. * numbers::PI * drive.frequency.value;
 
-    // What the contact takes, with the rotor's damping as the budget has it, and the stator's
-    // losses
-    const double of_fields = 2. * omega * wave.electric_energy.value *
-                             (wave.dielectric_loss_factor - 2. * wave.piezoelectric_loss_factor);
-    const double mechanical = result.input_power - result.modal_damping + budget.rotor.value +
-                              budget.stator().value + budget.support.value + of_fields;
-    const double power_error =
-        budget.input().error + relative_error(wave.electric_energy) * std::abs(of_fields);
-    // Force over displacement of one standing wave; a drive that follows the resonance feels no
-    // spring. Errors are bounds and add up.
-    const double omega_r_square = std::pow(2. * numbers::PI * wave.natural_frequency.value, 2),
-                 spring         = frequency
-                                      ? m * (omega_r_square * (1. + 2. * result.detuning) - omega * omega)
-                                      : 0.,
-                 damper         = mechanical / (omega * a * a);
-    const double spring_error =
-        frequency
-            ? 2. * m * omega_r_square * (relative_error(wave.natural_frequency) + detuning_error) +
-                  std::abs(spring) * relative_error(wave.modal_mass)
-            : 0.;
-    const Complex stiffness(spring, damper);
-    const double damper_error    = power_error / (omega * a * a),
+    // What the contact takes, with the rotor's damping as the budget has it
+    const Estimate of_fields = loss_of_fields(wave, a);
+    const double by_contact  = result.input_power - result.modal_damping + budget.rotor.value,
+                 power_error = budget.input().error + of_fields.error;
+    // Force over displacement of one standing wave. Errors are bounds and add up.
+    const VoltageDrive balance = voltage_drive(wave, budget, a, 1.);
+    const Complex stiffness    = balance.stiffness({a, omega, result.detuning, by_contact});
+    const double spring = std::abs(stiffness.real()), damper = std::abs(stiffness.imag()),
+                 spring_error    = wave.frequency
+                                       ? 2. * balance.modal_mass *
+                                              std::pow(balance.natural_frequency, 2) *
+                                              (balance.natural_frequency_error + detuning_error) +
+                                          spring * balance.modal_mass_error
+                                       : 0.,
+                 damper_error    = power_error / (omega * a * a) + 2. * amplitude_error * damper,
                  stiffness_error = spring_error + damper_error,
-                 angle_error = (std::abs(damper) * spring_error + std::abs(spring) * damper_error) /
-                               std::norm(stiffness);
+                 angle_error =
+                     (damper * spring_error + spring * damper_error) / std::norm(stiffness);
 
-    const double voltage = std::abs(stiffness) * a / eta.value;
-    drive.voltage        = {voltage, voltage * (stiffness_error / std::abs(stiffness) + of_phases)};
-    const Complex motional = eta.value * Complex(0., omega) * (eta.value * voltage / stiffness),
+    const double needed = std::abs(stiffness) * a / eta.value;
+    drive.voltage =
+        wave.voltage
+            ? Estimate{*wave.voltage, 0.}
+            : Estimate{needed, needed * (stiffness_error / std::abs(stiffness) + of_phases)};
+    drive.voltage_mismatch = std::abs(needed / drive.voltage.value - 1.);
+    const double voltage   = drive.voltage.value;
+    const Complex motional = eta.value * Complex(0., omega) * (eta.value * needed / stiffness),
                   parallel = Complex(0., omega) * c0.value *
                              Complex(1., -wave.dielectric_loss_factor) * voltage,
                   current = motional + parallel;
     const double current_error =
-        std::abs(motional) * (of_phases + angle_error) +
+        std::abs(motional) * (of_phases + angle_error + amplitude_error) +
         std::abs(parallel) * (relative_error(c0) + relative_error(drive.voltage));
     drive.current          = {std::abs(current), current_error};
     const double of_c0     = parallel.real() * voltage; // of both phases
-    drive.dielectric_loss  = {of_c0 + of_fields,
+    drive.dielectric_loss  = {of_c0 + of_fields.value,
                               of_c0 * (relative_error(c0) + 2. * relative_error(drive.voltage)) +
-                                  std::abs(of_fields) * relative_error(wave.electric_energy)};
+                                  of_fields.error};
     drive.electrical_input = {current.real() * voltage, power_error + drive.dielectric_loss.error};
     const double factor    = drive.electrical_input.value / (std::abs(current) * voltage);
     drive.power_factor     = {factor, std::abs(factor) * (relative_error(drive.electrical_input) +
@@ -112,13 +147,8 @@ namespace ringmotor
   std::vector<std::pair<std::string, DrivePoint>>
   drives_by_cause(const CurvePoint &point,
                   const std::vector<std::pair<std::string, LossBudget>> &budgets,
-                  const DrivenWave &wave, const std::optional<double> &frequency)
+                  const DrivenWave &wave)
   {
-    LossBudget known_budget = budgets.front().second;
-    for (Estimate LossBudget::*const part :
-         {&LossBudget::output, &LossBudget::friction, &LossBudget::stator_metal,
-          &LossBudget::piezoceramic, &LossBudget::rotor, &LossBudget::support})
-      (known_budget.*part).error = 0.;
     DrivenWave known_wave = wave;
     for (Estimate DrivenWave::*const part :
          {&DrivenWave::natural_frequency, &DrivenWave::modal_mass, &DrivenWave::electric_energy})
@@ -128,10 +158,10 @@ namespace ringmotor
       for (Estimate &of_phase : known_wave.*part)
         of_phase.error = 0.;
 
-    std::vector<std::pair<std::string, DrivePoint>> drives{
-        {"circuits of the phases", drive_point(point, known_budget, wave, frequency)}};
+    std::vector<std::pair<std::string, DrivePoint>> drives;
     for (const auto &[cause, budget] : budgets)
-      drives.emplace_back(cause, drive_point(point, budget, known_wave, frequency));
+      drives.emplace_back(
+          cause, drive_point(point, budget, cause == PointErrors::by_circuits ? wave : known_wave));
     return drives;
   }
 

@@ -34,16 +34,25 @@ namespace ringmotor
     {
       const OperatingPoint &result = point.result;
       const double twice_omega     = 2. * wave.angular_frequency;
+      // Energies are quadratic in the amplitude of the wave.
+      const auto lost = [&](const double loss_factor, const Estimate &energy)
+      {
+        const double ratio = result.amplitude / wave.amplitude;
+        Estimate loss      = scaled(twice_omega * loss_factor * ratio * ratio, energy);
+        loss.error += 2. * loss.value * error.amplitude / result.amplitude;
+        return loss;
+      };
       LossBudget budget;
+      budget.amplitude = {result.amplitude, error.amplitude};
+
       budget.output       = {result.output_power(), std::abs(result.torque) * error.speed +
                                                         std::abs(result.speed) * error.torque};
       budget.friction     = {result.friction_loss(), error.loss};
-      budget.stator_metal = scaled(twice_omega * materials.stator_metal.loss_factor, wave.metal);
-      budget.piezoceramic =
-          scaled(twice_omega * materials.piezoceramic.loss_factor, wave.piezoceramic);
+      budget.stator_metal = lost(materials.stator_metal.loss_factor, wave.metal);
+      budget.piezoceramic = lost(materials.piezoceramic.loss_factor, wave.piezoceramic);
       budget.rotor =
           scaled(materials.rotor_metal.loss_factor, {point.rotor_power, error.rotor_power});
-      budget.support = scaled(twice_omega * felt.felt_loss_factor, wave.felt);
+      budget.support = lost(felt.felt_loss_factor, wave.felt);
       return budget;
     }
 

@@ -154,7 +154,7 @@ namespace ringmotor
         [&](const double theta) { return std::polar(warp.amplitude, warp.n_waves * theta); });
 
     std::vector<RingBody::Displacement> displacements;
-    for (const auto &[fields, sample] : samples)
+    for (const auto &[fields, sample, amplitude] : samples)
     {
       displacements.push_back(tooth_ring.at_rest());
       std::vector<unsigned int> pressed;
@@ -163,7 +163,8 @@ namespace ringmotor
       {
         const double phase = wave.angular_frequency * fields.times[sample] -
                              2. * numbers::PI * wave.n_waves * tooth / n_teeth;
-        tooth_ring.add(tooth, std::polar(1., phase), free_motion, displacements.back());
+        tooth_ring.add(tooth, std::polar(amplitude / wave.amplitude, phase), free_motion,
+                       displacements.back());
         const double angle = 2. * numbers::PI * tooth / n_teeth;
         tooth_ring.add(tooth, std::polar(1., warp.n_waves * angle), lift, displacements.back());
 

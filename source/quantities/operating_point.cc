@@ -62,6 +62,7 @@ namespace ringmotor
         }
       }
       const CondensedMotor &motor = contact.condensed_motor();
+      point.amplitude             = motor.amplitude;
       point.teeth_in_contact      = static_cast<double>(touching.size()) * contact.n_repeats() /
                                (contact.n_times() * motor.n_waves);
       point.stick_fraction = pressed > 0. ? stuck / pressed : 0.;

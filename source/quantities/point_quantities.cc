@@ -27,6 +27,7 @@ namespace ringmotor
         {"modal_power", units::power, &Point::modal_power},
         {"closing_work", units::power, &Point::closing_work},
         {"detuning", units::one, &Point::detuning},
+        {"amplitude", units::amplitude, &Point::amplitude, &PointError::amplitude},
         {"rotor_power_per_loss_factor", units::power, &CurvePoint::rotor_power,
          &PointError::rotor_power}};
     return quantities;

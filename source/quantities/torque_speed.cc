@@ -43,7 +43,8 @@ namespace ringmotor
         {"averaging window", &PointErrors::window},
         {by_wave, &PointErrors::wave},
         {"effects left out", &PointErrors::effects},
-        {"algebra", &PointErrors::algebra}};
+        {"algebra", &PointErrors::algebra},
+        {by_circuits, &PointErrors::drive}};
     return members;
   }
 
@@ -88,11 +89,12 @@ namespace ringmotor
 
   OperatingPointFinder::OperatingPointFinder(const Parameters &all_parameters,
                                              const CondensedMotor &motor, PointMemory *memory,
-                                             const CurveSetting &setting)
+                                             const CurveSetting &setting,
+                                             const std::optional<VoltageDrive> &drive)
       : setting(setting), parameters(relevant_for_points(all_parameters)),
-        model(motor_model(parameters)), motor(motor),
-        steady(motor, model.friction, {parameters.time.n_snapshots, setting.n_joined}),
-        memory(memory)
+        model(motor_model(parameters)), motor(motor), drive(drive),
+        wave(motor, model, {parameters.time.n_snapshots, setting.n_joined}),
+        amplitude(motor.amplitude), memory(memory)
   {
   }
 
@@ -100,13 +102,19 @@ namespace ringmotor
                                    const CurvePoint *start_before)
   {
     const RotorLoad load = load_of(parameters.loading, request);
+    SteadyDriver &steady = wave.driver();
     // With inertia the neighbour on the curve is closer than the same point with other steps, but
     // not closer than that with a slightly different wave or modes.
     const bool neighbour_is_nearer =
         model.has_inertia() && steady.has_state() && !setting.has_changed_motor();
     if (start.fields.force.empty())
+    {
       steady.start_from_rest();
-    else if (!neighbour_is_nearer)
+      amplitude = motor.amplitude;
+      return;
+    }
+    amplitude = start.result.amplitude;
+    if (!neighbour_is_nearer)
       steady.go_on_from(load, solution_of(start), start.result.speed);
     else if (start_before)
       steady.go_on_by_change(load, solution_of(*start_before), start_before->result.speed,
@@ -120,8 +128,11 @@ namespace ringmotor
       if (std::optional<CurvePoint> known = memory->recall(request))
       {
         if (!is_marched(parameters))
-          steady.go_on_from(load_of(parameters.loading, request), solution_of(*known),
-                            known->result.speed);
+        {
+          wave.driver().go_on_from(load_of(parameters.loading, request), solution_of(*known),
+                                   known->result.speed);
+          amplitude = known->result.amplitude;
+        }
         return *known;
       }
     if (start && !is_marched(parameters))
@@ -140,8 +151,24 @@ namespace ringmotor
   CurvePoint OperatingPointFinder::find_steady(const PointRequest &request)
   {
     const RotorLoad load = load_of(parameters.loading, request);
-    const OperatingState state =
-        model.wave_feels_contact ? at_own_frequency(load) : steady.at(load);
+    wave.forget_frequency();
+    if (!drive)
+      return at_amplitude(load, motor.amplitude);
+    CurvePoint point;
+    const auto excess = [&](const double of_wave)
+    {
+      point = at_amplitude(load, of_wave);
+      return voltage_excess(point);
+    };
+    amplitude_search.find(amplitude, excess);
+    amplitude       = amplitude_search.amplitude();
+    point.unsettled = amplitude_search.uncertainty();
+    return point;
+  }
+
+  CurvePoint OperatingPointFinder::at_amplitude(const RotorLoad &load, const double of_wave)
+  {
+    const OperatingState state = wave.at(load, of_wave);
     CurvePoint point;
     point.result = evaluate(state);
     point.add_certificate(state.solution);
@@ -152,38 +179,15 @@ namespace ringmotor
     return point;
   }
 
-  OperatingState OperatingPointFinder::at_own_frequency(const RotorLoad &load)
+  double OperatingPointFinder::voltage_excess(const CurvePoint &point) const
   {
-    // The frequency at which the state found there has the detuning that this frequency requires:
-    // the root of excess(frequency). With inertia the state depends on the frequency, so that mere
-    // repetition converges slowly, beside a resonance not at all; the secant needs no slope.
-    constexpr unsigned int most_rounds = 20;
-    constexpr double settled           = 1e-8;
-    OperatingState state               = steady.at(load);
-    if (!detuned)
-      detuned = std::make_unique<CondensedMotor>(motor);
-    detuned->angular_frequency = motor.angular_frequency;
-    const auto excess          = [&]()
-    { return motor.angular_frequency * (1. + detuning(state)) - detuned->angular_frequency; };
-    double excess_before = excess(), step = excess_before;
-    const double longest = std::abs(step);
-    for (unsigned int round = 0; round < most_rounds; ++round)
-    {
-      detuned->angular_frequency += step;
-      SteadyDriver driver(*detuned, model.friction,
-                          {parameters.time.n_snapshots, setting.n_joined});
-      driver.go_on_from(load, state.solution, state.contact->speed(state.solution.state));
-      state                = driver.at(load);
-      const double remains = excess();
-      if (std::abs(remains) <= settled * detuned->angular_frequency)
-        return state;
-      const double change = remains - excess_before;
-      step = change == 0. ? remains : std::clamp(-step * remains / change, -longest, longest);
-      excess_before = remains;
-    }
-    throw ComputationError("the frequency of the wave with the rotor on the stator did not settle "
-                           "in " +
-                           std::to_string(most_rounds) + " iterations");
+    const OperatingPoint &result = point.result;
+    const double frequency =
+        drive->frequency.value_or(drive->natural_frequency * (1. + result.detuning));
+    return drive->excess(
+        {result.amplitude, frequency, result.detuning,
+         result.input_power - result.modal_damping + drive->rotor_loss_factor * point.rotor_power},
+        setting.has_drive_error);
   }
 
   std::vector<PointRequest> listed_points(const Loading &loading)
@@ -217,12 +221,13 @@ namespace ringmotor
                                       const std::vector<PointRequest> &requests,
                                       MPI_Comm communicator,
                                       const std::function<void(const CurvePoint &)> &after_point,
-                                      PointMemory *memory, const std::vector<CurvePoint> &starts)
+                                      PointMemory *memory, const std::vector<CurvePoint> &starts,
+                                      const std::optional<VoltageDrive> &drive)
   {
     const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator),
                        n_ranks = Utilities::MPI::n_mpi_processes(communicator);
     OperatingPointFinder finder(with_parts_of_a_step(parameters, setting.n_parts), motor, memory,
-                                setting);
+                                setting, drive);
     // Neighbours on the curve to the same rank: each is the best start for the next one.
     const auto first_of = [&](const unsigned int r) { return r * requests.size() / n_ranks; };
     std::vector<CurvePoint> mine;

@@ -191,8 +191,9 @@ TEST(LossQuantities, AreInTheirTableAndInTheSummary)
 {
   PointLosses losses{some_point(), {}, {}};
   losses.point.result.speed = 10.;
-  losses.budget   = {{0.5, 0.04}, {0.1, 0.02}, {0.2, 0.}, {0.03, 1e-3}, {0.04, 0.}, {0.05, 0.}};
-  losses.by_cause = {{"mesh", losses.budget}};
+  losses.budget             = {{2e-6, 0.},   {0.5, 0.04}, {0.1, 0.02}, {0.2, 0.},
+                               {0.03, 1e-3}, {0.04, 0.},  {0.05, 0.}};
+  losses.by_cause           = {{"mesh", losses.budget}};
   const Scratch scratch;
   write_losses(scratch.path("losses.csv"), {losses});
   write_efficiency(scratch.path("efficiency.csv"), {losses});

@@ -23,6 +23,8 @@ USUAL_LOSSES = settings("Effects/Piezoelectric coupling = on", "Output/VTU = fal
 COUPLED = USUAL_LOSSES + settings("Materials/Stator metal/Loss factor = 3e-3",
                                   "Materials/Piezoceramic/Loss factor = 7e-3")
 
+FIXED = ("Accuracy/Mode = fixed", "Accuracy/Interface refinement = 0", "Time/Snapshots = 8")
+
 
 def numbers(path):
     """Rows as dict; texts stay texts."""
@@ -133,6 +135,66 @@ class Volts(unittest.TestCase):
                 inertia = mass * (squares[0] - squares[1]) * 2e-6 / row["force_factor_N_per_V"]
                 self.assertAlmostEqual(drive["voltage_V"] / math.hypot(inertia, near["voltage_V"]), 1, delta=0.03)
                 self.assertLess(drive["power_factor"], near["power_factor"])
+
+    def test_amplitude_from_the_voltage(self):
+        """The voltage that an amplitude needs gives that amplitude, from whatever amplitude the search begins."""
+        for frequency in ("mode", 1.01 * self.circuit["A"]["short_circuit_frequency_Hz"]):
+            common = ("Loading/Values = 0.1", f"Wave/Frequency = {frequency}", *FIXED)
+            (given,), _ = self.drive_with(*common)
+            for amplitude in (1e-6, 3e-6):
+                (found,), _ = self.drive_with("Wave/Drive = voltage", f"Wave/Voltage = {given['voltage_V']:.15g}",
+                                              f"Wave/Amplitude = {amplitude}", *common)
+                for name in ("amplitude_um", "speed_rpm", "drive_frequency_Hz", "current_mA", "electrical_input_mW"):
+                    self.assertAlmostEqual(found[name] / given[name], 1, delta=1e-3, msg=name)
+                self.assertAlmostEqual(found["voltage_V"], given["voltage_V"], delta=1e-9)
+                self.assertEqual(found["voltage_error_V"], 0)
+                self.assertGreater(found["amplitude_error_um"], 0)
+                self.assertLess(found["amplitude_error_um"], 0.3 * found["amplitude_um"])
+
+    def test_curve_at_a_voltage(self):
+        """From no load to stall the wave becomes weaker, and the motor slower than at a given amplitude."""
+        rows, _ = self.drive_with("Wave/Drive = voltage", "Wave/Voltage = 40", "Loading/Values = curve",
+                                  "Loading/Number of curve points = 3", *FIXED)
+        for row, share in zip(rows, (1, 1 / 2, 0)):
+            self.assertAlmostEqual(row["speed_rpm"] / rows[0]["speed_rpm"], share, delta=0.01)
+        for before, after in zip(rows, rows[1:]):
+            self.assertLess(before["torque_mNm"], after["torque_mNm"])
+            self.assertGreater(before["amplitude_um"], after["amplitude_um"])
+        # The point in the middle asks for that voltage at its amplitude.
+        (same,), _ = self.drive_with(f"Wave/Amplitude = {1e-6 * rows[1]['amplitude_um']:.15g}", "Loading/Control = speed",
+                                     f"Loading/Values = {math.pi / 30 * rows[1]['speed_rpm']:.15g}", *FIXED)
+        self.assertAlmostEqual(same["voltage_V"] / 40, 1, delta=3e-3)
+
+    def test_mistakes_of_the_drive(self):
+        for entries, words in ((("Wave/Drive = voltage",), ("Wave/Voltage", "none")),
+                               (("Wave/Drive = voltage", "Wave/Voltage = 20", "Time/Scheme = marching"), ("steady",)),
+                               (("Wave/Drive = voltage", "Wave/Voltage = 1e6"), ("Wave/Voltage", "plausible"))):
+            done = run(CONTACT, QUICK, "--output", self.case, *COUPLED, *settings(*entries))
+            self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
+            for word in words:
+                self.assertIn(word, done.stderr)
+        driven = settings("Wave/Drive = voltage", "Wave/Voltage = 20")
+        done = run(CONTACT, QUICK, "--output", self.case, *driven)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("Effects/Piezoelectric coupling = on, found off", done.stderr)
+        with tempfile.TemporaryDirectory() as scratch:
+            options = COUPLED + driven + settings("Electrodes/Distance of phases = 0.5")
+            self.assertEqual(run(STATOR, QUICK, "--output", scratch, *options).returncode, 0)
+            done = run(CONTACT, QUICK, "--output", scratch, *options)
+            self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
+            self.assertIn("standing", done.stderr)
+
+    def test_losses_of_another_voltage_are_refused(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            options = COUPLED + settings("Wave/Drive = voltage", "Loading/Values = 0.1", *FIXED)
+            for program, voltage, status in ((STATOR, 40, 0), (CONTACT, 40, 0), (LOSSES, 40, 0), (LOSSES, 41, 1)):
+                done = run(program, QUICK, "--output", scratch, *options, *settings(f"Wave/Voltage = {voltage}"))
+                self.assertEqual(done.returncode, status, done.stderr)
+            self.assertIn("Wave/Voltage = 40 there, 41 here", done.stderr)
+            felt = settings("Wave/Voltage = 40", "Support/Felt loss factor = 0.2")  # changes the balance of the wave
+            done = run(LOSSES, QUICK, "--output", scratch, *options, *felt)
+            self.assertEqual(done.returncode, 1)
+            self.assertIn("another drive", done.stderr)
 
     def drive_with(self, *entries, options=COUPLED):
         """Rows of drive.csv, none if there is no such file, and the log of losses."""

@@ -40,6 +40,7 @@ namespace
     StatorWave wave;
     wave.n_waves           = 7;
     wave.angular_frequency = 2. * M_PI * 30e3;
+    wave.amplitude         = 2e-6;
     wave.foot = wave.top = [](const dealii::Point<3> &) {
       return std::array<std::complex<double>, 3>{{0., 1e-6, 1e-6}};
     };

@@ -31,6 +31,7 @@ namespace
       motor.n_teeth           = 90;
       motor.n_waves           = 7;
       motor.angular_frequency = 2. * dealii::numbers::PI / period;
+      motor.amplitude         = 2e-6;
       motor.nodes  = {{1., 0., 1., {}}, {2., 0., 1., {}}, {1., 0.1, 1., {}}, {2., 0.1, 1., {}}};
       motor.faces  = {{0, 1, 2, 3}};
       motor.degree = 1;
@@ -52,6 +53,7 @@ namespace
             of_torque ? exact + a * std::pow(0.25, setting.level) * (1. + point.result.torque) +
                             b * setting.n_joined / setting.n_parts
                       : request.value;
+        point.result.amplitude       = 2e-6;
         point.result.input_power     = 1.;
         point.result.output_work     = 0.5;
         point.result.tangential_loss = setting.n_parts < 4 ? 0.49 : 0.5;

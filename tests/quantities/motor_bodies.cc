@@ -49,8 +49,9 @@ namespace
     const ContactFields fields = OperatingPointFinder(parameters, motor).find(request).fields;
     const unsigned int last    = fields.times.size() - 1;
     const MotorBodies bodies(parameters, wave, discretisation, motor.degree);
-    const RingBody::Displacement rotor = bodies.rotor_motions({{fields, last}}).front(),
-                                 teeth = bodies.teeth_motions({{fields, last}}).front();
+    const RingBody::Displacement
+        rotor = bodies.rotor_motions({{fields, last, motor.amplitude}}).front(),
+        teeth = bodies.teeth_motions({{fields, last, motor.amplitude}}).front();
 
     const ToothBody tooth_body(parameters, discretisation);
     const RotorBody rotor_body(parameters, discretisation);

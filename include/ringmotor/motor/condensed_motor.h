@@ -4,6 +4,7 @@
 #include <ringmotor/contact/contact_solver.h>
 #include <ringmotor/motor/contact_bodies.h>
 #include <ringmotor/motor/ring_modes.h>
+#include <ringmotor/motor/voltage_drive.h>
 
 #include <boost/serialization/array.hpp>
 #include <boost/serialization/complex.hpp>
@@ -21,12 +22,18 @@ namespace ringmotor
   struct StatorWave
   {
     unsigned int n_waves     = 0;
-    double angular_frequency = 0.; ///< rad/s
-    double relative_error    = 0.; ///< of its surface speed
-    double strain_energy     = 0.; ///< J, of the whole ring; constant in time
-    WaveMotion foot;               ///< at the interface between base and tooth
-    WaveMotion top;                ///< of the tooth's top
-    std::string fingerprint;       ///< identifies these motions
+    double angular_frequency = 0.;     ///< rad/s
+    double amplitude         = 0.;     ///< m, normal, at the outer edge of the tooth tops
+    double relative_error    = 0.;     ///< of its surface speed
+    double strain_energy     = 0.;     ///< J, of the whole ring; constant in time
+    WaveMotion foot;                   ///< at the interface between base and tooth
+    WaveMotion top;                    ///< of the tooth's top
+    std::string fingerprint;           ///< identifies these motions
+    std::optional<VoltageDrive> drive; ///< if the voltage is given; the amplitude above is then
+                                       ///< that of these motions and of no operating point
+
+    /** Identifies the motions and their drive. */
+    std::string identity() const { return fingerprint + (drive ? ", " + drive->text() : ""); }
   };
 
   /** The data of a motor that contact needs: all elasticity condensed into one compliance. */
@@ -50,6 +57,7 @@ namespace ringmotor
 
     unsigned int n_teeth = 0, n_waves = 0;
     double angular_frequency = 0.; ///< rad/s
+    double amplitude         = 0.; ///< m, of the wave
     double wave_energy       = 0.; ///< J, strain energy of the stator's wave in the whole ring
     /** A motion of the rotor with one wave around the ring that meets almost no stiffness: a tilt
      * or, without bars, a shift. */
@@ -94,14 +102,15 @@ namespace ringmotor
 
     double period() const;
     double pitch() const;
+
     /** Speed (rad/s) of a rotor that follows the crests of the free wave where they are fastest. */
     double crest_speed() const;
 
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &n_teeth &n_waves &angular_frequency &wave_energy &nodes &near_rigid_modes &compliance
-          &folded;
+      archive &n_teeth &n_waves &angular_frequency &amplitude &wave_energy &nodes &near_rigid_modes
+          &compliance &folded;
       archive &constants.normal &constants.tangential &tooth_compliance &faces &degree &n_dofs;
       archive &rotor_mass &modes &coarse_modes &modes_level &dynamics;
     }

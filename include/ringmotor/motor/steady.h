@@ -48,6 +48,8 @@ namespace ringmotor
      * speeds (rad/s). */
     void go_on_by_change(const RotorLoad &load, const ContactSolution &from,
                          const double from_speed, const ContactSolution &to, const double to_speed);
+    /** Sets the same start as that of another driver, of the same motor with another wave. */
+    void go_on_as(const SteadyDriver &other) { next = other.next; }
     /** Forgets it. */
     void start_from_rest() { next.reset(); }
 

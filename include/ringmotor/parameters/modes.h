@@ -40,11 +40,23 @@ namespace ringmotor
     void declare(dealii::ParameterHandler &prm);
   };
 
+  /** What is given of the wave that drives the motor. */
+  enum class Drive
+  {
+    amplitude,
+    voltage
+  };
+
   /** The travelling wave that drives the motor. */
   struct Wave
   {
-    double amplitude = 2.e-6; ///< m, normal, at the outer edge of the tooth top, zero to peak
-    std::optional<double> frequency; ///< Hz; without a value the computed frequency of the mode
+    Drive drive      = Drive::amplitude;
+    double amplitude = 2.e-6; ///< m, normal, at the outer edge of the tooth top, zero to peak; if
+                              ///< the voltage is given, where the search for the amplitude begins
+    std::optional<double> voltage; ///< V, zero to peak, of each phase
+    std::optional<double>
+        frequency; ///< Hz; without a value the computed frequency of the mode or, if the voltage
+                   ///< is given, that of the resonance with the rotor on the stator
 
     /** Declares the entries; reading them changes the members. */
     void declare(dealii::ParameterHandler &prm);

@@ -148,6 +148,8 @@ namespace ringmotor
     /** Divides the step of a point into more parts. */
     void shorten_step(const unsigned int request, const unsigned int parts);
     void refine();
+    /** @throws ComputationError if the errors of the drive alone exceed the target */
+    void require_accurate_drive() const;
     /** Processor seconds of the points of a setting. */
     double point_seconds(const CurveSetting &setting);
     void find_requests(const unsigned int n_parts);
@@ -156,6 +158,9 @@ namespace ringmotor
     /** Where the whole curve is computed: along its shape on the first mesh, or at rising torques
      * if the rotor stands still under all of them, or without load. */
     std::vector<PointRequest> points_of_curve();
+    /** Speeds in even steps, from no load to stall: at a given voltage torques in between may be
+     * larger than at stall. */
+    std::vector<PointRequest> falling_speeds();
     /** Torques in even steps, from no load to the last point. */
     std::vector<PointRequest> rising_torques() const;
     /** Whether the rotor moves less than the target, relative to the wave's crests. */
@@ -165,12 +170,18 @@ namespace ringmotor
     CurveSetting changed_wave() const;
     CurveSetting coarse_modes() const;
     CurveSetting other_scheme() const;
+    CurveSetting other_drive() const;
     /** All of these that serve to estimate an error of this motor. */
     std::vector<CurveSetting> changed_motors() const;
     /** Loads a rotor that may stand still more and more, to see under which torques it does. */
     void find_held_torque();
     /** Whether so many points stick at rest that friction may balance any torque. */
     bool may_stand_still() const;
+    /** The speed (rad/s) of the crests of the wave of the stalled motor, see
+     * CondensedMotor::crest_speed(). */
+    double crest_speed() const;
+    /** Whether the amplitude of the wave follows from a voltage. */
+    bool is_driven() const { return parameters.wave.drive == Drive::voltage; }
     /** The torque (N m) that friction bears if all contact points slip the same way. */
     double borne_torque() const;
     /** That to which errors of a quantity are related: the fastest speed or, if larger, half that

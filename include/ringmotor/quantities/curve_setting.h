@@ -26,15 +26,19 @@ namespace ringmotor
     bool has_coarse_modes = false;
     /** Whether the time integration of inertia has another dissipation, to measure its effect. */
     bool has_other_scheme = false;
+    /** Whether a driven wave is the largest that the errors of its drive allow. */
+    bool has_drive_error = false;
+
     /** Whether a marched point must report the error of the averaging window of `Time`. Not
      * compared: a point that has it also serves where it is not needed. */
     bool tells_window = false;
 
     bool operator<(const CurveSetting &other) const
     {
-      return std::tie(level, n_parts, n_joined, wave_factor, has_coarse_modes, has_other_scheme) <
-             std::tie(other.level, other.n_parts, other.n_joined, other.wave_factor,
-                      other.has_coarse_modes, other.has_other_scheme);
+      return std::tie(level, n_parts, n_joined, wave_factor, has_coarse_modes, has_other_scheme,
+                      has_drive_error) < std::tie(other.level, other.n_parts, other.n_joined,
+                                                  other.wave_factor, other.has_coarse_modes,
+                                                  other.has_other_scheme, other.has_drive_error);
     }
 
     bool operator==(const CurveSetting &other) const
@@ -46,11 +50,11 @@ namespace ringmotor
      * one, or `Time/Time step`. */
     double n_steps() const { return n_parts / static_cast<double>(n_joined); }
 
-    /** Whether its motor differs from the requested one: by another wave, other modes or another
-     * scheme. */
+    /** Whether its motor differs from the requested one: by another wave, other modes, another
+     * scheme or another drive. */
     bool has_changed_motor() const
     {
-      return wave_factor != 1. || has_coarse_modes || has_other_scheme;
+      return wave_factor != 1. || has_coarse_modes || has_other_scheme || has_drive_error;
     }
 
     /** All of it in words, to distinguish settings: "interface mesh 1, step 1/2". */

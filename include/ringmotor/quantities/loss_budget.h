@@ -13,6 +13,7 @@ namespace ringmotor
   struct WaveEnergies
   {
     double angular_frequency = 0.; ///< rad/s
+    double amplitude         = 0.; ///< m, see StatorWave::amplitude
     Estimate metal, piezoceramic;
     Estimate felt; ///< of the felt under the ring, which follows the stator's lower side
   };
@@ -34,6 +35,7 @@ namespace ringmotor
    */
   struct LossBudget
   {
+    Estimate amplitude;                  ///< m, of the wave
     Estimate output;                     ///< torque times speed
     Estimate friction;                   ///< eq. (7) of the paper
     Estimate stator_metal, piezoceramic; ///< inside the stator

@@ -15,6 +15,7 @@ namespace ringmotor
   {
     const ContactFields &fields;
     unsigned int sample; ///< in fields.times
+    double amplitude;    ///< m, of the wave
   };
 
   /**

@@ -21,6 +21,7 @@ namespace ringmotor
     double gross_power   = 0.; ///< the input power, all of its parts taken positive
     double closing_work  = 0.; ///< of pressure on gaps closing or opening in a step; numerical
 
+    double amplitude = 0.; ///< m, of the wave, see StatorWave::amplitude
     /** The relative shift of the frequency of the stator's wave by the contact, see
      * ringmotor::detuning(). */
     double detuning = 0.;

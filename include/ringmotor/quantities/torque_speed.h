@@ -6,6 +6,7 @@
 #include <ringmotor/motor/warp.h>
 #include <ringmotor/quantities/contact_fields.h>
 #include <ringmotor/quantities/curve_setting.h>
+#include <ringmotor/quantities/loaded_wave.h>
 #include <ringmotor/quantities/operating_point.h>
 #include <ringmotor/quantities/rotor_energy.h>
 
@@ -37,8 +38,9 @@ namespace ringmotor
     double speed = 0., torque = 0., loss = 0.; ///< rad/s, N m, W
     double rotor_power    = 0.;                ///< W, see power_per_loss_factor()
     double stick_fraction = 0., teeth_in_contact = 0.;
+    double amplitude = 0.; ///< m, of the wave
 
-    static const std::array<double PointError::*, 6> members;
+    static const std::array<double PointError::*, 7> members;
 
     PointError &operator*=(const double factor)
     {
@@ -61,9 +63,9 @@ namespace ringmotor
     }
   };
 
-  inline constexpr std::array<double PointError::*, 6> PointError::members{
+  inline constexpr std::array<double PointError::*, 7> PointError::members{
       {&PointError::speed, &PointError::torque, &PointError::loss, &PointError::rotor_power,
-       &PointError::stick_fraction, &PointError::teeth_in_contact}};
+       &PointError::stick_fraction, &PointError::teeth_in_contact, &PointError::amplitude}};
 
   /** The error bars of an operating point by their causes. */
   struct PointErrors
@@ -77,7 +79,11 @@ namespace ringmotor
     PointError effects; ///< left out by `auto`
     PointError algebra; ///< residual of the laws of contact and friction
 
-    static constexpr const char *by_wave = "wave of the stator"; ///< name of that cause
+    PointError drive; ///< the numbers of VoltageDrive, from the circuits of the phases
+
+    /** Names of causes. */
+    static constexpr const char *by_wave     = "wave of the stator",
+                                *by_circuits = "circuits of the phases";
     /** All members with their names. */
     static const std::vector<std::pair<std::string, PointError PointErrors::*>> &members();
     /** Each of them with its name. */
@@ -105,7 +111,8 @@ namespace ringmotor
     PointError window;
     bool tells_window = false;
     PointErrors errors;
-    double largest_violation  = 0.; ///< of the laws of contact and friction, see ContactCertificate
+    double largest_violation = 0.; ///< of the laws of contact and friction, see ContactCertificate
+    double unsettled = 0.; ///< relative, of the amplitude of a driven wave, see AmplitudeSearch
     unsigned int n_iterations = 0;
     double seconds            = 0.;
     std::string remark; ///< what was tried if Newton's method alone did not suffice
@@ -118,8 +125,8 @@ namespace ringmotor
     void serialize(Archive &archive, const unsigned int)
     {
       archive &request.control &request.value &result &window &tells_window &errors;
-      archive &rotor_energies &rotor_power &largest_violation &n_iterations &seconds &remark
-          &fields;
+      archive &rotor_energies &rotor_power &largest_violation &unsettled &n_iterations &seconds
+          &remark &fields;
     }
   };
 
@@ -140,9 +147,11 @@ namespace ringmotor
   {
   public:
     /** @p motor and @p memory, which is optional, must outlive this object. @p parameters must
-     * match @p setting in the parts of a step, @p motor in all else. */
+     * match @p setting in the parts of a step, @p motor in all else. Without a @p drive the wave
+     * has the amplitude of the motor, else the one that the drive gives it. */
     OperatingPointFinder(const Parameters &parameters, const CondensedMotor &motor,
-                         PointMemory *memory = nullptr, const CurveSetting &setting = {});
+                         PointMemory *memory = nullptr, const CurveSetting &setting = {},
+                         const std::optional<VoltageDrive> &drive = {});
 
     /**
      * Looks in the memory first. The search for a steady state starts from that of @p start, of the
@@ -161,15 +170,20 @@ namespace ringmotor
     void begin(const PointRequest &request, const CurvePoint &start,
                const CurvePoint *start_before);
     CurvePoint find_steady(const PointRequest &request);
-    /** A steady state with the wave at the frequency to which the contact shifts it. */
-    OperatingState at_own_frequency(const RotorLoad &load);
+    /** The steady state with the wave at an amplitude (m). */
+    CurvePoint at_amplitude(const RotorLoad &load, const double of_wave);
+    /** See VoltageDrive::excess(). */
+    double voltage_excess(const CurvePoint &point) const;
 
     const CurveSetting setting;
     const Parameters parameters;
     const MotorModel model;
     const CondensedMotor &motor;
-    SteadyDriver steady;
-    std::unique_ptr<CondensedMotor> detuned; ///< the motor at that frequency
+    const std::optional<VoltageDrive> drive;
+    LoadedWave wave;
+    AmplitudeSearch amplitude_search; ///< of a driven wave
+    double amplitude;                 ///< m, at which it begins
+
     PointMemory *const memory;
   };
 
@@ -200,7 +214,8 @@ namespace ringmotor
   find_points(const Parameters &parameters, const CondensedMotor &motor,
               const CurveSetting &setting, const std::vector<PointRequest> &requests,
               MPI_Comm communicator, const std::function<void(const CurvePoint &)> &after_point,
-              PointMemory *memory = nullptr, const std::vector<CurvePoint> &starts = {});
+              PointMemory *memory = nullptr, const std::vector<CurvePoint> &starts = {},
+              const std::optional<VoltageDrive> &drive = {});
 
   /** The change of a point from one discretisation, or one wave, to another. Prescribed quantities
    * do not change. */

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <complex>
+#include <optional>
+#include <string>
+
+namespace ringmotor
+{
+  /** What the contact does to a wave that drives it, at some amplitude. */
+  struct WaveLoad
+  {
+    double amplitude; ///< m, at the outer edge of the tooth tops
+    double frequency; ///< rad/s, of the drive
+    double detuning;  ///< see ringmotor::detuning()
+    double power;     ///< W, taken from both standing waves, without the losses of the stator
+  };
+
+  /**
+   * The forces on each of the two standing waves of a travelling wave, driven by equal voltages of
+   * both phases a quarter of a period apart. In the steady state
+   *
+   *     eta V = |K| a,   K = m (omega_r^2 (1 + 2 delta) - omega^2) + i (P / (omega a^2) + h),
+   *
+   * with the amplitude a, the modal mass m, the force factor eta, the natural frequency omega_r at
+   * short circuit, the detuning delta and the power P of the contact, and h = D / omega, D a^2 the
+   * power lost in the stator and its felt. These are the two parts of the modal force of the
+   * contact in the balance m (q'' + omega_r^2 q) + damping + contact = eta V(t).
+   */
+  struct VoltageDrive
+  {
+    double voltage = 0.;             ///< V, zero to peak, of each phase
+    std::optional<double> frequency; ///< rad/s; none: the drive follows the resonance
+    double force_factor      = 0.;   ///< N/V, the mean of both phases
+    double modal_mass        = 0.;   ///< kg
+    double natural_frequency = 0.;   ///< rad/s, at short circuit and without rotor
+    double internal_loss     = 0.;   ///< W/m^2: D
+
+    double rotor_loss_factor = 0.; ///< of the damping that the rotor's power counts, see
+                                   ///< power_per_loss_factor()
+
+    /** Errors of these numbers, relative but for D (W/m^2). */
+    double force_factor_error = 0., modal_mass_error = 0., natural_frequency_error = 0.,
+           internal_loss_error = 0.;
+
+    /** K, in N/m. A drive that follows the resonance meets no spring. */
+    std::complex<double> stiffness(const WaveLoad &load) const;
+
+    /**
+     * The logarithm of the voltage that @p load needs over the given one: 0 in the steady state;
+     * where it is negative, the wave grows. So it does, at -1, if the rotor feeds more power into
+     * it than it loses.
+     * @param with_errors the given voltage is raised by as much as the errors of this drive may
+     * lower the one that is needed
+     */
+    double excess(const WaveLoad &load, const bool with_errors) const;
+
+    /** Identifies all of it. */
+    std::string text() const;
+  };
+} // namespace ringmotor

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/motor/motor_model.h>
+#include <ringmotor/motor/steady.h>
+
+#include <functional>
+#include <memory>
+
+namespace ringmotor
+{
+  /** Steady states of a motor with waves of any amplitude, at the frequency to which the contact
+   * shifts them if the model has it so. Each search starts from the last state. */
+  class LoadedWave
+  {
+  public:
+    /** @p motor must outlive this object and all its states. */
+    LoadedWave(const CondensedMotor &motor, const MotorModel &model, const SteadyStep &step);
+
+    /** To set the start of the next search. */
+    SteadyDriver &driver() { return *steady; }
+
+    /** Begins the next search at the frequency of the wave without contact. */
+    void forget_frequency() { frequency = motor.angular_frequency; }
+
+    /** The state under a load with the wave at an @p amplitude (m).
+     * @throws ComputationError if none is found */
+    OperatingState at(const RotorLoad &load, const double amplitude);
+
+  private:
+    /** The state at the present #frequency. */
+    OperatingState at_frequency(const RotorLoad &load, const double amplitude);
+
+    const CondensedMotor &motor;
+    const MotorModel model;
+    const SteadyStep step;
+    double frequency;                      ///< rad/s
+    std::unique_ptr<CondensedMotor> other; ///< the motor with another wave, if there was one
+    std::unique_ptr<SteadyDriver> steady;
+  };
+
+  /**
+   * Searches for the amplitude to which a driven wave grows or decays: where its excess vanishes,
+   * see VoltageDrive::excess(). As the search follows the sign of the excess, the balance that it
+   * finds is one in which the amplitude is stable.
+   */
+  class AmplitudeSearch
+  {
+  public:
+    /** What may remain where the forces of the contact jump from one state to a neighbouring one,
+     * as with static friction above dynamic friction. */
+    static constexpr double largest_excess = 1e-2;
+
+    /**
+     * @param excess of an amplitude (m); the last one for which it is called is the result
+     * @throws ComputationError if the amplitude does not settle between a hundredth and a hundred
+     * times @p start (m)
+     */
+    void find(const double start, const std::function<double(double)> &excess);
+
+    double amplitude() const { return found; } ///< m
+    /** How far it may be from the balance, relative: by a step of the search or, where the forces
+     * of the contact jump, by the width of the jump. */
+    double uncertainty() const { return unsettled; }
+
+  private:
+    double found = 0., unsettled = 0.;
+    /** That of the excess over the logarithm of the amplitude, from the last search; the force of
+     * a voltage over that of dampers and springs falls with the amplitude. */
+    double slope = 1.;
+  };
+} // namespace ringmotor

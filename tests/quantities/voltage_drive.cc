@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A wave driven by a voltage, with contacts made up so that its amplitudes follow by hand: that of
+// a linear oscillator in closed form; those of one whose spring changes with the square of the
+// amplitude from the roots of a cubic equation, chosen in advance by the formulas of Vieta.
+#include <ringmotor/motor/voltage_drive.h>
+#include <ringmotor/parameters/errors.h>
+#include <ringmotor/quantities/loaded_wave.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+using namespace ringmotor;
+
+namespace
+{
+  constexpr double natural = 2. * M_PI * 30e3;
+
+  VoltageDrive drive_of(const double voltage)
+  {
+    VoltageDrive drive;
+    drive.voltage           = voltage;
+    drive.force_factor      = 0.25;
+    drive.modal_mass        = 0.028;
+    drive.natural_frequency = natural;
+    drive.internal_loss     = 1e11; // W/m^2
+    return drive;
+  }
+
+  double amplitude_from(const double start, const VoltageDrive &drive,
+                        const std::function<WaveLoad(double amplitude)> &contact)
+  {
+    AmplitudeSearch search;
+    search.find(start, [&](const double a) { return drive.excess(contact(a), false); });
+    EXPECT_LT(search.uncertainty(), 1e-4);
+    return search.amplitude();
+  }
+} // namespace
+
+TEST(VoltageDrive, MovesALinearOscillatorAtResonance)
+{
+  const VoltageDrive drive = drive_of(20.);
+  const double constant    = 0.3; // W, as of a brake whose power does not depend on the amplitude
+  // 5 N = (0.3 W / a + 1e11 W/m^2 a) / omega has two roots; the larger one is stable.
+  const double force = 0.25 * 20. * natural;
+  const double exact = (force + std::sqrt(force * force - 4. * 1e11 * constant)) / (2. * 1e11);
+  for (const double start : {0.5, 0.9, 1., 1.5, 20.})
+    EXPECT_NEAR(amplitude_from(start * exact, drive,
+                               [&](const double a) {
+                                 return WaveLoad{a, natural, 0., constant};
+                               }) /
+                    exact,
+                1., 3e-5);
+}
+
+TEST(VoltageDrive, DecaysWhereTheBrakeIsTooStrong)
+{
+  const VoltageDrive drive = drive_of(20.);
+  EXPECT_THROW(amplitude_from(1e-6, drive,
+                              [&](const double a) {
+                                return WaveLoad{a, natural, 0., 1e6 * a};
+                              }),
+               ComputationError);
+}
+
+TEST(VoltageDrive, MovesALinearOscillatorBesideItsResonance)
+{
+  VoltageDrive drive  = drive_of(20.);
+  drive.frequency     = 1.01 * natural;
+  const double spring = 0.028 * natural * natural * (1. + 2. * 0.002 - 1.01 * 1.01),
+               damper = 1e11 / *drive.frequency, exact = 5. / std::hypot(spring, damper);
+  EXPECT_NEAR(amplitude_from(1e-6, drive,
+                             [&](const double a) {
+                               return WaveLoad{a, *drive.frequency, 0.002, 0.};
+                             }) /
+                  exact,
+              1., 3e-5);
+}
+
+TEST(VoltageDrive, HasTwoStableAmplitudesBesideASofteningResonance)
+{
+  // With x the square of the amplitude over (1 um)^2, (A + B x)^2 x + D^2 x = F^2 has the roots 1,
+  // 1.5 and 2, the middle one unstable, if
+  //   -2 A / B = 4.5, (A^2 + D^2) / B^2 = 6.5, F^2 / B^2 = 3.
+  const double d = 1e11 / (0.99 * natural), b = -d / std::sqrt(6.5 - 4.5 * 4.5 / 4.), a = -2.25 * b,
+               force = std::abs(b) * std::sqrt(3.) * 1e-6;
+  VoltageDrive drive = drive_of(force / 0.25);
+  drive.frequency    = 0.99 * natural;
+  // The mass for which the spring of the oscillator at rest is A at this frequency.
+  drive.modal_mass   = a / (natural * natural * (1. - 0.99 * 0.99));
+  const auto contact = [&](const double amplitude)
+  {
+    const double x = std::pow(amplitude / 1e-6, 2);
+    return WaveLoad{amplitude, *drive.frequency,
+                    b * x / (2. * drive.modal_mass * natural * natural), 0.};
+  };
+  const auto from = [&](const double x)
+  { return std::pow(amplitude_from(1e-6 * std::sqrt(x), drive, contact) / 1e-6, 2); };
+  EXPECT_NEAR(from(0.5), 1., 3e-4);
+  EXPECT_NEAR(from(1.45), 1., 3e-4);
+  EXPECT_NEAR(from(1.55), 2., 3e-4);
+  EXPECT_NEAR(from(2.5), 2., 3e-4);
+}
+
+TEST(VoltageDrive, GrowsWhereTheRotorFeedsIt)
+{
+  const VoltageDrive drive = drive_of(20.);
+  EXPECT_LT(drive.excess({1e-6, natural, 0., -0.2}, false), 0.);
+}
+
+TEST(VoltageDrive, KnowsTheAmplitudeAsWellAsItsNumbers)
+{
+  VoltageDrive drive        = drive_of(20.);
+  drive.force_factor_error  = 0.01;
+  drive.internal_loss_error = 0.02 * drive.internal_loss;
+  const auto free           = [](const double a) { return WaveLoad{a, natural, 0., 0.}; };
+  const double exact        = 5. * natural / 1e11;
+  AmplitudeSearch search;
+  search.find(exact, [&](const double a) { return drive.excess(free(a), true); });
+  EXPECT_NEAR(search.amplitude() / exact, 1.01 / 0.98, 1e-4);
+}
