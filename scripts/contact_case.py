@@ -18,6 +18,7 @@ class ContactCase(Results):
     parameters  "Section/Entry" -> text, from used.prm
     curve       list of dict, the rows of torque_speed.csv
     lip         list of dict, the rows of lip.csv; empty where inertia could not take part
+    response    list of dict, the rows of response.csv; empty without Wave/Response torques
     radius, angle  of the contact points of a tooth, in m and rad from the tooth's centre
     """
 
@@ -32,6 +33,9 @@ class ContactCase(Results):
         self.lip = []
         if os.path.exists(os.path.join(self.folder, "lip.csv")):
             self.load("lip.csv", self.read_lip)
+        self.response = []
+        if os.path.exists(os.path.join(self.folder, "response.csv")):
+            self.load("response.csv", self.read_response)
 
     def read_parameters(self, path):
         super().read_parameters(path)
@@ -45,6 +49,9 @@ class ContactCase(Results):
 
     def read_lip(self, path):
         self.lip = read_table(path)
+
+    def read_response(self, path):
+        self.response = read_table(path, texts=["state"])
 
     def read_contact_points(self, path):
         with h5py.File(path, "r") as file:

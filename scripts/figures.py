@@ -38,6 +38,7 @@ from curve_figures import draw_lip_amplification, draw_torque_speed
 from drawing import figures_folder, save_all
 from loss_figures import draw_drive, draw_efficiency, draw_energy, draw_losses
 from losses_case import read_case
+from response_figure import draw_response
 from stator_figures import draw_admittance, draw_dispersion, draw_electrodes, draw_elliptic_paths, draw_tooth_edge
 
 STATOR_FIGURES = {"elliptic_paths": draw_elliptic_paths, "tooth_edge": draw_tooth_edge, "dispersion": draw_dispersion,
@@ -47,7 +48,7 @@ NEED_CIRCUITS = (draw_electrodes, draw_admittance)
 CONTACT_FIGURES = {"contact_shape": draw_contact_shape, "normal_displacement": draw_normal_displacement,
                    "contact_forces": draw_contact_forces, "friction_history": draw_friction_history,
                    "warped_displacement": draw_warped_displacement, "torque_speed": draw_torque_speed,
-                   "lip_amplification": draw_lip_amplification}
+                   "lip_amplification": draw_lip_amplification, "frequency_response": draw_response}
 LOSSES_FIGURES = {"losses": draw_losses, "efficiency": draw_efficiency, "energy": draw_energy, "drive": draw_drive}
 
 
@@ -73,7 +74,8 @@ def figures_of_stator(case, folder):
 def figures_of_contact(case, others, folder):
     figures = {}
     for name, draw in CONTACT_FIGURES.items():
-        if draw is draw_warped_displacement and case.warp == 0 or draw is draw_lip_amplification and not case.lip:
+        needed = {draw_warped_displacement: case.warp, draw_lip_amplification: case.lip, draw_response: case.response}
+        if not needed.get(draw, True):
             remove_figure(folder, name)
         elif draw is draw_friction_history and not history_touches(case):
             remove_figure(folder, name)

@@ -106,15 +106,18 @@ def draw_energy(losses, contact):
 
 
 def draw_drive(losses, contact):
-    """What the phases need so that the wave keeps its amplitude, and the efficiency from the plug."""
+    """What the phases need so that the wave keeps its amplitude, or the amplitude that they give it, and the efficiency
+    from the plug."""
     figure = start_figure(losses, "drive of the phases against torque", (6.2, 5.0))
     upper, lower = figure.subplots(nrows=2, sharex=True)
     columns = loss_columns(losses, contact)
     columns["electrical_efficiency_percent"] = 100 * columns["electrical_efficiency"]
     columns["electrical_efficiency_error_percent"] = 100 * columns["electrical_efficiency_error"]
     current = upper.twinx()
+    is_driven = losses.parameters["Wave/Drive"] == "voltage"
+    found = ("amplitude_um", "amplitude_error_um") if is_driven else ("voltage_V", "voltage_error_V")
     for axes, key, error, color, marker, style in (
-            (upper, "voltage_V", "voltage_error_V", BLUE, "o", "-"),
+            (upper, *found, BLUE, "o", "-"),
             (current, "current_mA", "current_error_mA", ORANGE, "s", "--"),
             (lower, "electrical_efficiency_percent", "electrical_efficiency_error_percent", BLUE, "o", "-")):
         draw_steps(axes, columns, key, color, style, 1.4)
@@ -123,7 +126,7 @@ def draw_drive(losses, contact):
     finish_axes(upper)
     finish_axes(lower)
     current.spines["top"].set_visible(False)
-    upper.set_ylabel("voltage of a phase in V, peak", color=BLUE)
+    upper.set_ylabel("amplitude of the wave in um" if is_driven else "voltage of a phase in V, peak", color=BLUE)
     current.set_ylabel("current of a phase in mA, peak", color=ORANGE)
     lower.set(xlabel="torque in mN m", ylabel="efficiency from the plug in %")
     return figure

@@ -12,8 +12,9 @@ LOAD = ["torque_mNm", "speed_rpm"]
 NUMBERS = {"losses.csv": LOAD + [f"{name}{end}" for name in (*PARTS, "total_loss") for end in ("_mW", "_error_mW")],
            "efficiency.csv": LOAD + ["input_power_mW", "output_power_mW", "output_power_error_mW", "efficiency",
                                      "efficiency_error"],
-           "drive.csv": LOAD + [f"{name}{end}{unit}" for name, unit in (("voltage", "_V"), ("current", "_mA"),
-                                                                       ("power_factor", ""), ("electrical_efficiency", ""))
+           "drive.csv": LOAD + [f"{name}{end}{unit}" for name, unit in (("amplitude", "_um"), ("voltage", "_V"),
+                                                                       ("current", "_mA"), ("power_factor", ""),
+                                                                       ("electrical_efficiency", ""))
                                 for end in ("", "_error")]}
 
 

@@ -194,13 +194,14 @@ class Page:
 
     def drive(self):
         columns = [("torque", "mN m", torque), ("speed", "rpm", speed),
+                   ("amplitude", "um", lambda point: known(point["amplitude_um"], point["amplitude_error_um"])),
                    ("voltage", "V", lambda point: known(point["voltage_V"], point["voltage_error_V"])),
                    ("current", "mA", lambda point: known(point["current_mA"], point["current_error_mA"])),
                    ("power factor", "", lambda point: known(point["power_factor"], point["power_factor_error"])),
                    ("input", "mW", lambda point: power(point, "electrical_input")),
                    ("efficiency", "%", electrical_efficiency)]
-        notes = [*self.notes_of_more("losses/drive.csv"), "voltage and current of each phase, zero to peak, for this "
-                 "amplitude of the wave; input and efficiency from the plug"]
+        notes = [*self.notes_of_more("losses/drive.csv"), "amplitude of the wave, voltage and current of each phase, "
+                 "zero to peak; input and efficiency from the plug"]
         return self.table_of_points("What the phases need", columns, notes)
 
     def for_simulators(self):

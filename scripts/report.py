@@ -39,6 +39,7 @@ FIGURES = {
         "warped_displacement": "Normal displacement on the whole ring, which is warped at rest.",
         "contact_forces": "Forces of the teeth on the rotor.",
         "friction_history": "Friction at a contact node while a crest passes.",
+        "frequency_response": "Speed and amplitude against the frequency of the drive. Dotted: unstable.",
     },
     "losses": {
         "losses": "Power losses against torque.",
@@ -46,7 +47,8 @@ FIGURES = {
         "energy": "Power balance: output and losses, stacked. Pale where the speed breaks down.",
     },
     "drive": {
-        "drive": "Voltage and current that keep the amplitude of the wave, and efficiency from the plug.",
+        "drive": "Voltage that keeps the amplitude of the wave, or amplitude at the given voltage, current and "
+                 "efficiency from the plug.",
     },
 }
 

@@ -44,6 +44,7 @@ namespace ringmotor
       parameters.uncertainty                  = defaults.uncertainty;
       parameters.output                       = defaults.output;
       reset_loss_factors(parameters);
+      parameters.wave.response_torques.clear();
       if (parameters.wave.drive == Drive::amplitude)
         parameters.wave.voltage = defaults.wave.voltage;
       for (const auto &effect : all_effects())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/motor/voltage_drive.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -33,6 +34,25 @@ namespace ringmotor
                   internal_loss_error / load.frequency;
     }
     return std::log(std::abs(needed) / available);
+  }
+
+  std::array<double, 2> VoltageDrive::frequencies(const WaveLoad &load) const
+  {
+    const double available = force_factor * voltage / load.amplitude,
+                 damper    = stiffness(load).imag(),
+                 spring =
+                     std::sqrt(std::max(0., available * available - damper * damper)) / modal_mass,
+                 square = natural_frequency * natural_frequency * (1. + 2. * load.detuning);
+    return {{std::sqrt(square - spring), std::sqrt(square + spring)}};
+  }
+
+  std::complex<double> VoltageDrive::motional_admittance(const WaveLoad &load,
+                                                         const double at_frequency) const
+  {
+    const double square = natural_frequency * natural_frequency * (1. + 2. * load.detuning);
+    const std::complex<double> needed(modal_mass * (square - at_frequency * at_frequency),
+                                      stiffness(load).imag());
+    return std::complex<double>(0., at_frequency) * force_factor * force_factor / needed;
   }
 
   std::string VoltageDrive::text() const

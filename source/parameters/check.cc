@@ -222,9 +222,14 @@ namespace ringmotor
     check_drive(parameters);
     check_history(parameters);
     std::vector<std::string> warnings;
-    if (parameters.wave.drive == Drive::amplitude && parameters.wave.voltage)
-      warnings.push_back(entry("Wave/Voltage", *parameters.wave.voltage) +
-                         " has no effect with Wave/Drive = amplitude");
+    if (parameters.wave.drive == Drive::amplitude)
+    {
+      const std::string without = " has no effect with Wave/Drive = amplitude";
+      if (parameters.wave.voltage)
+        warnings.push_back(entry("Wave/Voltage", *parameters.wave.voltage) + without);
+      if (!parameters.wave.response_torques.empty())
+        warnings.push_back("Wave/Response torques" + without);
+    }
     if (parameters.friction.dynamic_coefficient > parameters.friction.static_coefficient &&
         parameters.friction.law != FrictionLaw::coulomb)
       warnings.push_back("Friction/Dynamic coefficient is above Friction/Static coefficient: "

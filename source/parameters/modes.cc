@@ -103,5 +103,8 @@ namespace ringmotor
               "Frequency at which the motor is driven; \"mode\" selects the computed frequency of "
               "the driving mode and, with Drive = voltage, a drive that follows the resonance. "
               "Units: Hz.");
+    add_entry(prm, "Response torques", response_torques, numbers_or("none", any_number()),
+              "Torques for which the response to the frequency at the given voltage is computed "
+              "besides, with Drive = voltage. Units: N m.");
   }
 } // namespace ringmotor

@@ -8,6 +8,7 @@
 #include <ringmotor/output/files.h>
 #include <ringmotor/output/log.h>
 #include <ringmotor/output/modes_file.h>
+#include <ringmotor/output/response_file.h>
 #include <ringmotor/output/text.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/programs/interruption.h>
@@ -57,6 +58,8 @@ namespace ringmotor
       void report();
       void report_static_friction();
       void report_effects();
+      /** Those for `Wave/Response torques`, by one rank alone. */
+      void find_responses();
       void warn_of_long_steps();
       void write_results();
       void write_fields();
@@ -77,6 +80,7 @@ namespace ringmotor
       std::optional<ContactKeep> keep; ///< of run()
       PriceForecast prices{log};
       CurveSearch search;
+      std::vector<FrequencyResponse> responses;
     };
 
     /** @throws UserError if steps are so long that the contact of a tooth can be missed */
@@ -144,6 +148,7 @@ namespace ringmotor
             "kept: continue with --resume");
       search.find();
       report();
+      find_responses();
       time_limit.reset();
       write_results();
       keep->report();
@@ -229,6 +234,19 @@ namespace ringmotor
                ", the finer mesh by " + change(effect.finer_mesh));
     }
 
+    void ContactProgram::find_responses()
+    {
+      if (!is_root_rank || !wave.drive)
+        return;
+      const auto scope = phases.measure("frequency response");
+      for (const double torque : parameters.wave.response_torques)
+      {
+        responses.push_back(frequency_response(parameters, *wave.drive, search.motor(),
+                                               search.compared_motor(), search.setting(), torque));
+        log.line(describe(responses.back()));
+      }
+    }
+
     void ContactProgram::report_effects()
     {
       add_cost_of_modes(search.motor(), effects.rows);
@@ -260,14 +278,17 @@ namespace ringmotor
         return;
       {
         const auto scope = phases.measure("output");
-        prepare_results(
-            folder, "(used|fixed)\\.prm|torque_speed\\.csv|lip\\.csv|history\\.csv|contact\\.h5|"
-                    "summary\\.json|(contact|motor)\\.pvd|(contact|rotor|teeth)_[0-9]+\\.vtu");
+        prepare_results(folder,
+                        "(used|fixed)\\.prm|torque_speed\\.csv|response\\.csv|lip\\.csv|history\\."
+                        "csv|contact\\.h5|"
+                        "summary\\.json|(contact|motor)\\.pvd|(contact|rotor|teeth)_[0-9]+\\.vtu");
         write_used_prm(folder + "used.prm", "contact", given);
         write_used_prm(folder + "fixed.prm", "contact", search.frozen());
         write_torque_speed(folder + "torque_speed.csv", search.points());
         write_history(folder + "history.csv", search.motor(), search.points(),
                       !is_marched(parameters), parameters.output.history_points);
+        if (!responses.empty())
+          write_responses(folder + "response.csv", responses);
         if (effects.lip)
           write_lip(folder + "lip.csv", *effects.lip, wave.angular_frequency);
         write_contact_h5(folder + "contact.h5", given, wave, search.motor(), search.points());

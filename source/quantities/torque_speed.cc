@@ -72,6 +72,14 @@ namespace ringmotor
       remark = solution.how;
   }
 
+  WaveLoad wave_load(const CurvePoint &point, const VoltageDrive &drive, const double frequency)
+  {
+    const OperatingPoint &result = point.result;
+    return {result.amplitude, frequency, result.detuning,
+            result.input_power - result.modal_damping +
+                drive.rotor_loss_factor * point.rotor_power};
+  }
+
   RotorLoad load_of(const Loading &loading, const PointRequest &request)
   {
     RotorLoad load{loading.preload, {}, request.value};
@@ -157,8 +165,10 @@ namespace ringmotor
     CurvePoint point;
     const auto excess = [&](const double of_wave)
     {
-      point = at_amplitude(load, of_wave);
-      return voltage_excess(point);
+      point            = at_amplitude(load, of_wave);
+      const double own = drive->natural_frequency * (1. + point.result.detuning);
+      return drive->excess(wave_load(point, *drive, drive->frequency.value_or(own)),
+                           setting.has_drive_error);
     };
     amplitude_search.find(amplitude, excess);
     amplitude       = amplitude_search.amplitude();
@@ -179,15 +189,10 @@ namespace ringmotor
     return point;
   }
 
-  double OperatingPointFinder::voltage_excess(const CurvePoint &point) const
+  CurvePoint OperatingPointFinder::find_at(const PointRequest &request, const double of_wave)
   {
-    const OperatingPoint &result = point.result;
-    const double frequency =
-        drive->frequency.value_or(drive->natural_frequency * (1. + result.detuning));
-    return drive->excess(
-        {result.amplitude, frequency, result.detuning,
-         result.input_power - result.modal_damping + drive->rotor_loss_factor * point.rotor_power},
-        setting.has_drive_error);
+    wave.forget_frequency();
+    return at_amplitude(load_of(parameters.loading, request), of_wave);
   }
 
   std::vector<PointRequest> listed_points(const Loading &loading)

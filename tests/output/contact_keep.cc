@@ -53,9 +53,10 @@ namespace
       "Piezoelectricity/Permittivity 11", "Piezoelectricity/Permittivity 33",
       "Piezoelectricity/Dielectric loss factor", "Piezoelectricity/Piezoelectric loss factor",
       "Electrodes/Arcs of phase A", "Electrodes/Arcs of phase B", "Electrodes/Distance of phases",
-      "Electrodes/Gap between arcs", "Friction/Lining normal stiffness",
-      "Friction/Lining tangential stiffness"};
-  const std::set<std::string> not_of_condensation{"Loading/Preload",
+      "Electrodes/Gap between arcs", "Wave/Voltage", "Wave/Response torques",
+      "Friction/Lining normal stiffness", "Friction/Lining tangential stiffness"};
+  const std::set<std::string> not_of_condensation{"Wave/Drive",
+                                                  "Loading/Preload",
                                                   "Friction/Law",
                                                   "Friction/Static coefficient",
                                                   "Friction/Dynamic coefficient",
@@ -112,6 +113,27 @@ TEST(ContactKeepKeys, HoldTheCeramicWhereItHasAPotential)
   EXPECT_NE(key("Piezoelectricity/Coupling 31 = -5"), reference);
   EXPECT_EQ(key("Piezoelectricity/Dielectric loss factor = 0.01"), reference);
   EXPECT_EQ(key("Electrodes/Arcs of phase A = 4"), reference);
+}
+
+TEST(ContactKeepKeys, HoldTheDriveOfADrivenWave)
+{
+  const std::vector<std::string> driven{"Effects/Piezoelectric coupling = on",
+                                        "Wave/Drive = voltage"};
+  StatorWave wave = some_wave();
+  wave.drive.emplace();
+  const auto parameters = [&](const std::string &voltage)
+  {
+    std::vector<std::string> all = driven;
+    all.push_back("Wave/Voltage = " + voltage);
+    return with(all);
+  };
+  const std::string reference    = points_key(parameters("20"), wave, 1),
+                    of_condensed = condensation_key(parameters("20"), wave, 1);
+  EXPECT_NE(points_key(parameters("21"), wave, 1), reference);
+  EXPECT_EQ(condensation_key(parameters("21"), wave, 1), of_condensed);
+  wave.drive->internal_loss = 1.;
+  EXPECT_NE(points_key(parameters("20"), wave, 1), reference);
+  EXPECT_EQ(condensation_key(parameters("20"), wave, 1), of_condensed);
 }
 
 TEST(ContactKeepKeys, HoldTheLiningWhereItTakesPart)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <array>
 #include <complex>
 #include <optional>
 #include <string>
@@ -54,6 +55,15 @@ namespace ringmotor
      * lower the one that is needed
      */
     double excess(const WaveLoad &load, const bool with_errors) const;
+
+    /** The frequencies (rad/s) below and above the resonance at which the voltage sustains the
+     * amplitude of @p load, with the same work of the contact in a period; that of the resonance if
+     * it needs more than the voltage. */
+    std::array<double, 2> frequencies(const WaveLoad &load) const;
+
+    /** The current of the motion over the voltage of a phase (S) at a frequency (rad/s), with the
+     * same work of the contact in a period: i omega eta^2 / K. */
+    std::complex<double> motional_admittance(const WaveLoad &load, const double at_frequency) const;
 
     /** Identifies all of it. */
     std::string text() const;

@@ -58,6 +58,8 @@ namespace ringmotor
         frequency; ///< Hz; without a value the computed frequency of the mode or, if the voltage
                    ///< is given, that of the resonance with the rotor on the stator
 
+    std::vector<double> response_torques; ///< N m; see FrequencyResponse
+
     /** Declares the entries; reading them changes the members. */
     void declare(dealii::ParameterHandler &prm);
   };

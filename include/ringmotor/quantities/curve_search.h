@@ -55,6 +55,13 @@ namespace ringmotor
     /** The final meshes of find(), their motor and its points with error bars. */
     unsigned int level() const { return reached_level; }
     const CondensedMotor &motor() const { return *motors.at(reached_level); }
+    /** The motor on the meshes with which those of motor() were compared. */
+    const CondensedMotor &compared_motor() const
+    {
+      return *motors.at(compared_with(reached_level));
+    }
+    /** The steps with which meshes were compared. */
+    CurveSetting setting() const { return steps.plain(reached_level); }
     const std::vector<CurvePoint> &points() const { return results; }
     /** Whether the wave does not turn the rotor: within the target it stands still under a quarter
      * of the torque that friction can bear. This is then the last point of a curve. */

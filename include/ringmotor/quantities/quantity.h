@@ -25,7 +25,8 @@ namespace ringmotor
     inline constexpr Unit power{"W", "mW", 1e-3};
     inline constexpr Unit voltage{"V", "V", 1.}, current{"A", "mA", 1e-3};
     inline constexpr Unit capacitance{"F", "nF", 1e-9}, motional_capacitance{"F", "pF", 1e-12},
-        inductance{"H", "H", 1.}, resistance{"ohm", "ohm", 1.}, force_factor{"N/V", "N/V", 1.};
+        inductance{"H", "H", 1.}, resistance{"ohm", "ohm", 1.}, conductance{"S", "S", 1.},
+        force_factor{"N/V", "N/V", 1.};
     inline constexpr Unit length{"m", "mm", 1e-3}, amplitude{"m", "um", 1e-6};
     inline constexpr Unit angle{"rad", "deg", dealii::numbers::PI / 180.};
     /** Of angles that are computed in degrees. */

@@ -165,6 +165,10 @@ namespace ringmotor
     CurvePoint find(const PointRequest &request, const CurvePoint *start = nullptr,
                     const CurvePoint *start_before = nullptr);
 
+    /** The steady state with a wave of a given amplitude (m), whatever drives it; starts from the
+     * previous point. @throws ComputationError if none is found */
+    CurvePoint find_at(const PointRequest &request, const double of_wave);
+
   private:
     /** Sets the start of a steady state. */
     void begin(const PointRequest &request, const CurvePoint &start,
@@ -172,8 +176,6 @@ namespace ringmotor
     CurvePoint find_steady(const PointRequest &request);
     /** The steady state with the wave at an amplitude (m). */
     CurvePoint at_amplitude(const RotorLoad &load, const double of_wave);
-    /** See VoltageDrive::excess(). */
-    double voltage_excess(const CurvePoint &point) const;
 
     const CurveSetting setting;
     const Parameters parameters;
@@ -186,6 +188,9 @@ namespace ringmotor
 
     PointMemory *const memory;
   };
+
+  /** What the contact at a point does to a wave that @p drive drives, at a frequency (rad/s). */
+  WaveLoad wave_load(const CurvePoint &point, const VoltageDrive &drive, const double frequency);
 
   /** The load on the rotor at a requested operating point. */
   RotorLoad load_of(const Loading &loading, const PointRequest &request);
