@@ -41,6 +41,14 @@ def finish_axes(axes):
     axes.set_axisbelow(True)
 
 
+def name_of(case):
+    """The motor with what is given of its wave."""
+    is_driven = case.parameters["Wave/Drive"] == "voltage"
+    given = (f"{float(case.parameters['Wave/Voltage']):g} V" if is_driven
+             else f"{1e6 * float(case.parameters['Wave/Amplitude']):g} um")
+    return case.motor.replace("$", r"\$") + ", " + given
+
+
 def draw_torque_speed(case, others=()):
     """Fig. 12 of the paper, and the friction loss below it."""
     cases = [case, *others]
@@ -49,7 +57,7 @@ def draw_torque_speed(case, others=()):
     for number, one in enumerate(cases):
         color, marker = CASE_STYLE[number % len(CASE_STYLE)]
         curve = sorted_columns(one.curve)
-        draw_points(upper, curve, "speed_rpm", "speed_error_rpm", color, marker, one.motor.replace("$", r"\$"))
+        draw_points(upper, curve, "speed_rpm", "speed_error_rpm", color, marker, name_of(one))
         draw_points(lower, curve, "friction_loss_mW", "friction_loss_error_mW", color, marker)
         draw_steps(upper, curve, "speed_rpm", color, "-", 1.4)
         for key, (_, style) in PARTS.items():

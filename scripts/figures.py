@@ -58,7 +58,7 @@ def remove_figure(folder, name):
         os.remove(path)
 
 
-def figures_of_stator(case, folder):
+def figures_of_stator(case, contact, folder):
     figures = {}
     for name, draw in STATOR_FIGURES.items():
         if draw in NEED_CIRCUITS and not case.circuits:
@@ -67,7 +67,7 @@ def figures_of_stator(case, folder):
             remove_figure(folder, name)
             print(f"figures: no {name}, as the motor's wave is not among the modes of this run")
         else:
-            figures[name] = functools.partial(draw, case)
+            figures[name] = functools.partial(draw, case, *([contact] if draw is draw_admittance else []))
     return figures
 
 
@@ -110,7 +110,7 @@ def main(arguments):
         print(f"figures: {reason}")
     others = [ContactCase(folder) for folder in other_folders]
     with figures_folder(case_folder) as folder:
-        figures = figures_of_stator(case, folder)
+        figures = figures_of_stator(case, contact, folder)
         if contact:
             figures.update(figures_of_contact(contact, others, folder))
         else:

@@ -2,8 +2,10 @@
 """Figures of the stator: elliptic paths, motion of the tooth's edge, natural frequencies."""
 import numpy as np
 from case import with_error
+from curve_figures import CASE_STYLE
 from drawing import BLUE, GREEN, GREY, KILO, METAL, MICRO, ORANGE, PURPLE, nice_factor, plt, start_figure
 from matplotlib.ticker import MaxNLocator
+from response_figure import responses_of
 
 FAMILY_STYLE = {
     "out-of-plane": (BLUE, "o", "-"),
@@ -331,10 +333,29 @@ def draw_electrodes(case):
     return figure
 
 
-def draw_admittance(case):
-    """Magnitude and phase for each electrical phase around the resonance."""
-    figure = start_figure(case, f"admittance without rotor, {wave_text(case)}",
-                          (6.4, 4.8))
+def draw_with_rotor(magnitude, angle, case, contact):
+    """The stable states of a driven motor with its rotor: that of the motion, and that of C0 in parallel."""
+    for number, (torque, columns) in enumerate(responses_of(contact)):
+        color, marker = CASE_STYLE[(number + 2) % len(CASE_STYLE)]
+        parallel = 2e-9 * np.pi * columns["frequency_Hz"] * case.circuits["A"]["C0_nF"]
+        admittance = columns["motional_conductance_S"] + 1j * (columns["motional_susceptance_S"] + parallel)
+        error = np.hypot(columns["motional_conductance_error_S"], columns["motional_susceptance_error_S"])
+        stable = np.flatnonzero(columns["state"] == "stable")
+        label = f"with rotor, at {torque:.4g} mN m and {float(contact.parameters['Wave/Voltage']):g} V"
+        for run in np.split(stable, np.flatnonzero(np.diff(stable) > 1) + 1):
+            frequency = columns["frequency_kHz"][run]
+            magnitude.errorbar(frequency, 1e3 * abs(admittance[run]), 1e3 * error[run], color=color, marker=marker, ms=3,
+                               lw=1, elinewidth=0.8, label=label)
+            angle.plot(frequency, np.angle(admittance[run], deg=True), color=color, marker=marker, ms=3, lw=1)
+            label = None
+
+
+def draw_admittance(case, contact=None):
+    """Magnitude and phase for each electrical phase around the resonance, of the stator alone and, if its response is
+    known, with the rotor."""
+    with_rotor = contact is not None and contact.response
+    figure = start_figure(case, f"admittance {'with and ' if with_rotor else ''}without rotor, {wave_text(case)}",
+                          (6.4, 5.4 if with_rotor else 4.8))
     upper, lower = figure.subplots(nrows=2, sharex=True, height_ratios=(2, 1))
     frequency = np.array(case.admittance["frequency_Hz"]) / KILO
     for phase, color, style in (("A", BLUE, "-"), ("B", ORANGE, "--")):
@@ -346,6 +367,8 @@ def draw_admittance(case):
                              f"$C_0$ = {circuit['C0_nF']:.3g} nF, $L_m$ = {circuit['Lm_H']:.3g} H, "
                              f"$C_m$ = {circuit['Cm_pF']:.3g} pF, $R_m$ = {circuit['Rm_ohm']:.3g} Ω")
         lower.plot(frequency, np.angle(admittance, deg=True), color=color, ls=style, lw=1.6)
+    if with_rotor:
+        draw_with_rotor(upper, lower, case, contact)
     for axes in (upper, lower):
         for name, side in (("short", "right"), ("open", "left")):
             place = case.circuits["A"][f"{name}_circuit_frequency_Hz"] / KILO

@@ -54,9 +54,12 @@ namespace ringmotor
     /** `12.31 +- 0.22 V and ...` */
     std::string describe(const DrivePoint &drive)
     {
-      return text(drive.voltage, units::voltage, 2) + " per phase at " +
-             text(1e-3 * drive.frequency.value, 3) + " kHz, electrical efficiency " +
-             text(drive.electrical_efficiency, units::percent, 2);
+      const std::string driven = drive.voltage.error > 0.
+                                     ? text(drive.voltage, units::voltage, 2)
+                                     : text(drive.amplitude, units::amplitude, 3) + " by " +
+                                           text(drive.voltage.value, 2) + " V";
+      return driven + " per phase at " + text(1e-3 * drive.frequency.value, 3) +
+             " kHz, electrical efficiency " + text(drive.electrical_efficiency, units::percent, 2);
     }
   } // namespace
 

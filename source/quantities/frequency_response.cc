@@ -94,9 +94,8 @@ namespace ringmotor
         for (unsigned int i = 0; i < finders.size(); ++i)
         {
           const CurvePoint point = finders[i]->find_at(request, amplitude);
-          const double of_wave = wave_frequency * (feels_contact ? 1. + point.result.detuning : 1.);
-          const WaveLoad load  = wave_load(point, drive, of_wave);
-          found[i]             = both_sides(drive, point.result.speed, load);
+          const WaveLoad load    = load_at(point);
+          found[i]               = both_sides(drive, point.result.speed, load);
           if (i == 0)
             errors = errors_of_drive(drive, point.result.speed, load);
         }
@@ -116,7 +115,29 @@ namespace ringmotor
         return points;
       }
 
+      /** The amplitude that the drive sustains at the resonance; the search begins at @p start. */
+      double at_resonance(const PointRequest &request, const double start)
+      {
+        VoltageDrive following = drive;
+        following.frequency.reset();
+        AmplitudeSearch search;
+        search.find(start,
+                    [&](const double amplitude)
+                    {
+                      const CurvePoint point = finders[0]->find_at(request, amplitude);
+                      return following.excess(load_at(point), false);
+                    });
+        return search.amplitude();
+      }
+
     private:
+      /** At the frequency of the state. */
+      WaveLoad load_at(const CurvePoint &point) const
+      {
+        return wave_load(point, drive,
+                         wave_frequency * (feels_contact ? 1. + point.result.detuning : 1.));
+      }
+
       static std::unique_ptr<OperatingPointFinder>
       finder(const Parameters &parameters, const CondensedMotor &motor, const CurveSetting &setting)
       {
@@ -152,15 +173,10 @@ namespace ringmotor
                                        const CurveSetting &setting, const double torque)
   {
     const PointRequest request{Control::torque, torque};
-    VoltageDrive at_resonance = drive;
-    at_resonance.frequency.reset();
-    const double largest = OperatingPointFinder(with_parts_of_a_step(parameters, setting.n_parts),
-                                                fine, nullptr, setting, at_resonance)
-                               .find(request)
-                               .result.amplitude;
-
     FrequencyResponse response{torque, {}, {}};
     Estimator estimator(parameters, drive, fine, coarse, setting);
+    const double largest = estimator.at_resonance(request, fine.amplitude);
+
     std::vector<ResponsePoint> above;
     for (const double share : shares)
     {

@@ -165,6 +165,23 @@ class Volts(unittest.TestCase):
                                      f"Loading/Values = {math.pi / 30 * rows[1]['speed_rpm']:.15g}", *FIXED)
         self.assertAlmostEqual(same["voltage_V"] / 40, 1, delta=3e-3)
 
+    def test_response_to_the_frequency(self):
+        """Found by amplitude; at the frequency of a stable state the search by frequency finds the same state."""
+        common = ("Wave/Drive = voltage", "Wave/Voltage = 40", "Loading/Values = 0.1", *FIXED)
+        with tempfile.TemporaryDirectory() as scratch:
+            for program in (STATOR, CONTACT):
+                done = run(program, QUICK, "--output", scratch, *COUPLED,
+                           *settings("Wave/Response torques = 0.1", *common))
+                self.assertEqual(done.returncode, 0, done.stderr)
+            rows = numbers(pathlib.Path(scratch) / "contact" / "response.csv")
+            self.assertRegex(done.stdout, r"response to the frequency at 100.00 mN m: largest amplitude .* kHz")
+        peak = max(range(len(rows)), key=lambda i: rows[i]["amplitude_um"])
+        self.assertEqual([row["state"] for row in rows[peak + 1:]], ["stable"] * (len(rows) - peak - 1))
+        state = min(rows[peak:], key=lambda row: abs(row["amplitude_um"] / rows[peak]["amplitude_um"] - 0.7))
+        (found,), _ = self.drive_with(f"Wave/Frequency = {state['frequency_Hz']:.12g}", *common)
+        self.assertAlmostEqual(found["amplitude_um"] / state["amplitude_um"], 1, delta=0.01)
+        self.assertAlmostEqual(found["speed_rpm"], state["speed_rpm"], delta=state["speed_error_rpm"] + 0.5)
+
     def test_mistakes_of_the_drive(self):
         for entries, words in ((("Wave/Drive = voltage",), ("Wave/Voltage", "none")),
                                (("Wave/Drive = voltage", "Wave/Voltage = 20", "Time/Scheme = marching"), ("steady",)),

@@ -4,6 +4,7 @@
 // amplitude from the roots of a cubic equation, chosen in advance by the formulas of Vieta.
 #include <ringmotor/motor/voltage_drive.h>
 #include <ringmotor/parameters/errors.h>
+#include <ringmotor/quantities/frequency_response.h>
 #include <ringmotor/quantities/loaded_wave.h>
 
 #include <gtest/gtest.h>
@@ -119,4 +120,43 @@ TEST(VoltageDrive, KnowsTheAmplitudeAsWellAsItsNumbers)
   AmplitudeSearch search;
   search.find(exact, [&](const double a) { return drive.excess(free(a), true); });
   EXPECT_NEAR(search.amplitude() / exact, 1.01 / 0.98, 1e-4);
+}
+
+TEST(VoltageDrive, SustainsAnAmplitudeAtTwoFrequencies)
+{
+  VoltageDrive drive = drive_of(20.);
+  const WaveLoad load{2e-6, natural, 0.003, 0.1};
+  for (const double frequency : drive.frequencies(load))
+  {
+    drive.frequency = frequency;
+    // The same work in a period.
+    const WaveLoad there{load.amplitude, frequency, load.detuning,
+                         (0.1 + 1e11 * 4e-12) * frequency / natural - 1e11 * 4e-12};
+    EXPECT_NEAR(drive.excess(there, false), 0., 1e-12);
+    const std::complex<double> admittance = drive.motional_admittance(load, frequency);
+    // Current: the charge of the wave by time; power: that of both phases.
+    EXPECT_NEAR(std::abs(admittance) * 20., 0.25 * frequency * 2e-6, 1e-12);
+    EXPECT_NEAR(admittance.real() * 400. / (0.1 + 1e11 * 4e-12), frequency / natural, 1e-12);
+  }
+  // At its largest amplitude, one.
+  const double largest   = 5. * natural / 1e11;
+  const auto frequencies = drive.frequencies({largest, natural, 0., 0.});
+  EXPECT_NEAR(frequencies[0] / natural, 1., 1e-6);
+  EXPECT_NEAR(frequencies[1] / natural, 1., 1e-6);
+}
+
+TEST(FrequencyResponse, TellsWhereSweepsLoseAndRegainTheWave)
+{
+  FrequencyResponse response;
+  for (const auto &[frequency, is_stable] : std::vector<std::pair<double, bool>>{
+           {1., true}, {3., true}, {2.5, false}, {2., false}, {4., true}})
+    response.points.push_back({1e-6, {frequency, 0.}, {}, {}, {}, is_stable});
+  ASSERT_NE(response.regains(), nullptr);
+  EXPECT_EQ(response.regains()->frequency.value, 3.);
+  ASSERT_NE(response.loses(), nullptr);
+  EXPECT_EQ(response.loses()->frequency.value, 4.);
+  for (ResponsePoint &point : response.points)
+    point.is_stable = true;
+  EXPECT_EQ(response.regains(), nullptr);
+  EXPECT_EQ(response.loses(), nullptr);
 }
