@@ -92,6 +92,7 @@ namespace ringmotor
       : given(all_parameters), parameters(relevant_for_modes(all_parameters)),
         share_modes(request_for(parameters).nodal_diameters.size() > 1 ? ranks : MPI_COMM_SELF),
         share_mesh(share_modes == ranks ? MPI_COMM_SELF : ranks),
+
         motor_wave(parameters.motor.n_waves, parameters.wave)
   {
   }
@@ -173,15 +174,30 @@ namespace ringmotor
 
   void BodyModes::make_mesh(const BodyDiscretisation &discretisation)
   {
-    level                      = discretisation.level;
+    // Two ranks with parts of a mesh are no faster than one, but wait for each other; they have
+    // half of its memory each.
+    constexpr unsigned int few_cells = 500;
+    level                            = discretisation.level;
+    mesh                             = body_mesh(discretisation, MPI_COMM_SELF);
+    if (mesh.n_cells() > few_cells && share_mesh != MPI_COMM_SELF)
+      mesh = body_mesh(discretisation, share_mesh);
+  }
+
+  SectorMesh BodyModes::body_mesh(const BodyDiscretisation &discretisation, MPI_Comm ranks) const
+  {
     const unsigned int n_teeth = parameters.motor.n_teeth;
-    if (parameters.modes.body == Body::rotor)
-      mesh = make_rotor_sector(parameters.rotor, n_teeth, SectorForm::half,
-                               RotorGrading::level(level), share_mesh);
-    else if (parameters.modes.body == Body::tooth)
-      mesh = make_tooth(parameters.stator, n_teeth, SectorGrading::level(level), share_mesh);
-    else
-      mesh = stator_mesh(discretisation, motor_model(parameters), share_mesh);
+    switch (parameters.modes.body)
+    {
+    case Body::rotor:
+      return make_rotor_sector(parameters.rotor, n_teeth, SectorForm::half,
+                               RotorGrading::level(discretisation.level), ranks);
+    case Body::tooth:
+      return make_tooth(parameters.stator, n_teeth, SectorGrading::level(discretisation.level),
+                        ranks);
+    case Body::stator:
+      break;
+    }
+    return stator_mesh(discretisation, motor_model(parameters), ranks);
   }
 
   SectorMesh BodyModes::stator_mesh(const BodyDiscretisation &discretisation,
@@ -221,7 +237,7 @@ namespace ringmotor
     if (parameters.modes.body != Body::stator ||
         std::none_of(all.begin(), all.end(), has_to_choose))
       return;
-    SectorMesh bare   = stator_mesh({scout_degree, scout_level}, MotorModel(), share_mesh);
+    SectorMesh bare   = stator_mesh({scout_degree, scout_level}, MotorModel(), MPI_COMM_SELF);
     const auto search = new_search(MotorModel());
     search->compute(bare, scout_degree);
     choices_by(*search, parameters);

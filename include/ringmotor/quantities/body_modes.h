@@ -98,6 +98,7 @@ namespace ringmotor
      * Collective. */
     double shift_by_coupling(const MotorModel &coupled) const;
     void make_mesh(const BodyDiscretisation &discretisation);
+    SectorMesh body_mesh(const BodyDiscretisation &discretisation, MPI_Comm ranks) const;
     /** The stator with what @p model adds to it; @p ranks share its cells. */
     SectorMesh stator_mesh(const BodyDiscretisation &discretisation, const MotorModel &model,
                            MPI_Comm ranks) const;
@@ -113,7 +114,8 @@ namespace ringmotor
 
     const Parameters given;
     Parameters parameters;                  ///< those that the modes depend on
-    const MPI_Comm share_modes, share_mesh; ///< what the ranks share: one of the two, if any
+    const MPI_Comm share_modes, share_mesh; ///< what the ranks share: one of the two, if any; a
+                                            ///< mesh only if it is large
     SectorMesh mesh;
     std::unique_ptr<ModeSearch> mode_search; ///< once effects are chosen
     MotorWave motor_wave;
