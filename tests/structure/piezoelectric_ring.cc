@@ -187,6 +187,88 @@ TEST_P(PoleOfTheResponse, FollowsFromTheMode)
 INSTANTIATE_TEST_SUITE_P(PiezoelectricRing, PoleOfTheResponse,
                          ::testing::Values(SectorForm::half, SectorForm::whole));
 
+namespace
+{
+  /** PIC 255 as fitted by Parashar, DasGupta and Hagedorn (2013), poled along x: the radius in the
+   * middle of a sector. In narrow sectors the constants turn with it. */
+  Material radially_poled()
+  {
+    Piezoelectricity constants;
+    constants.c11                  = 110.8e9;
+    constants.c12                  = 63.26e9;
+    constants.c13                  = 68.96e9;
+    constants.c33                  = 110.8e9;
+    constants.c44                  = 19.09e9;
+    constants.coupling31           = -5.6;
+    constants.coupling33           = 12.8;
+    constants.coupling15           = 10.3;
+    constants.permittivity11       = 9.06e-9;
+    constants.permittivity33       = 10.28e-9;
+    const PiezoelectricLaw along_z = constants.law();
+    // x, y, z there are z, x, y here.
+    const std::array<unsigned int, 6> strain{{2, 0, 1, 5, 3, 4}};
+    const std::array<unsigned int, 3> axis{{2, 0, 1}};
+    Material material{60e9, 0.3, 7800., 0.};
+    material.law = along_z;
+    for (unsigned int i = 0; i < 6; ++i)
+      for (unsigned int j = 0; j < 6; ++j)
+        material.law->stiffness[i][j] = along_z.stiffness[strain[i]][strain[j]];
+    for (unsigned int a = 0; a < 3; ++a)
+    {
+      for (unsigned int j = 0; j < 6; ++j)
+        material.law->coupling[a][j] = along_z.coupling[axis[a]][strain[j]];
+      for (unsigned int b = 0; b < 3; ++b)
+        material.law->permittivity[a][b] = along_z.permittivity[axis[a]][axis[b]];
+    }
+    return material;
+  }
+
+  /** Natural frequencies (Hz) without waves around the ring, both faces short-circuited. */
+  std::vector<double> frequencies(const SectorMesh &mesh, const MaterialTable &materials,
+                                  const unsigned int n_modes)
+  {
+    const CyclicSector sector(mesh, materials, 4);
+    ModeSolver solver(sector);
+    std::vector<double> found;
+    for (const Mode &mode : solver.below(0, solver.shift_above(0, n_modes, 0.)))
+      found.push_back(std::sqrt(mode.eigenvalue) / (2. * PI));
+    return found;
+  }
+} // namespace
+
+// Two of the modes without waves that a voltage between the flat faces drives, as its field shears
+// the ceramic: measured by Parashar et al., and from commercial solid models there with the same
+// constants.
+TEST(PiezoelectricRing, RadiallyPoled)
+{
+  constexpr unsigned int n = 180;
+  const auto expect = [](const double found, const double solid_model, const double tolerance,
+                         const double measured)
+  {
+    EXPECT_NEAR(found, solid_model, tolerance * solid_model);
+    EXPECT_NEAR(found, measured, 0.07 * measured);
+  };
+  const SectorMesh free_ring =
+      rectangular_ring(0.005, std::vector<double>(4, 0.001875), 0.004, 2, n, SectorForm::half, 1);
+  const auto of_free = frequencies(free_ring, all_of(radially_poled()), 6); // two rigid
+  expect(of_free[2], 26191., 1e-4, 27919.);
+  expect(of_free[5], 132303., 1e-4, 131275.);
+
+  // Where the inner rim is fixed, a core that is too heavy and too stiff to move
+  const SectorMesh fixed_ring =
+      rectangular_ring(0.0015, {0.0005, 0.0001, 0.0003, 0.0008, 0.0018, 0.0025, 0.0025, 0.002},
+                       0.003, 4, n, SectorForm::half, 1);
+  for (const auto &cell : fixed_ring.triangulation->active_cell_iterators())
+    if (std::hypot(cell->center()[0], cell->center()[1]) < 0.002)
+      cell->set_material_id(ids::tooth);
+  MaterialTable materials = all_of(radially_poled());
+  materials[ids::tooth]   = {60e14, 0.3, 7800e5, 0.};
+  const auto of_fixed     = frequencies(fixed_ring, materials, 6);
+
+  expect(of_fixed[3], 12651., 4e-4, 12224.); // stresses at the rim are singular
+  expect(of_fixed[4], 55728., 4e-4, 54752.);
+}
+
 // Where the mesh is shared, modes and charges are the same.
 TEST(PiezoelectricRanks, SameCharges)
 {
