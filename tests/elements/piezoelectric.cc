@@ -105,6 +105,31 @@ TEST(Piezoelectric, UniformCube)
   EXPECT_NEAR(on_face[3], 15.1005e-4 + 6e-9 * 1e6, 1e-12);
 }
 
+// Of a thin ring of 0.1 to 0.6 m and 20 mm between its electrodes: free, and held sideways but free
+// across; from a cube of one cell, as its fields are uniform.
+TEST(Piezoelectric, CapacitancesOfAThinRing)
+{
+  Box cube({1, 1, 1}, Point<3>(1., 1., 1.), 1, ceramic(set_v, 7500.));
+  const double area_over_thickness = dealii::numbers::PI * (0.6 * 0.6 - 0.1 * 0.1) / 0.02;
+  for (const bool is_held : {false, true})
+  {
+    cube.constrain(
+        [&](const unsigned int c, const Point<3> &x) {
+          return c == 3 ? is_zero(x[2]) || is_zero(x[2] - 1.) : is_zero(x[c]) || (is_held && c < 2);
+        });
+    const Vector<double> state =
+        cube.solve(Vector<double>(cube.component.size()),
+                   [](const unsigned int c, const Point<3> &x) { return c == 3 ? x[2] : 0.; });
+    const Vector<double> reactions = cube.reactions(state);
+    double charge                  = 0.;
+    for (unsigned int i = 0; i < reactions.size(); ++i)
+      if (cube.component[i] == 3 && is_zero(cube.position[i][2] - 1.))
+        charge -= reactions[i];
+    const double expected = is_held ? 4.1617054e-7 : 5.8591936e-7;
+    EXPECT_NEAR(charge * area_over_thickness, expected, 1e-7 * expected);
+  }
+}
+
 TEST(Piezoelectric, ThicknessModes)
 {
   // The lowest frequencies with both faces at one potential and with the upper one insulated.
