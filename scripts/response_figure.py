@@ -19,7 +19,7 @@ def responses_of(contact):
 
 
 def draw_branches(axes, columns, key, color):
-    """Lines from point to point, dashed where one of both is unstable."""
+    """Lines from point to point, dotted where one of both is unstable."""
     stable = columns["state"] == "stable"
     for i, solid in enumerate(stable[1:] & stable[:-1]):
         axes.plot(columns["frequency_kHz"][i:i + 2], columns[key][i:i + 2], color=color, lw=1.4, ls="-" if solid else ":")

@@ -18,10 +18,9 @@ namespace ringmotor
 
   double VoltageDrive::excess(const WaveLoad &load, const bool with_errors) const
   {
-    const std::complex<double> needed = stiffness(load);
-    constexpr double grows            = -1.;
-    if (needed.imag() <= 0.)
-      return grows;
+    std::complex<double> needed = stiffness(load);
+    needed.imag(std::max(0., needed.imag())); // else the rotor feeds the wave
+    constexpr double grows = -1.;
 
     double available = force_factor * voltage / load.amplitude; // N/m
     if (with_errors)
@@ -33,7 +32,7 @@ namespace ringmotor
       available                 = available * (1. + force_factor_error) + spring_error +
                   internal_loss_error / load.frequency;
     }
-    return std::log(std::abs(needed) / available);
+    return std::max(grows, std::log(std::abs(needed) / available));
   }
 
   std::array<double, 2> VoltageDrive::frequencies(const WaveLoad &load) const

@@ -47,7 +47,8 @@ namespace ringmotor
       const PointQuantity &given = prescribed(point.request);
       std::vector<Quantity> found;
       for (Quantity &quantity : quantities_of(point))
-        if (quantity.name != given.name)
+        // The amplitude is prescribed, too, if it has no error.
+        if (quantity.name != given.name && !(quantity.name == "amplitude" && quantity.error == 0.))
         {
           quantity.name = name_in_summary(quantity.name, point.request);
           found.push_back(quantity);

@@ -208,6 +208,7 @@ namespace ringmotor
       VoltageDrive drive =
           voltage_drive(*driven, losses, driven->amplitude, *parameters.wave.voltage);
       drive.rotor_loss_factor = parameters.materials.rotor_metal.loss_factor;
+      drive.force_factor_error += 0.5 * difference_of_phases(*driven); // it is their mean
       return drive;
     }
   } // namespace

@@ -61,6 +61,8 @@ namespace ringmotor
       /** Those for `Wave/Response torques`, by one rank alone. */
       void find_responses();
       void warn_of_long_steps();
+      void warn_of_weak_waves();
+
       void write_results();
       void write_fields();
       Summary make_summary() const;
@@ -214,6 +216,7 @@ namespace ringmotor
           log.line("note: at " + text(1e3 * point.result.torque, 2) +
                    " mN m Newton's method did not converge directly: " + point.remark);
       report_static_friction();
+      warn_of_weak_waves();
       warn_of_long_steps();
       report_effects();
     }
@@ -255,6 +258,29 @@ namespace ringmotor
           log.line(describe(row));
     }
 
+    void ContactProgram::warn_of_weak_waves()
+    {
+      if (!wave.drive)
+        return;
+      double least = std::numeric_limits<double>::infinity(), largest = 0.;
+      for (const CurvePoint &point : search.points())
+      {
+        const OperatingPoint &result = point.result;
+        least                        = std::min(least, result.amplitude);
+        largest                      = std::max(largest, result.amplitude);
+        if (result.speed < 0. && result.torque > 0.)
+          log.line("warning: at " + text(1e3 * result.torque, 2) +
+                   " mN m the load turns the rotor backwards, as the wave of " +
+                   text(1e6 * result.amplitude, 3) + " um is too weak");
+      }
+      constexpr double far = 2.;
+      if (least * far < wave.amplitude || largest > far * wave.amplitude)
+        log.line("note: effects set to auto were chosen, and those left out estimated, with "
+                 "Wave/Amplitude = " +
+                 text(1e6 * wave.amplitude, 2) + " um; the wave has " + text(1e6 * least, 2) +
+                 " to " + text(1e6 * largest, 2) + " um");
+    }
+
     void ContactProgram::warn_of_long_steps()
     {
       const CondensedMotor &motor = search.motor();
@@ -287,7 +313,8 @@ namespace ringmotor
         write_torque_speed(folder + "torque_speed.csv", search.points());
         write_history(folder + "history.csv", search.motor(), search.points(),
                       !is_marched(parameters), parameters.output.history_points);
-        if (!responses.empty())
+        if (std::any_of(responses.begin(), responses.end(),
+                        [](const FrequencyResponse &response) { return !response.points.empty(); }))
           write_responses(folder + "response.csv", responses);
         if (effects.lip)
           write_lip(folder + "lip.csv", *effects.lip, wave.angular_frequency);

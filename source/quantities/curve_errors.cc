@@ -115,7 +115,7 @@ namespace ringmotor
       expected *= margin / ratio;
       raise(error, expected);
     }
-    raise(error, least_mesh_error(reached_level, point, crest_speed()));
+    raise(error, least_mesh_error(reached_level, point, crest_speed(point.result.amplitude)));
     return error;
   }
 
@@ -151,7 +151,7 @@ namespace ringmotor
       errors.modes = change(point_of(plain, request), point_of(coarse_modes(), request));
       errors.modes *= of_change;
       if (motor().has_rotor_modes() && !motor().dynamics.is_hysteretic)
-        raise(errors.modes, least_modes_error(point, motor(), crest_speed()));
+        raise(errors.modes, least_modes_error(point, motor(), crest_speed(point.result.amplitude)));
     }
     if (has_inertia)
     {
@@ -241,7 +241,7 @@ namespace ringmotor
     switch (quantity)
     {
     case HeldQuantity::speed:
-      return std::max(largest, share_of_scales * crest_speed());
+      return std::max(largest, share_of_scales * crest_speed(largest_amplitude));
     case HeldQuantity::torque:
       return std::max(std::abs(stall_torque), share_of_scales * borne_torque());
     case HeldQuantity::friction_loss:

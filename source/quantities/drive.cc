@@ -81,7 +81,8 @@ namespace ringmotor
     const double a = budget.amplitude.value, amplitude_error = relative_error(budget.amplitude),
                  of_phases = relative_error(eta) + relative_error(wave.modal_mass);
     // The detuning is as uncertain as the friction loss, which comes from the same forces.
-    const double detuning_error = std::abs(result.detuning) * relative_error(budget.friction);
+    const double detuning_error =
+        std::abs(result.detuning) * (relative_error(budget.friction) + amplitude_error);
     DrivePoint drive;
     drive.frequency    = wave.frequency
                              ? Estimate{*wave.frequency, 0.}
@@ -93,7 +94,7 @@ namespace ringmotor
 
     // What the contact takes, with the rotor's damping as the budget has it
     const Estimate of_fields = loss_of_fields(wave, a);
-    const double by_contact  = result.input_power - result.modal_damping + budget.rotor.value,
+    const double by_contact  = result.taken_from_wave(budget.rotor.value),
                  power_error = budget.input().error + of_fields.error;
     // Force over displacement of one standing wave. Errors are bounds and add up.
     const VoltageDrive balance = voltage_drive(wave, budget, a, 1.);

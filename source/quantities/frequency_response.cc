@@ -175,29 +175,27 @@ namespace ringmotor
     const PointRequest request{Control::torque, torque};
     FrequencyResponse response{torque, {}, {}};
     Estimator estimator(parameters, drive, fine, coarse, setting);
-    const double largest = estimator.at_resonance(request, fine.amplitude);
-
     std::vector<ResponsePoint> above;
-    for (const double share : shares)
+    try
     {
-      std::array<ResponsePoint, 2> sides{};
-      try
+      const double largest = estimator.at_resonance(request, fine.amplitude);
+      for (const double share : shares)
       {
-        sides = estimator.at(request, share * largest);
+        const std::array<ResponsePoint, 2> sides = estimator.at(request, share * largest);
+        if (sides[0].speed.value <= 0.)
+        {
+          response.end = "the load stops the rotor";
+          break;
+        }
+        response.points.push_back(sides[0]);
+        above.push_back(sides[1]);
       }
-      catch (const ComputationError &error)
-      {
-        response.end = error.what();
-        break;
-      }
-      if (sides[0].speed.value <= 0.)
-      {
-        response.end = "the load stops the rotor";
-        break;
-      }
-      response.points.push_back(sides[0]);
-      above.push_back(sides[1]);
     }
+    catch (const ComputationError &error)
+    {
+      response.end = error.what();
+    }
+
     std::reverse(response.points.begin(), response.points.end());
     response.points.insert(response.points.end(), above.begin(), above.end());
     for (std::size_t i = 0; i < response.points.size(); ++i)

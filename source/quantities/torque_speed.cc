@@ -76,8 +76,7 @@ namespace ringmotor
   {
     const OperatingPoint &result = point.result;
     return {result.amplitude, frequency, result.detuning,
-            result.input_power - result.modal_damping +
-                drive.rotor_loss_factor * point.rotor_power};
+            result.taken_from_wave(drive.rotor_loss_factor * point.rotor_power)};
   }
 
   RotorLoad load_of(const Loading &loading, const PointRequest &request)

@@ -35,12 +35,13 @@ namespace
     double counter = 1.;
     for (double OperatingPoint::*const member : OperatingPoint::members())
       point.result.*member = counter += 0.37;
-    point.rotor_power    = 1.1e-3;
-    point.rotor_energies = {1.};
-    point.errors.mesh    = {0.25, 0., 1e-3, 2e-5};
-    point.errors.time    = {0.5, 0., 2e-3, 3e-5};
-    point.fields.times   = {0.};
-    point.fields.n_teeth = 1;
+    point.rotor_power            = 1.1e-3;
+    point.rotor_energies         = {1.};
+    point.errors.mesh            = {0.25, 0., 1e-3, 2e-5};
+    point.errors.time            = {0.5, 0., 2e-3, 3e-5};
+    point.errors.drive.amplitude = 1e-3; // of a driven wave
+    point.fields.times           = {0.};
+    point.fields.n_teeth         = 1;
     point.fields.force = point.fields.motion = point.fields.tooth = point.fields.rotor = {{}};
     point.fields.status                                                                = {0};
     return point;

@@ -138,8 +138,9 @@ class Volts(unittest.TestCase):
 
     def test_amplitude_from_the_voltage(self):
         """The voltage that an amplitude needs gives that amplitude, from whatever amplitude the search begins."""
-        for frequency in ("mode", 1.01 * self.circuit["A"]["short_circuit_frequency_Hz"]):
-            common = ("Loading/Values = 0.1", f"Wave/Frequency = {frequency}", *FIXED)
+        for change in ("Wave/Frequency = mode", "Effects/Damping = on",
+                       f"Wave/Frequency = {1.01 * self.circuit['A']['short_circuit_frequency_Hz']}"):
+            common = ("Loading/Values = 0.1", change, *FIXED)
             (given,), _ = self.drive_with(*common)
             for amplitude in (1e-6, 3e-6):
                 (found,), _ = self.drive_with("Wave/Drive = voltage", f"Wave/Voltage = {given['voltage_V']:.15g}",
@@ -200,6 +201,16 @@ class Volts(unittest.TestCase):
             done = run(CONTACT, QUICK, "--output", scratch, *options)
             self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
             self.assertIn("standing", done.stderr)
+
+    def test_torques_near_stall(self):
+        """Above what a rotor would bear whose teeth touch at their inner edge alone, but below stall."""
+        common = ("Wave/Drive = voltage", "Wave/Voltage = 40", *FIXED)
+        rows, _ = self.drive_with("Loading/Values = 0.189", *common)
+        self.assertGreater(rows[0]["speed_rpm"], 0)
+        for entry in ("Loading/Values", "Wave/Response torques"):
+            done = run(CONTACT, QUICK, "--output", self.case, *COUPLED, *settings(f"{entry} = 0.3", *common))
+            self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
+            self.assertIn(f"{entry} = 0.3 N m is beyond the stall", done.stderr)
 
     def test_losses_of_another_voltage_are_refused(self):
         with tempfile.TemporaryDirectory() as scratch:

@@ -49,8 +49,8 @@ namespace ringmotor
 
     /**
      * The logarithm of the voltage that @p load needs over the given one: 0 in the steady state;
-     * where it is negative, the wave grows. So it does, at -1, if the rotor feeds more power into
-     * it than it loses.
+     * where it is negative, at least -1, the wave grows. If the rotor feeds more power into the
+     * wave than it loses, the voltage has to balance the spring alone.
      * @param with_errors the given voltage is raised by as much as the errors of this drive may
      * lower the one that is needed
      */

@@ -160,6 +160,12 @@ namespace ringmotor
     /** Processor seconds of the points of a setting. */
     double point_seconds(const CurveSetting &setting);
     void find_requests(const unsigned int n_parts);
+    /** Finds stall and, for a curve, no load; what the rotor is held by if it stands still. */
+    void find_ends();
+    /** The same at a given voltage: no load and, for a curve, stall. */
+    void find_driven_ends();
+    /** @throws UserError for a given torque beyond stall */
+    void require_bearable_torques() const;
     /** Whether a curve is wanted whose points depend on its shape. */
     bool needs_shape() const;
     /** Where the whole curve is computed: along its shape on the first mesh, or at rising torques
@@ -167,7 +173,7 @@ namespace ringmotor
     std::vector<PointRequest> points_of_curve();
     /** Speeds in even steps, from no load to stall: at a given voltage torques in between may be
      * larger than at stall. */
-    std::vector<PointRequest> falling_speeds();
+    std::vector<PointRequest> falling_speeds() const;
     /** Torques in even steps, from no load to the last point. */
     std::vector<PointRequest> rising_torques() const;
     /** Whether the rotor moves less than the target, relative to the wave's crests. */
@@ -184,9 +190,9 @@ namespace ringmotor
     void find_held_torque();
     /** Whether so many points stick at rest that friction may balance any torque. */
     bool may_stand_still() const;
-    /** The speed (rad/s) of the crests of the wave of the stalled motor, see
+    /** The speed (rad/s) of the crests of a wave of an amplitude (m), see
      * CondensedMotor::crest_speed(). */
-    double crest_speed() const;
+    double crest_speed(const double amplitude) const;
     /** Whether the amplitude of the wave follows from a voltage. */
     bool is_driven() const { return parameters.wave.drive == Drive::voltage; }
     /** The torque (N m) that friction bears if all contact points slip the same way. */
@@ -208,8 +214,9 @@ namespace ringmotor
     /** Of the discretisations that are tried: with inertia all but the last one, which gains
      * nothing against the scatter of impacts. */
     const unsigned int finest_level;
-    CurvePoint stalled;       ///< on the first mesh; the loaded point if the rotor sticks
-    double stall_torque = 0.; ///< N m; of the first motor that was computed
+    CurvePoint stalled;            ///< on the first mesh; the loaded point if the rotor sticks
+    double stall_torque      = 0.; ///< N m; of the first motor that was computed
+    double largest_amplitude = 0.; ///< m, of the wave; that without load
     /** The first points of all, on the first mesh, from which others start: at rest if the rotor
      * may stand still, then those that tell the shape of the curve. */
     std::vector<CurvePoint> outline;

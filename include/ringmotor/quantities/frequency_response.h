@@ -49,7 +49,6 @@ namespace ringmotor
    * Errors are twice the changes from @p coarse, the motor on other meshes, and from steps of half
    * the length, and those of the drive.
    * @param setting that of @p fine
-   * @throws ComputationError if the state at the resonance is not found
    */
   FrequencyResponse frequency_response(const Parameters &parameters, const VoltageDrive &drive,
                                        const CondensedMotor &fine, const CondensedMotor &coarse,

@@ -17,7 +17,7 @@ namespace ringmotor
     double output_work   = 0.; ///< output_power(), step by step with such means of the torque
     double stored_power  = 0.; ///< growth rate of stored energy, see RingContact::stored_energy()
     double modal_power   = 0.; ///< taken by the rotor's inertia and damping
-    double modal_damping = 0.; ///< taken by damping with the loss factor alone
+    double modal_damping = 0.; ///< what its damping by a loss factor takes, over that factor
     double gross_power   = 0.; ///< the input power, all of its parts taken positive
     double closing_work  = 0.; ///< of pressure on gaps closing or opening in a step; numerical
 
@@ -29,6 +29,12 @@ namespace ringmotor
     double teeth_in_contact = 0.; ///< per wave
     double stick_fraction   = 0.; ///< of the pressure force, on points that stick
 
+    /** What the contact takes from the stator's wave (W), with @p rotor_loss in place of what the
+     * rotor's damping took in the model. */
+    double taken_from_wave(const double rotor_loss) const
+    {
+      return input_power - modal_power + rotor_loss;
+    }
     double friction_loss() const { return tangential_loss + radial_loss; }
     double output_power() const { return torque * speed; }
     /** Input power less output work, friction loss and stored power, over the larger of input power
