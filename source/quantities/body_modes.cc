@@ -92,7 +92,6 @@ namespace ringmotor
       : given(all_parameters), parameters(relevant_for_modes(all_parameters)),
         share_modes(request_for(parameters).nodal_diameters.size() > 1 ? ranks : MPI_COMM_SELF),
         share_mesh(share_modes == ranks ? MPI_COMM_SELF : ranks),
-
         motor_wave(parameters.motor.n_waves, parameters.wave)
   {
   }

@@ -28,7 +28,6 @@ namespace ringmotor
   {
     const ContactSetting common = common_setting(parameters, period);
     const CondensedMotor &motor = motor_of(common).motor;
-
     borne_torque = parameters.friction.dynamic_coefficient * parameters.loading.preload *
                    motor.nodes.front().radius;
     stalled     = points_of(common, motor, {{Control::speed, 0.}}).front();

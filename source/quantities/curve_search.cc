@@ -139,7 +139,6 @@ namespace ringmotor
   {
     require_accurate_drive();
     bool shortened = false, needs_mesh = false, needs_modes = false;
-
     for (unsigned int i = 0; i < requests.size(); ++i)
     {
       const PointErrors &errors = results[i].errors;

@@ -78,10 +78,11 @@ namespace ringmotor
     {
       double place, value;
     };
-    // In logarithms; between the largest amplitude that is known to grow and the smallest one that
-    // is known to decay.
+    // In logarithms. The force of the voltage over that of dampers and springs falls with the
+    // amplitude to a power of about one, the first slope. Between the largest amplitude that is
+    // known to grow and the smallest one that is known to decay.
     std::optional<End> growing, decaying;
-    double place = std::log(start), value = excess(start), slope_before = slope;
+    double place = std::log(start), value = excess(start), slope = 1., slope_before = slope;
     for (unsigned int round = 0; round < most_rounds; ++round)
     {
       found     = std::exp(place);

@@ -65,8 +65,5 @@ namespace ringmotor
 
   private:
     double found = 0., unsettled = 0.;
-    /** That of the excess over the logarithm of the amplitude, from the last search; the force of
-     * a voltage over that of dampers and springs falls with the amplitude. */
-    double slope = 1.;
   };
 } // namespace ringmotor
