@@ -117,21 +117,22 @@ namespace ringmotor
             ? Estimate{*wave.voltage, 0.}
             : Estimate{needed, needed * (stiffness_error / std::abs(stiffness) + of_phases)};
     drive.voltage_mismatch = std::abs(needed / drive.voltage.value - 1.);
-    const double voltage   = drive.voltage.value;
+    // Currents and powers are those at the voltage that the state needs, which balance. How far it
+    // is from the given one counts in the error of the amplitude, see AmplitudeSearch.
     const Complex motional = eta.value * Complex(0., omega) * (eta.value * needed / stiffness),
                   parallel = Complex(0., omega) * c0.value *
-                             Complex(1., -wave.dielectric_loss_factor) * voltage,
+                             Complex(1., -wave.dielectric_loss_factor) * needed,
                   current = motional + parallel;
     const double current_error =
         std::abs(motional) * (of_phases + angle_error + amplitude_error) +
         std::abs(parallel) * (relative_error(c0) + relative_error(drive.voltage));
     drive.current          = {std::abs(current), current_error};
-    const double of_c0     = parallel.real() * voltage; // of both phases
+    const double of_c0     = parallel.real() * needed; // of both phases
     drive.dielectric_loss  = {of_c0 + of_fields.value,
                               of_c0 * (relative_error(c0) + 2. * relative_error(drive.voltage)) +
                                   of_fields.error};
-    drive.electrical_input = {current.real() * voltage, power_error + drive.dielectric_loss.error};
-    const double factor    = drive.electrical_input.value / (std::abs(current) * voltage);
+    drive.electrical_input = {current.real() * needed, power_error + drive.dielectric_loss.error};
+    const double factor    = drive.electrical_input.value / (std::abs(current) * needed);
     drive.power_factor     = {factor, std::abs(factor) * (relative_error(drive.electrical_input) +
                                                       relative_error(drive.current) +
                                                       relative_error(drive.voltage))};
