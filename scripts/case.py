@@ -72,6 +72,10 @@ class Results:
     def __init__(self, case_folder):
         self.folder = os.path.join(case_folder, self.program)
 
+    def has(self, name):
+        """Whether there is such a file."""
+        return os.path.exists(os.path.join(self.folder, name))
+
     def load(self, name, read):
         path = os.path.join(self.folder, name)
         try:
@@ -130,7 +134,7 @@ class Case(Results):
         self.load("modes.h5", self.read_modes)
         if self.wave:
             self.load("ellipses.csv", self.read_ellipses)
-        self.circuits = os.path.exists(os.path.join(self.folder, "circuits.csv"))
+        self.circuits = self.has("circuits.csv")
         if self.circuits:
             self.load("circuits.csv", self.read_circuits)
             self.load("admittance.csv", self.read_admittance)

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the program contact left in the folder of a case, for the scripts that draw or print it."""
 import csv
-import os
 
 import h5py
 import numpy as np
@@ -31,10 +30,10 @@ class ContactCase(Results):
         self.load("torque_speed.csv", self.read_curve)
         self.load("contact.h5", self.read_contact_points)
         self.lip = []
-        if os.path.exists(os.path.join(self.folder, "lip.csv")):
+        if self.has("lip.csv"):
             self.load("lip.csv", self.read_lip)
         self.response = []
-        if os.path.exists(os.path.join(self.folder, "response.csv")):
+        if self.has("response.csv"):
             self.load("response.csv", self.read_response)
 
     def read_parameters(self, path):

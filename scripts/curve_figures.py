@@ -8,12 +8,17 @@ PARTS = {"friction_loss_mW": ("total", "-"), "tangential_loss_mW": ("along the r
          "radial_loss_mW": ("across the ring", ":")}
 
 
+def columns_of(rows):
+    """The rows of a table, by name of a column."""
+    return {key: np.array([row[key] for row in rows]) for key in rows[0]}
+
+
 def sorted_columns(points):
     """Of the rows of a table of operating points, by name of a column: along a curve from no load to stall, on which a
     driven wave may bear less at the end than before it, else in the order of their torques."""
     is_curve = all(one["speed_rpm"] > next_one["speed_rpm"] for one, next_one in zip(points, points[1:]))
     rows = points if is_curve else sorted(points, key=lambda row: row["torque_mNm"])
-    return {key: np.array([row[key] for row in rows]) for key in rows[0]}
+    return columns_of(rows)
 
 
 def is_fall(curve):

@@ -73,8 +73,8 @@ def figures_of_stator(case, contact, folder):
 
 def figures_of_contact(case, others, folder):
     figures = {}
+    needed = {draw_warped_displacement: case.warp, draw_lip_amplification: case.lip, draw_response: case.response}
     for name, draw in CONTACT_FIGURES.items():
-        needed = {draw_warped_displacement: case.warp, draw_lip_amplification: case.lip, draw_response: case.response}
         if not needed.get(draw, True):
             remove_figure(folder, name)
         elif draw is draw_friction_history and not history_touches(case):

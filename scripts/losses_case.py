@@ -37,7 +37,7 @@ class LossesCase(Results):
         self.load("used.prm", self.read_parameters)
         self.load("losses.csv", self.read_points)
         self.load("efficiency.csv", self.read_points)
-        self.has_drive = os.path.exists(os.path.join(self.folder, "drive.csv"))
+        self.has_drive = self.has("drive.csv")
         if self.has_drive:
             self.load("drive.csv", self.read_points)
 

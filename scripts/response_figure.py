@@ -2,18 +2,14 @@
 """Figure of a driven motor against the frequency of its drive."""
 import itertools
 
-import numpy as np
-from curve_figures import CASE_STYLE, finish_axes
-from drawing import start_figure
-
-KILO = 1e3
+from curve_figures import CASE_STYLE, columns_of, finish_axes
+from drawing import KILO, start_figure
 
 
 def responses_of(contact):
     """The rows of each torque, in the order along its curve, as columns."""
     for torque, rows in itertools.groupby(contact.response, key=lambda row: row["torque_mNm"]):
-        rows = list(rows)
-        columns = {key: np.array([row[key] for row in rows]) for key in rows[0]}
+        columns = columns_of(list(rows))
         columns["frequency_kHz"] = columns["frequency_Hz"] / KILO
         yield torque, columns
 

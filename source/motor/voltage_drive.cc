@@ -8,12 +8,33 @@
 
 namespace ringmotor
 {
+  double VoltageDrive::detuned_square(const WaveLoad &load) const
+  {
+    return natural_frequency * natural_frequency * (1. + 2. * load.detuning);
+  }
+
+  double VoltageDrive::available(const WaveLoad &load) const
+  {
+    return force_factor * voltage / load.amplitude;
+  }
+
+  double VoltageDrive::damper(const WaveLoad &load) const
+  {
+    return (load.power / (load.amplitude * load.amplitude) + internal_loss) / load.frequency;
+  }
+
   std::complex<double> VoltageDrive::stiffness(const WaveLoad &load) const
   {
-    const double square = natural_frequency * natural_frequency * (1. + 2. * load.detuning),
-                 spring = frequency ? modal_mass * (square - load.frequency * load.frequency) : 0.;
-    return {spring,
-            (load.power / (load.amplitude * load.amplitude) + internal_loss) / load.frequency};
+    const double square = load.frequency * load.frequency;
+    return {frequency ? modal_mass * (detuned_square(load) - square) : 0., damper(load)};
+  }
+
+  double VoltageDrive::spring_error(const double spring, const double detuning_error) const
+  {
+    return frequency ? 2. * modal_mass * natural_frequency * natural_frequency *
+                               (natural_frequency_error + detuning_error) +
+                           std::abs(spring) * modal_mass_error
+                     : 0.;
   }
 
   double VoltageDrive::excess(const WaveLoad &load, const bool with_errors) const
@@ -22,35 +43,25 @@ namespace ringmotor
     needed.imag(std::max(0., needed.imag())); // else the rotor feeds the wave
     constexpr double grows = -1.;
 
-    double available = force_factor * voltage / load.amplitude; // N/m
+    double force = available(load);
     if (with_errors)
-    {
-      const double spring_error = frequency ? 2. * modal_mass * natural_frequency *
-                                                      natural_frequency * natural_frequency_error +
-                                                  std::abs(needed.real()) * modal_mass_error
-                                            : 0.;
-      available                 = available * (1. + force_factor_error) + spring_error +
-                  internal_loss_error / load.frequency;
-    }
-    return std::max(grows, std::log(std::abs(needed) / available));
+      force = force * (1. + force_factor_error) + spring_error(needed.real()) +
+              internal_loss_error / load.frequency;
+    return std::max(grows, std::log(std::abs(needed) / force));
   }
 
   std::array<double, 2> VoltageDrive::frequencies(const WaveLoad &load) const
   {
-    const double available = force_factor * voltage / load.amplitude,
-                 damper    = stiffness(load).imag(),
-                 spring =
-                     std::sqrt(std::max(0., available * available - damper * damper)) / modal_mass,
-                 square = natural_frequency * natural_frequency * (1. + 2. * load.detuning);
+    const double force = available(load), lost = damper(load), square = detuned_square(load),
+                 spring = std::sqrt(std::max(0., force * force - lost * lost)) / modal_mass;
     return {{std::sqrt(square - spring), std::sqrt(square + spring)}};
   }
 
   std::complex<double> VoltageDrive::motional_admittance(const WaveLoad &load,
                                                          const double at_frequency) const
   {
-    const double square = natural_frequency * natural_frequency * (1. + 2. * load.detuning);
-    const std::complex<double> needed(modal_mass * (square - at_frequency * at_frequency),
-                                      stiffness(load).imag());
+    const std::complex<double> needed(
+        modal_mass * (detuned_square(load) - at_frequency * at_frequency), damper(load));
     return std::complex<double>(0., at_frequency) * force_factor * force_factor / needed;
   }
 

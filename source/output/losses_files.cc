@@ -135,7 +135,7 @@ namespace ringmotor
                                      worst_electrical, OperatingPoint::largest_imbalance});
       summary.certificate.push_back(
           {"voltage that the amplitude found needs against the given one, relative", mismatch,
-           AmplitudeSearch::largest_excess});
+           BalancedAmplitude::largest_excess});
     }
   }
 } // namespace ringmotor

@@ -182,10 +182,7 @@ namespace ringmotor
               "is meant, set Motor/Unusual values = accept";
       throw UserError(text.str());
     }
-  } // namespace
 
-  namespace
-  {
     /** @throws UserError if the ceramic had no potential */
     VoltageDrive read_voltage_drive(const std::string &path, const Parameters &parameters)
     {

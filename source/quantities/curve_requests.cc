@@ -60,7 +60,6 @@ namespace ringmotor
     recognise(outline);
     if (!is_driven() || parameters.loading.values.empty())
       recognise({stalled});
-
     n_parts.assign(requests.size(), n_parts_to_start_with);
   }
 

@@ -100,12 +100,7 @@ namespace ringmotor
     const VoltageDrive balance = voltage_drive(wave, budget, a, 1.);
     const Complex stiffness    = balance.stiffness({a, omega, result.detuning, by_contact});
     const double spring = std::abs(stiffness.real()), damper = std::abs(stiffness.imag()),
-                 spring_error    = wave.frequency
-                                       ? 2. * balance.modal_mass *
-                                              std::pow(balance.natural_frequency, 2) *
-                                              (balance.natural_frequency_error + detuning_error) +
-                                          spring * balance.modal_mass_error
-                                       : 0.,
+                 spring_error    = balance.spring_error(spring, detuning_error),
                  damper_error    = power_error / (omega * a * a) + 2. * amplitude_error * damper,
                  stiffness_error = spring_error + damper_error,
                  angle_error =
@@ -118,7 +113,7 @@ namespace ringmotor
             : Estimate{needed, needed * (stiffness_error / std::abs(stiffness) + of_phases)};
     drive.voltage_mismatch = std::abs(needed / drive.voltage.value - 1.);
     // Currents and powers are those at the voltage that the state needs, which balance. How far it
-    // is from the given one counts in the error of the amplitude, see AmplitudeSearch.
+    // is from the given one counts in the error of the amplitude, see balanced_amplitude().
     const Complex motional = eta.value * Complex(0., omega) * (eta.value * needed / stiffness),
                   parallel = Complex(0., omega) * c0.value *
                              Complex(1., -wave.dielectric_loss_factor) * needed,

@@ -120,14 +120,9 @@ namespace ringmotor
       {
         VoltageDrive following = drive;
         following.frequency.reset();
-        AmplitudeSearch search;
-        search.find(start,
-                    [&](const double amplitude)
-                    {
-                      const CurvePoint point = finders[0]->find_at(request, amplitude);
-                      return following.excess(load_at(point), false);
-                    });
-        return search.amplitude();
+        const auto excess = [&](const double amplitude)
+        { return following.excess(load_at(finders[0]->find_at(request, amplitude)), false); };
+        return balanced_amplitude(start, excess).value;
       }
 
     private:

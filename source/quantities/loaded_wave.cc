@@ -68,7 +68,8 @@ namespace ringmotor
                            std::to_string(most_rounds) + " iterations");
   }
 
-  void AmplitudeSearch::find(const double start, const std::function<double(double)> &excess)
+  BalancedAmplitude balanced_amplitude(const double start,
+                                       const std::function<double(double)> &excess)
   {
     constexpr unsigned int most_rounds = 60;
     constexpr double settled = 1e-5, longest = 0.4, least_slope = 0.05, range = 100.;
@@ -85,10 +86,9 @@ namespace ringmotor
     double place = std::log(start), value = excess(start), slope = 1., slope_before = slope;
     for (unsigned int round = 0; round < most_rounds; ++round)
     {
-      found     = std::exp(place);
-      unsettled = std::abs(value) / slope;
+      BalancedAmplitude found{std::exp(place), std::abs(value) / slope};
       if (std::abs(value) <= settled)
-        return;
+        return found;
       (value < 0. ? growing : decaying) = End{place, value};
       double move                       = std::clamp(-value / slope, -longest, longest);
       if (growing && decaying)
@@ -96,12 +96,12 @@ namespace ringmotor
         const double width = std::abs(decaying->place - growing->place);
         if (width < narrow)
         {
-          unsettled = std::max(width, std::abs(value) / slope_before);
-          if (std::abs(value) < (width < very_narrow ? largest_excess : small_jump))
-            return;
+          found.uncertainty = std::max(width, std::abs(value) / slope_before);
+          if (std::abs(value) < (width < very_narrow ? found.largest_excess : small_jump))
+            return found;
           if (width < 1e-3 * very_narrow)
             throw ComputationError(
-                "no amplitude balances the voltage: at " + short_text(found) +
+                "no amplitude balances the voltage: at " + short_text(found.value) +
                 " m the forces of the contact on the wave jump by " +
                 short_text(decaying->value - growing->value) +
                 "; choose shorter steps (a larger Time/Snapshots) or another Wave/Voltage");

@@ -43,8 +43,7 @@ namespace ringmotor
         return loss;
       };
       LossBudget budget;
-      budget.amplitude = {result.amplitude, error.amplitude};
-
+      budget.amplitude    = {result.amplitude, error.amplitude};
       budget.output       = {result.output_power(), std::abs(result.torque) * error.speed +
                                                         std::abs(result.speed) * error.torque};
       budget.friction     = {result.friction_loss(), error.loss};

@@ -169,9 +169,9 @@ namespace ringmotor
       return drive->excess(wave_load(point, *drive, drive->frequency.value_or(own)),
                            setting.has_drive_error);
     };
-    amplitude_search.find(amplitude, excess);
-    amplitude       = amplitude_search.amplitude();
-    point.unsettled = amplitude_search.uncertainty();
+    const BalancedAmplitude balanced = balanced_amplitude(amplitude, excess);
+    amplitude                        = balanced.value;
+    point.unsettled                  = balanced.uncertainty;
     return point;
   }
 

@@ -32,10 +32,10 @@ namespace
   double amplitude_from(const double start, const VoltageDrive &drive,
                         const std::function<WaveLoad(double amplitude)> &contact)
   {
-    AmplitudeSearch search;
-    search.find(start, [&](const double a) { return drive.excess(contact(a), false); });
-    EXPECT_LT(search.uncertainty(), 1e-4);
-    return search.amplitude();
+    const BalancedAmplitude found =
+        balanced_amplitude(start, [&](const double a) { return drive.excess(contact(a), false); });
+    EXPECT_LT(found.uncertainty, 1e-4);
+    return found.value;
   }
 } // namespace
 
@@ -117,9 +117,9 @@ TEST(VoltageDrive, KnowsTheAmplitudeAsWellAsItsNumbers)
   drive.internal_loss_error = 0.02 * drive.internal_loss;
   const auto free           = [](const double a) { return WaveLoad{a, natural, 0., 0.}; };
   const double exact        = 5. * natural / 1e11;
-  AmplitudeSearch search;
-  search.find(exact, [&](const double a) { return drive.excess(free(a), true); });
-  EXPECT_NEAR(search.amplitude() / exact, 1.01 / 0.98, 1e-4);
+  const BalancedAmplitude found =
+      balanced_amplitude(exact, [&](const double a) { return drive.excess(free(a), true); });
+  EXPECT_NEAR(found.value / exact, 1.01 / 0.98, 1e-4);
 }
 
 TEST(VoltageDrive, SustainsAnAmplitudeAtTwoFrequencies)

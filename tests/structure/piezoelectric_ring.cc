@@ -22,22 +22,32 @@ using dealii::numbers::PI;
 
 namespace
 {
+  /** A ceramic poled along z.
+   * @param c c11, c12, c13, c33, c44 in GPa
+   * @param e e31, e33, e15 in C/m^2
+   * @param permittivity eps11, eps33 at constant strain in nF/m */
+  PiezoelectricLaw law_of(const std::array<double, 5> &c, const std::array<double, 3> &e,
+                          const std::array<double, 2> &permittivity)
+  {
+    Piezoelectricity constants;
+    constants.c11            = 1e9 * c[0];
+    constants.c12            = 1e9 * c[1];
+    constants.c13            = 1e9 * c[2];
+    constants.c33            = 1e9 * c[3];
+    constants.c44            = 1e9 * c[4];
+    constants.coupling31     = e[0];
+    constants.coupling33     = e[1];
+    constants.coupling15     = e[2];
+    constants.permittivity11 = 1e-9 * permittivity[0];
+    constants.permittivity33 = 1e-9 * permittivity[1];
+    return constants.law();
+  }
+
   /** PZT-4 as in the tables. */
   Material ceramic(const double e31 = -4.1)
   {
-    Piezoelectricity constants;
-    constants.c11            = 132e9;
-    constants.c12            = 71e9;
-    constants.c13            = 73e9;
-    constants.c33            = 115e9;
-    constants.c44            = 26e9;
-    constants.coupling31     = e31;
-    constants.coupling33     = 14.1;
-    constants.coupling15     = 10.5;
-    constants.permittivity11 = 7.124e-9;
-    constants.permittivity33 = 5.841e-9;
     Material material{80e9, 0.3, 7500., 0.};
-    material.law = constants.law();
+    material.law = law_of({{132., 71., 73., 115., 26.}}, {{e31, 14.1, 10.5}}, {{7.124, 5.841}});
     return material;
   }
 
@@ -193,18 +203,8 @@ namespace
    * middle of a sector. In narrow sectors the constants turn with it. */
   Material radially_poled()
   {
-    Piezoelectricity constants;
-    constants.c11                  = 110.8e9;
-    constants.c12                  = 63.26e9;
-    constants.c13                  = 68.96e9;
-    constants.c33                  = 110.8e9;
-    constants.c44                  = 19.09e9;
-    constants.coupling31           = -5.6;
-    constants.coupling33           = 12.8;
-    constants.coupling15           = 10.3;
-    constants.permittivity11       = 9.06e-9;
-    constants.permittivity33       = 10.28e-9;
-    const PiezoelectricLaw along_z = constants.law();
+    const PiezoelectricLaw along_z =
+        law_of({{110.8, 63.26, 68.96, 110.8, 19.09}}, {{-5.6, 12.8, 10.3}}, {{9.06, 10.28}});
     // x, y, z there are z, x, y here.
     const std::array<unsigned int, 6> strain{{2, 0, 1, 5, 3, 4}};
     const std::array<unsigned int, 3> axis{{2, 0, 1}};

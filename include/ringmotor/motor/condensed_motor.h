@@ -102,7 +102,6 @@ namespace ringmotor
 
     double period() const;
     double pitch() const;
-
     /** Speed (rad/s) of a rotor that follows the crests of the free wave where they are fastest. */
     double crest_speed() const;
 

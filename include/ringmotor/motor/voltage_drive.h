@@ -65,7 +65,16 @@ namespace ringmotor
      * same work of the contact in a period: i omega eta^2 / K. */
     std::complex<double> motional_admittance(const WaveLoad &load, const double at_frequency) const;
 
+    /** The error (N/m) of the real part of K, 0 for a drive that follows the resonance.
+     * @param detuning_error absolute */
+    double spring_error(const double spring, const double detuning_error = 0.) const;
+
     /** Identifies all of it. */
     std::string text() const;
+
+  private:
+    double detuned_square(const WaveLoad &load) const; ///< rad^2/s^2: omega_r^2 (1 + 2 delta)
+    double available(const WaveLoad &load) const;      ///< N/m: eta V / a
+    double damper(const WaveLoad &load) const;         ///< N/m: the imaginary part of K
   };
 } // namespace ringmotor

@@ -39,31 +39,27 @@ namespace ringmotor
     std::unique_ptr<SteadyDriver> steady;
   };
 
-  /**
-   * Searches for the amplitude to which a driven wave grows or decays: where its excess vanishes,
-   * see VoltageDrive::excess(). As the search follows the sign of the excess, the balance that it
-   * finds is one in which the amplitude is stable.
-   */
-  class AmplitudeSearch
+  /** What balanced_amplitude() finds. */
+  struct BalancedAmplitude
   {
-  public:
-    /** What may remain where the forces of the contact jump from one state to a neighbouring one,
-     * as with static friction above dynamic friction. */
-    static constexpr double largest_excess = 1e-2;
-
-    /**
-     * @param excess of an amplitude (m); the last one for which it is called is the result
-     * @throws ComputationError if the amplitude does not settle between a hundredth and a hundred
-     * times @p start (m)
-     */
-    void find(const double start, const std::function<double(double)> &excess);
-
-    double amplitude() const { return found; } ///< m
+    double value; ///< m
     /** How far it may be from the balance, relative: by a step of the search or, where the forces
      * of the contact jump, by the width of the jump. */
-    double uncertainty() const { return unsettled; }
+    double uncertainty;
 
-  private:
-    double found = 0., unsettled = 0.;
+    /** The excess that may remain where the forces of the contact jump from one state to a
+     * neighbouring one, as with static friction above dynamic friction. */
+    static constexpr double largest_excess = 1e-2;
   };
+
+  /**
+   * The amplitude to which a driven wave grows or decays from @p start (m): where its excess
+   * vanishes, see VoltageDrive::excess(). As the search follows the sign of the excess, the balance
+   * that it finds is one in which the amplitude is stable.
+   * @param excess of an amplitude (m); the last one for which it is called is the result
+   * @throws ComputationError if the amplitude does not settle between a hundredth and a hundred
+   * times @p start
+   */
+  BalancedAmplitude balanced_amplitude(const double start,
+                                       const std::function<double(double)> &excess);
 } // namespace ringmotor

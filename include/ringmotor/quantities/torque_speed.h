@@ -112,7 +112,7 @@ namespace ringmotor
     bool tells_window = false;
     PointErrors errors;
     double largest_violation = 0.; ///< of the laws of contact and friction, see ContactCertificate
-    double unsettled = 0.; ///< relative, of the amplitude of a driven wave, see AmplitudeSearch
+    double unsettled = 0.; ///< relative, of the amplitude of a driven wave, see BalancedAmplitude
     unsigned int n_iterations = 0;
     double seconds            = 0.;
     std::string remark; ///< what was tried if Newton's method alone did not suffice
@@ -183,9 +183,7 @@ namespace ringmotor
     const CondensedMotor &motor;
     const std::optional<VoltageDrive> drive;
     LoadedWave wave;
-    AmplitudeSearch amplitude_search; ///< of a driven wave
-    double amplitude;                 ///< m, at which it begins
-
+    double amplitude; ///< m, at which the search for that of a driven wave begins
     PointMemory *const memory;
   };
 
