@@ -43,7 +43,7 @@ def draw_losses(losses, contact):
         draw_points(axes, columns, key, key.replace("_mW", "_error_mW"), color, marker)
         axes.plot([], [], color=color, marker=marker, ms=4, ls=style, lw=1.4, label=name)
     axes.set(ylabel="power loss in mW", ylim=(0, 1.08 * axes.dataLim.ymax))
-    axes.legend(frameon=False, fontsize=8, loc="upper left", handlelength=3)
+    axes.legend(frameon=False, fontsize=8, loc="best", handlelength=3)
     return figure
 
 
