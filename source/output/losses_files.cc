@@ -135,7 +135,7 @@ namespace ringmotor
                                      worst_electrical, OperatingPoint::largest_imbalance});
       summary.certificate.push_back(
           {"voltage that the amplitude found needs against the given one, relative", mismatch,
-           BalancedAmplitude::largest_excess});
+           driven_wave::largest_excess});
     }
   }
 } // namespace ringmotor

@@ -166,10 +166,9 @@ namespace ringmotor
     // What a window given by the user misses does not depend on the steps.
     errors.window  = parameters.time.n_steps ? point_of(plain, request).window : point.window;
     errors.effects = left_out.of(point);
-    // Its values: linear, at most quadratic in the amplitude.
-    constexpr double of_amplitude = 2.;
-    errors.algebra                = change(CurvePoint(), point);
-    errors.algebra *= point.largest_violation + of_amplitude * point.unsettled;
+    errors.algebra = change(CurvePoint(), point);
+    errors.algebra *= point.largest_violation;
+    errors.algebra += point.unsettled;
     if (!is_driven())
       errors.algebra.amplitude = 0.; // it is given
     return errors;

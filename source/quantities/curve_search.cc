@@ -142,7 +142,10 @@ namespace ringmotor
     for (unsigned int i = 0; i < requests.size(); ++i)
     {
       const PointErrors &errors = results[i].errors;
-      const double of_step      = std::max(relative(errors.time), relative(errors.scheme));
+      // Where the state jumps with the frequency of the wave, it does so by one contact node and
+      // one step.
+      const double of_step = std::max(
+          {relative(errors.time), relative(errors.scheme), relative(errors.algebra)});
       if (relative(errors.total()) <= parameters.accuracy.contact_target)
         continue;
       if (relative(errors.modes) > parameters.accuracy.contact_target &&

@@ -121,8 +121,11 @@ namespace ringmotor
         VoltageDrive following = drive;
         following.frequency.reset();
         const auto excess = [&](const double amplitude)
-        { return following.excess(load_at(finders[0]->find_at(request, amplitude)), false); };
-        return balanced_amplitude(start, excess).value;
+        {
+          const WaveLoad load = load_at(finders[0]->find_at(request, amplitude));
+          return std::make_pair(following.excess(load, false), load);
+        };
+        return balanced_amplitude<WaveLoad>(start, excess).found.state.amplitude;
       }
 
     private:

@@ -101,7 +101,7 @@ namespace ringmotor
       : setting(setting), parameters(relevant_for_points(all_parameters)),
         model(motor_model(parameters)), motor(motor), drive(drive),
         wave(motor, model, {parameters.time.n_snapshots, setting.n_joined}),
-        amplitude(motor.amplitude), memory(memory)
+        amplitude(motor.amplitude), frequency(motor.angular_frequency), memory(memory)
   {
   }
 
@@ -155,31 +155,91 @@ namespace ringmotor
     return point;
   }
 
+  namespace
+  {
+    /** Whether the difference between two points, of which @p share counts, is far below the
+     * smallest targets; what it is becomes part of the error bars. */
+    bool are_alike(const CurvePoint &one, const CurvePoint &other, const double share,
+                   const double preload, const CondensedMotor &motor)
+    {
+      constexpr double negligible = 1e-4, little = 1e-2;
+      const double torque         = preload * motor.nodes.front().radius,
+                   speed          = motor.crest_speed() * one.result.amplitude / motor.amplitude,
+                   loss           = std::max(one.result.friction_loss(), little * torque * speed);
+      PointError rest             = change(other, one);
+      rest *= share / negligible;
+      return rest.speed <= speed && rest.torque <= torque && rest.loss <= loss;
+    }
+
+    /** What the search for an amplitude or a frequency leaves open. */
+    PointError unsettled(const StableRoot<CurvePoint> &root)
+    {
+      // Logarithms and ratios: values change in proportion to them, at most quadratically.
+      constexpr double of_values = 2.;
+      PointError rest = change(root.other ? root.other->state : CurvePoint(), root.found.state);
+      rest *= root.other ? root.share() : of_values * std::abs(root.found.excess);
+      return rest;
+    }
+  } // namespace
+
   CurvePoint OperatingPointFinder::find_steady(const PointRequest &request)
   {
-    const RotorLoad load = load_of(parameters.loading, request);
-    wave.forget_frequency();
+    frequency = motor.angular_frequency;
     if (!drive)
-      return at_amplitude(load, motor.amplitude);
-    CurvePoint point;
-    const auto excess = [&](const double of_wave)
-    {
-      point            = at_amplitude(load, of_wave);
-      const double own = drive->natural_frequency * (1. + point.result.detuning);
-      return drive->excess(wave_load(point, *drive, drive->frequency.value_or(own)),
-                           setting.has_drive_error);
-    };
-    const BalancedAmplitude balanced = balanced_amplitude(amplitude, excess);
-    amplitude                        = balanced.value;
-    point.unsettled                  = balanced.uncertainty;
+      return at_amplitude(request, motor.amplitude);
+    const StableRoot<CurvePoint> balanced = balanced_amplitude<CurvePoint>(
+        amplitude,
+        [&](const double of_wave)
+        {
+          CurvePoint point    = at_amplitude(request, of_wave);
+          const double own    = drive->natural_frequency * (1. + point.result.detuning);
+          const double excess = drive->excess(
+              wave_load(point, *drive, drive->frequency.value_or(own)), setting.has_drive_error);
+          return std::make_pair(excess, std::move(point));
+        });
+    CurvePoint point = balanced.found.state;
+    point.unsettled += unsettled(balanced);
+    amplitude = point.result.amplitude;
     return point;
   }
 
-  CurvePoint OperatingPointFinder::at_amplitude(const RotorLoad &load, const double of_wave)
+  CurvePoint OperatingPointFinder::at_amplitude(const PointRequest &request, const double of_wave)
   {
-    const OperatingState state = wave.at(load, of_wave);
+    if (!model.wave_feels_contact)
+      return at_frequency(request, of_wave, frequency);
+    // The frequency at which the state found there has the detuning that this frequency requires.
+    // With inertia the state depends on it, so that mere repetition converges slowly, beside a
+    // resonance not at all.
+    const double natural              = motor.angular_frequency;
+    const StableRoot<CurvePoint> root = stable_root<CurvePoint>(
+        frequency / natural,
+        [&](const double place)
+        {
+          CurvePoint point    = at_frequency(request, of_wave, place * natural);
+          const double excess = place - 1. - point.result.detuning;
+          return std::make_pair(excess, std::move(point));
+        },
+        [&](const StableRoot<CurvePoint> &so_far)
+        {
+          return std::abs(so_far.found.excess) <= shifted_wave::settled ||
+                 (so_far.other && are_alike(so_far.found.state, so_far.other->state,
+                                            so_far.share(), parameters.loading.preload, motor));
+        },
+        shifted_wave::limits);
+    shifted_wave::require_settled(root.end, root.found.place, root.found.excess);
+    frequency        = root.found.place * natural;
+    CurvePoint point = root.found.state;
+    point.unsettled += unsettled(root);
+    return point;
+  }
+
+  CurvePoint OperatingPointFinder::at_frequency(const PointRequest &request, const double of_wave,
+                                                const double at)
+  {
+    const OperatingState state = wave.at(load_of(parameters.loading, request), of_wave, at);
     CurvePoint point;
-    point.result = evaluate(state);
+    point.request = request;
+    point.result  = evaluate(state);
     point.add_certificate(state.solution);
     point.fields         = fields_of(state, 0.);
     point.rotor_energies = rotor_energies(point.fields, {motor.n_waves, motor.n_teeth, 0});
@@ -190,8 +250,8 @@ namespace ringmotor
 
   CurvePoint OperatingPointFinder::find_at(const PointRequest &request, const double of_wave)
   {
-    wave.forget_frequency();
-    return at_amplitude(load_of(parameters.loading, request), of_wave);
+    frequency = motor.angular_frequency;
+    return at_amplitude(request, of_wave);
   }
 
   std::vector<PointRequest> listed_points(const Loading &loading)

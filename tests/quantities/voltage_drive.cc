@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <functional>
+#include <utility>
 
 using namespace ringmotor;
 
@@ -32,10 +33,10 @@ namespace
   double amplitude_from(const double start, const VoltageDrive &drive,
                         const std::function<WaveLoad(double amplitude)> &contact)
   {
-    const BalancedAmplitude found =
-        balanced_amplitude(start, [&](const double a) { return drive.excess(contact(a), false); });
-    EXPECT_LT(found.uncertainty, 1e-4);
-    return found.value;
+    const auto found = balanced_amplitude<double>(
+        start, [&](const double a) { return std::make_pair(drive.excess(contact(a), false), a); });
+    EXPECT_EQ(found.end, RootEnd::settled);
+    return found.found.state;
   }
 } // namespace
 
@@ -104,6 +105,59 @@ TEST(VoltageDrive, HasTwoStableAmplitudesBesideASofteningResonance)
   EXPECT_NEAR(from(2.5), 2., 3e-4);
 }
 
+namespace
+{
+  /** Until the excess is at most 1e-10. */
+  StableRoot<double> root_of(const std::function<double(double)> &excess)
+  {
+    return stable_root<double>(
+        0., [&](const double x) { return std::make_pair(excess(x), x); },
+        [](const StableRoot<double> &root) { return std::abs(root.found.excess) <= 1e-10; },
+        {0.3, 10., 1e-6});
+  }
+} // namespace
+
+TEST(StableRoot, IsFoundFromBothSides)
+{
+  for (const double exact : {-3., -1e-3, 1e-3, 0.4, 3.})
+  {
+    const auto root = root_of([&](const double x) { return std::sinh(x - exact); });
+    EXPECT_EQ(root.end, RootEnd::settled);
+    EXPECT_NEAR(root.found.state, exact, 1e-9);
+  }
+}
+
+TEST(StableRoot, IsTheJumpOfAnExcessWithoutARoot)
+{
+  // Both sides of the jump at 0.7, where the excess changes from -0.2 to 0.1.
+  const auto root = root_of([](const double x) { return x - 0.7 + (x < 0.7 ? -0.2 : 0.1); });
+  EXPECT_EQ(root.end, RootEnd::jump);
+  ASSERT_TRUE(root.other);
+  EXPECT_NEAR(root.found.place, 0.7, 2e-6);
+  EXPECT_NEAR(root.other->place, 0.7, 2e-6);
+  EXPECT_NEAR(root.found.excess, 0.1, 1e-5);
+  EXPECT_NEAR(root.other->excess, -0.2, 1e-5);
+  EXPECT_EQ(root.share(), 1.);
+}
+
+TEST(StableRoot, KnowsWhatItLeavesOpen)
+{
+  // Of a state that is linear in the excess, its share of the difference is the whole rest.
+  const auto root = stable_root<double>(
+      0., [](const double x) { return std::make_pair(1.3 * (x - 0.25), 7. * x); },
+      [](const StableRoot<double> &so_far) { return std::abs(so_far.found.excess) < 0.2; },
+      {0.3, 10., 1e-6});
+  ASSERT_TRUE(root.other);
+  const double rest = 7. * 0.25 - root.found.state;
+  EXPECT_NE(rest, 0.);
+  EXPECT_NEAR(std::abs(rest), root.share() * std::abs(root.found.state - root.other->state), 1e-12);
+}
+
+TEST(StableRoot, IsNotFoundWhereThePlaceMovesForEver)
+{
+  EXPECT_EQ(root_of([](const double) { return -0.2; }).end, RootEnd::escaped);
+}
+
 TEST(VoltageDrive, GrowsWhereTheRotorFeedsIt)
 {
   const VoltageDrive drive = drive_of(20.);
@@ -117,9 +171,9 @@ TEST(VoltageDrive, KnowsTheAmplitudeAsWellAsItsNumbers)
   drive.internal_loss_error = 0.02 * drive.internal_loss;
   const auto free           = [](const double a) { return WaveLoad{a, natural, 0., 0.}; };
   const double exact        = 5. * natural / 1e11;
-  const BalancedAmplitude found =
-      balanced_amplitude(exact, [&](const double a) { return drive.excess(free(a), true); });
-  EXPECT_NEAR(found.value / exact, 1.01 / 0.98, 1e-4);
+  const auto found = balanced_amplitude<double>(
+      exact, [&](const double a) { return std::make_pair(drive.excess(free(a), true), a); });
+  EXPECT_NEAR(found.found.state / exact, 1.01 / 0.98, 1e-4);
 }
 
 TEST(VoltageDrive, SustainsAnAmplitudeAtTwoFrequencies)

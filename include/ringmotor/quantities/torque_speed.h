@@ -112,7 +112,9 @@ namespace ringmotor
     bool tells_window = false;
     PointErrors errors;
     double largest_violation = 0.; ///< of the laws of contact and friction, see ContactCertificate
-    double unsettled = 0.; ///< relative, of the amplitude of a driven wave, see BalancedAmplitude
+    /** What the search for the amplitude and the frequency of the wave leaves open, see StableRoot:
+     * where the state jumps with them, the whole jump. */
+    PointError unsettled;
     unsigned int n_iterations = 0;
     double seconds            = 0.;
     std::string remark; ///< what was tried if Newton's method alone did not suffice
@@ -174,8 +176,11 @@ namespace ringmotor
     void begin(const PointRequest &request, const CurvePoint &start,
                const CurvePoint *start_before);
     CurvePoint find_steady(const PointRequest &request);
-    /** The steady state with the wave at an amplitude (m). */
-    CurvePoint at_amplitude(const RotorLoad &load, const double of_wave);
+    /** The steady state with the wave at an amplitude (m), at the #frequency to which the contact
+     * shifts it if the model has it so. */
+    CurvePoint at_amplitude(const PointRequest &request, const double of_wave);
+    /** The steady state with the wave at an amplitude (m) and a frequency (rad/s). */
+    CurvePoint at_frequency(const PointRequest &request, const double of_wave, const double at);
 
     const CurveSetting setting;
     const Parameters parameters;
@@ -184,6 +189,7 @@ namespace ringmotor
     const std::optional<VoltageDrive> drive;
     LoadedWave wave;
     double amplitude; ///< m, at which the search for that of a driven wave begins
+    double frequency; ///< rad/s, at which the search for that of the wave begins
     PointMemory *const memory;
   };
 
