@@ -3,11 +3,13 @@
 #include <ringmotor/output/contact_h5.h>
 #include <ringmotor/output/hdf5.h>
 #include <ringmotor/parameters/errors.h>
+#include <ringmotor/parameters/short_text.h>
 #include <ringmotor/quantities/point_quantities.h>
 
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace ringmotor
@@ -99,7 +101,27 @@ namespace ringmotor
                  "0 open, 1 stick, 2 slip, by time sample, tooth, node");
     }
 
-    CurvePoint read_point(const Hdf5Reader &file, const std::string &group)
+    /** What follows from the numbers that were read must be what the writer had.
+     * @throws UserError if it is not */
+    void require_same_derived(const Hdf5Reader &file, const std::string &path,
+                              const std::string &group, CurvePoint &point)
+    {
+      constexpr double rounding = 1e-9;
+      for (const PointQuantity &quantity : point_quantities())
+        if (quantity.place(point) == nullptr)
+        {
+          const double written = file.attribute<double>(group, attribute_of(quantity)),
+                       derived = quantity.value(point);
+          if (!(std::abs(written - derived) <= rounding * std::max(std::abs(written), 1e-12)))
+            throw UserError(path + ", " + group + ": " + quantity.name + " = " +
+                            short_text(written) +
+                            " does not follow from the other numbers, which "
+                            "give " +
+                            short_text(derived) + "; run the program contact again");
+        }
+    }
+
+    CurvePoint read_point(const Hdf5Reader &file, const std::string &path, const std::string &group)
     {
       CurvePoint point;
       const bool of_torque = file.attribute<std::string>(group, "control") == "torque";
@@ -108,6 +130,7 @@ namespace ringmotor
       for (const PointQuantity &quantity : point_quantities())
         if (double *const place = quantity.place(point))
           *place = file.attribute<double>(group, attribute_of(quantity));
+      require_same_derived(file, path, group, point);
       point.rotor_energies =
           file.read<double>(group + "/rotor_energy", {Hdf5Reader::any_size}, "J");
       point.errors = read_errors(file, group + "/errors");
@@ -167,7 +190,7 @@ namespace ringmotor
           "run the program contact again");
     std::vector<CurvePoint> points;
     for (unsigned int p = 0; p < file.attribute<unsigned int>("/", "n_points"); ++p)
-      points.push_back(read_point(file, group_of(p)));
+      points.push_back(read_point(file, path, group_of(p)));
     return points;
   }
 } // namespace ringmotor

@@ -144,8 +144,8 @@ namespace ringmotor
       const PointErrors &errors = results[i].errors;
       // Where the state jumps with the frequency of the wave, it does so by one contact node and
       // one step.
-      const double of_step = std::max(
-          {relative(errors.time), relative(errors.scheme), relative(errors.algebra)});
+      const double of_step =
+          std::max({relative(errors.time), relative(errors.scheme), relative(errors.algebra)});
       if (relative(errors.total()) <= parameters.accuracy.contact_target)
         continue;
       if (relative(errors.modes) > parameters.accuracy.contact_target &&

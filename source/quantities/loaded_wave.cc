@@ -41,8 +41,8 @@ namespace ringmotor
     if (end == RootEnd::escaped || end == RootEnd::endless)
       throw ComputationError("the frequency of the wave with the rotor on the stator did not "
                              "settle; at " +
-                             short_text(place) +
-                             " times that without rotor it is off by " + short_text(-excess) +
+                             short_text(place) + " times that without rotor it is off by " +
+                             short_text(-excess) +
                              ": choose shorter steps (a larger Time/Snapshots), or "
                              "Effects/Stator back-reaction = off");
   }

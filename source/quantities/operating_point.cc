@@ -78,9 +78,9 @@ namespace ringmotor
 
   double OperatingPoint::power_imbalance() const
   {
-    constexpr double nothing = 1e-6; // a rotor that sticks takes no power
+    constexpr double little = 1e-3;
     return std::abs(input_power - output_work - friction_loss() - stored_power - modal_power) /
-           std::max({std::abs(input_power), friction_loss(), nothing * gross_power, 1e-300});
+           std::max({std::abs(input_power), friction_loss(), little * gross_power, 1e-300});
   }
 
   double detuning(const OperatingState &state)

@@ -21,6 +21,7 @@ namespace ringmotor
         {"tangential_loss", units::power, &Point::tangential_loss, &PointError::loss},
         {"radial_loss", units::power, &Point::radial_loss, &PointError::loss},
         {"input_power", units::power, &Point::input_power},
+        {"exchanged_power", units::power, &Point::gross_power},
         {"power_imbalance", units::one, &Point::power_imbalance},
         {"output_work", units::power, &Point::output_work},
         {"stored_power", units::power, &Point::stored_power},
@@ -59,9 +60,8 @@ namespace ringmotor
   {
     static const std::vector<double OperatingPoint::*> members = []
     {
-      // In addition to the list, those that only serve to compute others.
-      std::vector<double OperatingPoint::*> members{&OperatingPoint::gross_power,
-                                                    &OperatingPoint::modal_damping};
+      // In addition to the list, one that only serves to compute another.
+      std::vector<double OperatingPoint::*> members{&OperatingPoint::modal_damping};
       for (const PointQuantity &quantity : point_quantities())
         if (const auto *member = std::get_if<double OperatingPoint::*>(&quantity.source))
           members.push_back(*member);

@@ -163,10 +163,10 @@ namespace ringmotor
                    const double preload, const CondensedMotor &motor)
     {
       constexpr double negligible = 1e-4, little = 1e-2;
-      const double torque         = preload * motor.nodes.front().radius,
-                   speed          = motor.crest_speed() * one.result.amplitude / motor.amplitude,
-                   loss           = std::max(one.result.friction_loss(), little * torque * speed);
-      PointError rest             = change(other, one);
+      const double torque = preload * motor.nodes.front().radius,
+                   speed  = motor.crest_speed() * one.result.amplitude / motor.amplitude,
+                   loss   = std::max(one.result.friction_loss(), little * torque * speed);
+      PointError rest     = change(other, one);
       rest *= share / negligible;
       return rest.speed <= speed && rest.torque <= torque && rest.loss <= loss;
     }
@@ -222,8 +222,8 @@ namespace ringmotor
         [&](const StableRoot<CurvePoint> &so_far)
         {
           return std::abs(so_far.found.excess) <= shifted_wave::settled ||
-                 (so_far.other && are_alike(so_far.found.state, so_far.other->state,
-                                            so_far.share(), parameters.loading.preload, motor));
+                 (so_far.other && are_alike(so_far.found.state, so_far.other->state, so_far.share(),
+                                            parameters.loading.preload, motor));
         },
         shifted_wave::limits);
     shifted_wave::require_settled(root.end, root.found.place, root.found.excess);

@@ -171,7 +171,7 @@ TEST(VoltageDrive, KnowsTheAmplitudeAsWellAsItsNumbers)
   drive.internal_loss_error = 0.02 * drive.internal_loss;
   const auto free           = [](const double a) { return WaveLoad{a, natural, 0., 0.}; };
   const double exact        = 5. * natural / 1e11;
-  const auto found = balanced_amplitude<double>(
+  const auto found          = balanced_amplitude<double>(
       exact, [&](const double a) { return std::make_pair(drive.excess(free(a), true), a); });
   EXPECT_NEAR(found.found.state / exact, 1.01 / 0.98, 1e-4);
 }

@@ -13,8 +13,8 @@
 
 namespace ringmotor
 {
-  /** Steady states of a motor with waves of any amplitude and frequency. Each search starts from the
-   * last state. */
+  /** Steady states of a motor with waves of any amplitude and frequency. Each search starts from
+   * the last state. */
   class LoadedWave
   {
   public:
@@ -24,8 +24,8 @@ namespace ringmotor
     /** To set the start of the next search. */
     SteadyDriver &driver() { return *steady; }
 
-    /** The state under a load with the wave at an @p amplitude (m) and a @p frequency (rad/s); valid
-     * until the next one is asked for.
+    /** The state under a load with the wave at an @p amplitude (m) and a @p frequency (rad/s);
+     * valid until the next one is asked for.
      * @throws ComputationError if none is found */
     OperatingState at(const RotorLoad &load, const double amplitude, const double frequency);
 
@@ -48,9 +48,9 @@ namespace ringmotor
     void require_settled(const RootEnd end, const double place, const double excess);
   } // namespace shifted_wave
 
-  /** The search for the amplitude of a driven wave. Places are logarithms of amplitudes (m), so that
-   * the excess has a slope of about one: the force of the voltage over that of dampers and springs
-   * falls with the amplitude to a power of about one. */
+  /** The search for the amplitude of a driven wave. Places are logarithms of amplitudes (m), so
+   * that the excess has a slope of about one: the force of the voltage over that of dampers and
+   * springs falls with the amplitude to a power of about one. */
   namespace driven_wave
   {
     inline constexpr RootLimits limits{0.4, 4.6 /* a hundred times */, 3e-6};
@@ -78,9 +78,8 @@ namespace ringmotor
    * times @p start, or if the excess jumps by more than driven_wave::largest_excess
    */
   template <typename State>
-  StableRoot<State>
-  balanced_amplitude(const double start,
-                     const std::function<std::pair<double, State>(double)> &at)
+  StableRoot<State> balanced_amplitude(const double start,
+                                       const std::function<std::pair<double, State>(double)> &at)
   {
     const auto width = [](const StableRoot<State> &root)
     {

@@ -18,7 +18,8 @@ namespace ringmotor
     double stored_power  = 0.; ///< growth rate of stored energy, see RingContact::stored_energy()
     double modal_power   = 0.; ///< taken by the rotor's inertia and damping
     double modal_damping = 0.; ///< what its damping by a loss factor takes, over that factor
-    double gross_power   = 0.; ///< the input power, all of its parts taken positive
+    double gross_power   = 0.; ///< exchanged by feet and forces: the input power, each node's part
+                               ///< taken positive
     double closing_work  = 0.; ///< of pressure on gaps closing or opening in a step; numerical
 
     double amplitude = 0.; ///< m, of the wave, see StatorWave::amplitude
@@ -37,8 +38,9 @@ namespace ringmotor
     }
     double friction_loss() const { return tangential_loss + radial_loss; }
     double output_power() const { return torque * speed; }
-    /** Input power less output work, friction loss and stored power, over the larger of input power
-     * and loss. Up to solver errors, it is the work on closing gaps. */
+    /** Input power less output work, friction loss and stored power, over the largest of input
+     * power, loss and a thousandth of what is exchanged: a rotor that hardly slips or moves takes
+     * no power. Up to solver errors, it is the work on closing gaps. */
     double power_imbalance() const;
     /** The largest admissible power_imbalance() of a result. */
     static constexpr double largest_imbalance = 1e-3;

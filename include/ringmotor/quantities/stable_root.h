@@ -91,12 +91,12 @@ namespace ringmotor
     // Zero as soon as the root is settled, which ends the reduction of an interval.
     const auto excess = [&](const double place)
     {
-      auto [value, state]         = at(place);
+      auto [value, state]                = at(place);
       std::optional<Trial<State>> before = std::move(last);
-      last                        = Trial<State>{place, value, std::move(state)};
-      (value < 0. ? growing : decaying) = last;
-      root.found                  = *last;
-      root.other                  = before;
+      last                               = Trial<State>{place, value, std::move(state)};
+      (value < 0. ? growing : decaying)  = last;
+      root.found                         = *last;
+      root.other                         = before;
       if (growing && decaying)
       {
         const bool is_growing = std::abs(growing->excess) < std::abs(decaying->excess);
