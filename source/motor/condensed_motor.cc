@@ -239,34 +239,29 @@ namespace ringmotor
                    const Parameters &parameters, const MotorModel &model,
                    const unsigned int modes_level, const RotorVibration &of_rotor)
     {
-      const auto add_tooth_modes = [&](RingModes &modes, const unsigned int level)
+      const auto modes_at = [&](const VibrationSetting &setting)
       {
-        const unsigned int n_harmonics       = RotorVibration::n_harmonics[level];
-        const std::vector<RingMode> of_tooth = tooth_modes(
-            parameters, level, n_harmonics * motor.angular_frequency, tooth_top.surface, mortar);
-        const auto excited = harmonics_by_diameter(parameters.motor, n_harmonics);
+        RingModes modes(motor.n_teeth / 2 + 1);
+        if (model.rotor_needs_modes())
+          modes = of_rotor.at(setting, tooth_top.surface, discretisation.lip_turn);
+        if (!model.teeth_vibrate)
+          return modes;
+        const std::vector<RingMode> of_tooth =
+            tooth_modes(parameters, setting.mesh, setting.n_harmonics * motor.angular_frequency,
+                        tooth_top.surface, mortar);
+        const auto excited = harmonics_by_diameter(parameters.motor, setting.n_harmonics);
         for (unsigned int k = 0; k < modes.size(); ++k)
           if (model.rotor_moves_as_whole || excited.count(k) > 0)
             modes[k].insert(modes[k].end(), of_tooth.begin(), of_tooth.end());
+        return modes;
       };
-      motor.dynamics    = {model.rotor_loss_factor,
-                           InertiaScheme::second_order(parameters.time.spectral_radius),
-                           model.rotor_needs_modes() && !model.rotor_vibrates};
-      motor.modes_level = modes_level;
-      motor.modes.resize(motor.n_teeth / 2 + 1);
-      motor.coarse_modes.resize(motor.modes.size());
-      if (model.rotor_needs_modes())
-      {
-        const auto modes_of = [&](const unsigned int level)
-        { return of_rotor.level(level).at(tooth_top.surface, discretisation.lip_turn); };
-        motor.modes        = modes_of(modes_level);
-        motor.coarse_modes = modes_of(modes_level - 1);
-      }
-      if (model.teeth_vibrate)
-      {
-        add_tooth_modes(motor.modes, modes_level);
-        add_tooth_modes(motor.coarse_modes, modes_level - 1);
-      }
+      motor.dynamics                 = {model.rotor_loss_factor,
+                                        InertiaScheme::second_order(parameters.time.spectral_radius),
+                                        model.rotor_needs_modes() && !model.rotor_vibrates};
+      motor.modes_level              = modes_level;
+      motor.modes                    = modes_at(of_rotor.setting(modes_level));
+      motor.coarse_modes             = modes_at(of_rotor.on_coarser_mesh(modes_level));
+      motor.modes_of_other_harmonics = modes_at(of_rotor.of_other_harmonics(modes_level));
     }
   } // namespace
 

@@ -112,7 +112,8 @@ namespace ringmotor
 
   void add_cost_of_modes(const CondensedMotor &motor, std::vector<EffectRow> &rows)
   {
-    for (const RingModes *modes : {&motor.modes, &motor.coarse_modes})
+    for (const RingModes *modes :
+         {&motor.modes, &motor.coarse_modes, &motor.modes_of_other_harmonics})
       for (const std::vector<RingMode> &of_diameter : *modes)
         for (const RingMode &mode : of_diameter)
           for (EffectRow &row : rows)

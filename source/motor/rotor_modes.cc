@@ -73,8 +73,9 @@ namespace ringmotor
   }
 
   LipModes::LipModes(const Parameters &parameters, const unsigned int level, const double frequency,
-                     const unsigned int n_harmonics, const MPI_Comm communicator)
-      : n_teeth(parameters.motor.n_teeth), modes(n_teeth / 2 + 1)
+                     const unsigned int n_harmonics, const MPI_Comm communicator,
+                     const HarmonicRange &range, const LipModes *const fewer)
+      : n_teeth(parameters.motor.n_teeth), n_harmonics(n_harmonics), modes(n_teeth / 2 + 1)
   {
     const RotorBody body(parameters, discretisation(level));
     lip                                         = body.whole_lip;
@@ -92,7 +93,8 @@ namespace ringmotor
     { return next_rank++ % n_ranks == Utilities::MPI::this_mpi_process(communicator); };
     if (model.rotor_moves_as_whole)
     {
-      const double up_to = 2. / 3. * n_harmonics * frequency;
+      constexpr double of_highest = 2. / 3.;
+      const double up_to          = of_highest * n_harmonics * frequency;
       ModeSolver solver(body.sector);
       for (unsigned int k = 2; k < modes.size(); ++k)
         if (is_mine())
@@ -103,9 +105,10 @@ namespace ringmotor
       // Low harmonics have few vibrations below three times their own frequency.
       constexpr unsigned int least_harmonic = 4;
       ResponseModes responses(body.sector);
+      auto done = harmonics_by_diameter(parameters.motor, fewer ? fewer->n_harmonics : 0);
       for (const auto &[k, harmonics] : harmonics_by_diameter(parameters.motor, n_harmonics))
       {
-        if (k < 2 || !is_mine())
+        if (k < 2 || !range.contains(harmonics.front()) || harmonics == done[k] || !is_mine())
           continue;
         std::vector<double> frequencies;
         for (const unsigned int harmonic : harmonics)
@@ -120,6 +123,10 @@ namespace ringmotor
         for (std::size_t k = 0; k < modes.size(); ++k)
           if (!of_rank[k].empty())
             modes[k] = of_rank[k];
+    if (fewer)
+      for (std::size_t k = 0; k < modes.size(); ++k)
+        if (modes[k].empty())
+          modes[k] = fewer->modes[k];
     if (!model.rotor_gives_way_along)
       for (auto &of_diameter : modes)
         for (LipMode &mode : of_diameter)
@@ -147,21 +154,81 @@ namespace ringmotor
 
   RotorVibration::RotorVibration(const Parameters &parameters, const double frequency,
                                  const MPI_Comm communicator)
-      : parameters(parameters), frequency(frequency), communicator(communicator)
+      : parameters(parameters), frequency(frequency),
+        moves_as_a_whole(motor_model(parameters).rotor_moves_as_whole), communicator(communicator)
   {
+  }
+
+  VibrationSetting RotorVibration::setting(const unsigned int level) const
+  {
+    constexpr std::array<unsigned int, finest_level + 1> n_low{{9, 13, 20, 30}},
+        n_harmonics{{45, 45, 45, 60}};
+    return {level, n_low.at(level), moves_as_a_whole ? n_low[level] : n_harmonics[level]};
+  }
+
+  VibrationSetting RotorVibration::on_coarser_mesh(const unsigned int level) const
+  {
+    VibrationSetting other = setting(level);
+    --other.mesh;
+    return other;
+  }
+
+  VibrationSetting RotorVibration::of_other_harmonics(const unsigned int level) const
+  {
+    VibrationSetting other = on_coarser_mesh(level);
+    other.n_harmonics =
+        moves_as_a_whole ? setting(level - 1).n_harmonics : 3 * other.n_harmonics / 2;
+    return other;
   }
 
   void RotorVibration::prepare(const unsigned int modes_level) const
   {
-    level(modes_level - 1);
-    level(modes_level);
+    for (const VibrationSetting &each :
+         {setting(modes_level), on_coarser_mesh(modes_level), of_other_harmonics(modes_level)})
+      parts(each);
   }
 
-  const LipModes &RotorVibration::level(const unsigned int level) const
+  const LipModes &RotorVibration::of_first_harmonics() const
   {
-    if (!levels[level])
-      levels[level] = std::make_shared<const LipModes>(parameters, level, frequency,
-                                                       n_harmonics[level], communicator);
-    return *levels[level];
+    return part(1, setting(1).n_low, {});
+  }
+
+  std::vector<const LipModes *> RotorVibration::parts(const VibrationSetting &setting) const
+  {
+    if (moves_as_a_whole) // all of its nodal diameters have all frequencies
+      return {&part(setting.mesh, setting.n_harmonics, {})};
+    return {&part(setting.mesh, setting.n_harmonics, {1, setting.n_low}),
+            &part(0, setting.n_harmonics, {setting.n_low + 1})};
+  }
+
+  RingModes RotorVibration::at(const VibrationSetting &setting, const ContactSurface &tooth_top,
+                               const double lip_turn) const
+  {
+    RingModes all(parameters.motor.n_teeth / 2 + 1);
+    for (const LipModes *const modes : parts(setting))
+    {
+      const RingModes of_part = modes->at(tooth_top, lip_turn);
+      for (std::size_t k = 0; k < all.size(); ++k)
+        if (!of_part[k].empty())
+          all[k] = of_part[k];
+    }
+    return all;
+  }
+
+  const LipModes &RotorVibration::part(const unsigned int mesh, const unsigned int n_harmonics,
+                                       const HarmonicRange &range) const
+  {
+    std::shared_ptr<const LipModes> &modes = known[{mesh, range.first, range.last, n_harmonics}];
+    if (!modes)
+    {
+      const LipModes *fewer = nullptr;
+      for (const auto &[key, other] : known)
+        if (other && std::get<0>(key) == mesh && std::get<1>(key) == range.first &&
+            std::get<2>(key) == range.last && std::get<3>(key) < n_harmonics)
+          fewer = other.get();
+      modes = std::make_shared<const LipModes>(parameters, mesh, frequency, n_harmonics,
+                                               communicator, range, fewer);
+    }
+    return *modes;
   }
 } // namespace ringmotor

@@ -28,7 +28,7 @@ namespace ringmotor
           return measured[effect.name].relative;
         },
         [&]() -> const LipAmplification &
-        { return lip.emplace(given, uniform_vibration.level(level), level, n_harmonics); }};
+        { return lip.emplace(given, uniform_vibration.of_first_harmonics(), level, n_harmonics); }};
     rows = choose_effects(chosen, EffectStage::contact, scene, given.accuracy.contact_target);
     own_vibration = is_marched(chosen)
                         ? RotorVibration(chosen, wave.angular_frequency, MPI_COMM_WORLD)

@@ -82,12 +82,11 @@ namespace ringmotor
     const bool shares_modes = !setting.is_other_model;
     double seconds          = 0.;
     if (motor_model(setting.parameters).rotor_needs_modes() && shares_modes)
-      for (unsigned int level = setting.modes_level - 1; level <= setting.modes_level; ++level)
-      {
-        const ProcessorTime time;
-        vibration.level(level);
-        seconds += vibration_seconds.emplace(level, time.seconds()).first->second;
-      }
+    {
+      const ProcessorTime time;
+      vibration.prepare(setting.modes_level);
+      seconds += vibration_seconds.emplace(setting.modes_level, time.seconds()).first->second;
+    }
     const ProcessorTime time;
     CondensedMotor motor = condense_motor(setting.parameters, wave, setting.discretisation,
                                           setting.modes_level, shares_modes ? &vibration : nullptr);

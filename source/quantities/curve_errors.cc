@@ -145,11 +145,16 @@ namespace ringmotor
     raise(errors.time, resolution(point, motor()));
     if (motor().has_modes())
     {
-      // From level to level the errors of the meshes are halved, those of the harmonics left out
-      // decrease with the square of their number.
-      constexpr double of_change = 0.6;
-      errors.modes = change(point_of(plain, request), point_of(coarse_modes(), request));
-      errors.modes *= of_change;
+      // From level to level the errors of the meshes are at most halved; those of the harmonics
+      // left out decrease with the square of their number, which is multiplied by one and a half.
+      constexpr double of_mesh = 0.6, of_harmonics = 1.8;
+      const CurvePoint &coarse = point_of(with_modes(ModesInUse::coarse), request);
+      errors.modes             = change(point_of(plain, request), coarse);
+      errors.modes *= of_mesh;
+      PointError harmonics =
+          change(coarse, point_of(with_modes(ModesInUse::of_other_harmonics), request));
+      harmonics *= of_harmonics;
+      errors.modes += harmonics;
       if (motor().has_rotor_modes() && !motor().dynamics.is_hysteretic)
         raise(errors.modes, least_modes_error(point, motor(), crest_speed(point.result.amplitude)));
     }
@@ -190,10 +195,10 @@ namespace ringmotor
     return plain.n_parts % 2 == 0 ? plain.doubled() : plain.halved();
   }
 
-  CurveSetting CurveSearch::coarse_modes() const
+  CurveSetting CurveSearch::with_modes(const ModesInUse modes) const
   {
-    CurveSetting setting     = steps.plain(reached_level);
-    setting.has_coarse_modes = true;
+    CurveSetting setting = steps.plain(reached_level);
+    setting.modes        = modes;
     return setting;
   }
 
@@ -215,7 +220,8 @@ namespace ringmotor
   {
     std::vector<CurveSetting> settings{changed_wave()};
     if (motor().has_modes())
-      settings.push_back(coarse_modes());
+      for (const ModesInUse modes : {ModesInUse::coarse, ModesInUse::of_other_harmonics})
+        settings.push_back(with_modes(modes));
     if (has_inertia)
       settings.push_back(other_scheme());
     if (is_driven())

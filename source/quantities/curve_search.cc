@@ -14,15 +14,17 @@ namespace ringmotor
   namespace
   {
     /** The same motor with a wave of larger tangential and radial, but not axial, motion, with
-     * coarse modes of its rotor, or with another scheme. */
+     * other modes, or with another scheme. */
     CondensedMotor changed(const CondensedMotor &motor, const CurveSetting &setting)
     {
       CondensedMotor other = motor;
       for (CondensedMotor::Node &node : other.nodes)
         for (const unsigned int c : {1u, 2u})
           node.free_motion[c] *= setting.wave_factor;
-      if (setting.has_coarse_modes)
+      if (setting.modes == ModesInUse::coarse)
         other.modes = other.coarse_modes;
+      if (setting.modes == ModesInUse::of_other_harmonics)
+        other.modes = other.modes_of_other_harmonics;
       if (setting.has_other_scheme)
         other.dynamics.scheme = other.dynamics.scheme.dissipating_otherwise();
       return other;

@@ -18,8 +18,10 @@ namespace ringmotor
          << level << ", step " << n_joined << "/" << n_parts;
     if (wave_factor != 1.)
       text << ", wave times " << wave_factor;
-    text << (has_coarse_modes ? ", coarse modes" : "") << (has_other_scheme ? ", other scheme" : "")
-         << (has_drive_error ? ", other drive" : "");
+    text << (modes == ModesInUse::coarse               ? ", coarse modes"
+             : modes == ModesInUse::of_other_harmonics ? ", modes of other harmonics"
+                                                       : "")
+         << (has_other_scheme ? ", other scheme" : "") << (has_drive_error ? ", other drive" : "");
     return text.str();
   }
 

@@ -235,7 +235,7 @@ TEST(CurveErrorBars, LeadToFinerModesWhereTheseMatterMost)
                          const std::vector<CurvePoint> &starts)
     {
       std::vector<CurvePoint> points  = of_all(all, motor, setting, requests, starts);
-      const unsigned int modes_in_use = motor.modes_level - (setting.has_coarse_modes ? 1 : 0);
+      const unsigned int modes_in_use = motor.modes_level - (setting.modes == ModesInUse::requested ? 0 : 1);
       for (CurvePoint &point : points)
         if (point.request.control == Control::torque)
           point.result.speed += error / std::pow(3., modes_in_use);

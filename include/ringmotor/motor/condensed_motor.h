@@ -78,13 +78,14 @@ namespace ringmotor
 
     std::vector<Node> nodes;
     std::vector<NearRigidMode> near_rigid_modes;
-    double rotor_mass = 0.;       ///< kg, for its rise; 0: quasi-static
-    RingModes modes;              ///< of rotor and teeth if they have inertia or damping
-    RingModes coarse_modes;       ///< at the next coarser level: error estimate
-    unsigned int modes_level = 0; ///< see RotorVibration
-    RingDynamics dynamics;        ///< of these modes
-    RingCompliance compliance;    ///< of rotor and teeth, relative motion of rotor against stator
-    RingCompliance folded;        ///< the same for the repeating part; empty if nothing repeats
+    double rotor_mass = 0.;             ///< kg, for its rise; 0: quasi-static
+    RingModes modes;                    ///< of rotor and teeth if they have inertia or damping
+    RingModes coarse_modes;             ///< on the next coarser mesh: error estimate
+    RingModes modes_of_other_harmonics; ///< on that mesh, see RotorVibration: error estimate
+    unsigned int modes_level = 0;       ///< see RotorVibration
+    RingDynamics dynamics;              ///< of these modes
+    RingCompliance compliance; ///< of rotor and teeth, relative motion of rotor against stator
+    RingCompliance folded;     ///< the same for the repeating part; empty if nothing repeats
     ComplementarityConstants constants{};
     dealii::FullMatrix<double> tooth_compliance;  ///< of a single tooth, m/N
     std::vector<std::vector<unsigned int>> faces; ///< nodes of each face, as ContactSurface::faces
@@ -111,7 +112,7 @@ namespace ringmotor
       archive &n_teeth &n_waves &angular_frequency &amplitude &wave_energy &nodes &near_rigid_modes
           &compliance &folded;
       archive &constants.normal &constants.tangential &tooth_compliance &faces &degree &n_dofs;
-      archive &rotor_mass &modes &coarse_modes &modes_level &dynamics;
+      archive &rotor_mass &modes &coarse_modes &modes_of_other_harmonics &modes_level &dynamics;
     }
   };
 

@@ -4,8 +4,10 @@
 #include <ringmotor/motor/condensed_motor.h>
 
 #include <array>
+#include <limits>
 #include <map>
 #include <memory>
+#include <tuple>
 #include <vector>
 
 namespace ringmotor
@@ -24,6 +26,17 @@ namespace ringmotor
   at_contact_points(const std::vector<double> &half, const std::vector<MirroredNode> &origin,
                     const MortarCoupling &mortar, const double turn);
 
+  /** Nodal diameters by the lowest harmonic of the wave that they have, both ends included. */
+  struct HarmonicRange
+  {
+    unsigned int first = 1, last = std::numeric_limits<unsigned int>::max();
+
+    bool contains(const unsigned int harmonic) const
+    {
+      return first <= harmonic && harmonic <= last;
+    }
+  };
+
   /**
    * The vibrations of the rotor with two nodal diameters and more, on a separate mesh. With fewer
    * nodal diameters the rotor also moves as a whole: in a uniform ring its response to these is
@@ -38,9 +51,12 @@ namespace ringmotor
   {
   public:
     /** @param level of the mesh; @param frequency rad/s, of the wave; @param n_harmonics of the
-     * wave that may matter; @param communicator of the ranks that share the nodal diameters */
+     * wave that may matter; @param communicator of the ranks that share the nodal diameters;
+     * @param range of the nodal diameters that have modes here; @param fewer the same with fewer
+     * harmonics, if known: many nodal diameters have no more */
     LipModes(const Parameters &parameters, const unsigned int level, const double frequency,
-             const unsigned int n_harmonics, MPI_Comm communicator = MPI_COMM_SELF);
+             const unsigned int n_harmonics, MPI_Comm communicator = MPI_COMM_SELF,
+             const HarmonicRange &range = {}, const LipModes *fewer = nullptr);
 
     /** The rotor's discretisation for its modes at a level. */
     static ContactDiscretisation discretisation(const unsigned int level);
@@ -62,36 +78,71 @@ namespace ringmotor
     const std::vector<LipMode> &of_diameter(const unsigned int k) const { return modes[k]; }
 
   private:
-    const unsigned int n_teeth;
+    const unsigned int n_teeth, n_harmonics;
     SectorSurface lip;
     std::vector<std::vector<LipMode>> modes; ///< by nodal diameter
   };
 
-  /** The vibrations of a rotor at levels of increasing accuracy: in their mesh, and in the number
-   * of harmonics of the wave. Computed lazily. */
+  /** How accurately vibrations are known. */
+  struct VibrationSetting
+  {
+    /** Of LipModes::discretisation() and tooth_modes_discretisation(): for the low harmonics of the
+     * wave. Those above #n_low shake the rotor on the coarsest mesh. */
+    unsigned int mesh;
+    unsigned int n_low;
+    unsigned int n_harmonics; ///< in which bodies vibrate; in all others they respond as at rest
+  };
+
+  /** The vibrations of a rotor at levels of increasing accuracy: in the mesh and the number of low
+   * harmonics, whose resonances have to be known one by one, and in the number of all harmonics.
+   * Computed lazily. */
   class RotorVibration
   {
   public:
     static constexpr unsigned int finest_level = 3;
     /** For tight targets, to begin with. */
     static constexpr unsigned int usual_level = 2;
-    /** The harmonics of the wave in which bodies vibrate; in all others they respond as at rest. */
-    static constexpr std::array<unsigned int, finest_level + 1> n_harmonics{{9, 13, 20, 30}};
 
     /** @param frequency rad/s, of the wave @param communicator of the ranks that share the work:
-     * level() and prepare() are collective where they compute something */
+     * at() and prepare() are collective where they compute something */
     RotorVibration(const Parameters &parameters, const double frequency,
                    MPI_Comm communicator = MPI_COMM_SELF);
 
-    const LipModes &level(const unsigned int level) const;
+    /** The setting of a level. */
+    VibrationSetting setting(const unsigned int level) const;
+    /** The same on the next coarser mesh. */
+    VibrationSetting on_coarser_mesh(const unsigned int level) const;
+    /**
+     * That on the coarser mesh with other harmonics, which shows what those left out change.
+     * Contact excites resonances far up, one by one: what a few harmonics change says little of the
+     * next ones. Therefore half as many again as the forty-five that are never left out. Where the
+     * rotor moves as a whole and has the modes of all nodal diameters, these would be too many:
+     * those of the next lower level.
+     */
+    VibrationSetting of_other_harmonics(const unsigned int level) const;
+
+    /** The modes at the contact points on @p tooth_top. @param lip_turn see ContactDiscretisation
+     */
+    RingModes at(const VibrationSetting &setting, const ContactSurface &tooth_top,
+                 const double lip_turn) const;
     /** Computes what condense_motor() reads for @p modes_level: before ranks condense different
      * motors. */
     void prepare(const unsigned int modes_level) const;
+    /** Those of all nodal diameters on the mesh of level 1, for the first harmonics. */
+    const LipModes &of_first_harmonics() const;
 
   private:
+    /** Mesh, range of nodal diameters, number of harmonics. */
+    using Key = std::tuple<unsigned int, unsigned int, unsigned int, unsigned int>;
+    const LipModes &part(const unsigned int mesh, const unsigned int n_harmonics,
+                         const HarmonicRange &range) const;
+    /** On the mesh of a setting, and on the coarsest one. */
+    std::vector<const LipModes *> parts(const VibrationSetting &setting) const;
+
     Parameters parameters;
     double frequency;
+    bool moves_as_a_whole;
     MPI_Comm communicator;
-    mutable std::array<std::shared_ptr<const LipModes>, finest_level + 1> levels;
+    mutable std::map<Key, std::shared_ptr<const LipModes>> known;
   };
 } // namespace ringmotor

@@ -181,7 +181,7 @@ namespace ringmotor
     /** The setting with whose steps those of a point are compared. */
     CurveSetting compared_step(const unsigned int request) const;
     CurveSetting changed_wave() const;
-    CurveSetting coarse_modes() const;
+    CurveSetting with_modes(const ModesInUse modes) const;
     CurveSetting other_scheme() const;
     CurveSetting other_drive() const;
     /** All of these that serve to estimate an error of this motor. */

@@ -9,6 +9,15 @@
 
 namespace ringmotor
 {
+  /** In which modes bodies vibrate: those requested, or others that measure their error, see
+   * RotorVibration. */
+  enum class ModesInUse
+  {
+    requested,
+    coarse,            ///< on the next coarser mesh
+    of_other_harmonics ///< on that mesh
+  };
+
   /** How finely bodies and time are divided. */
   struct CurveSetting
   {
@@ -21,9 +30,8 @@ namespace ringmotor
     unsigned int n_joined = 1;
     /** Factor on the speed of the stator's surface, to measure the effect of its error. */
     double wave_factor = 1.;
-    /** Whether a rotor with inertia vibrates in its coarse modes, to measure the effect of their
-     * error. */
-    bool has_coarse_modes = false;
+    /** The modes of bodies with inertia. */
+    ModesInUse modes = ModesInUse::requested;
     /** Whether the time integration of inertia has another dissipation, to measure its effect. */
     bool has_other_scheme = false;
     /** Whether a driven wave is the largest that the errors of its drive allow. */
@@ -35,9 +43,9 @@ namespace ringmotor
 
     bool operator<(const CurveSetting &other) const
     {
-      return std::tie(level, n_parts, n_joined, wave_factor, has_coarse_modes, has_other_scheme,
+      return std::tie(level, n_parts, n_joined, wave_factor, modes, has_other_scheme,
                       has_drive_error) < std::tie(other.level, other.n_parts, other.n_joined,
-                                                  other.wave_factor, other.has_coarse_modes,
+                                                  other.wave_factor, other.modes,
                                                   other.has_other_scheme, other.has_drive_error);
     }
 
@@ -54,7 +62,8 @@ namespace ringmotor
      * scheme or another drive. */
     bool has_changed_motor() const
     {
-      return wave_factor != 1. || has_coarse_modes || has_other_scheme || has_drive_error;
+      return wave_factor != 1. || modes != ModesInUse::requested || has_other_scheme ||
+             has_drive_error;
     }
 
     /** All of it in words, to distinguish settings: "interface mesh 1, step 1/2". */
