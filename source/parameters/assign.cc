@@ -2,19 +2,21 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <ringmotor/parameters/assign.h>
+#include <ringmotor/parameters/characters.h>
+#include <ringmotor/parameters/declare.h>
 #include <ringmotor/parameters/declared_entries.h>
 #include <ringmotor/parameters/errors.h>
 
 #include <boost/algorithm/string/split.hpp>
 #include <boost/algorithm/string/trim.hpp>
 
-#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <map>
 #include <optional>
+#include <regex>
 
 namespace ringmotor
 {
@@ -32,20 +34,67 @@ namespace ringmotor
       return boost::algorithm::trim_copy(std::string(end));
     }
 
-    /** Whether one of the numbers, separated by commas, is followed by a letter, % or a micro sign.
-     */
-    bool has_unit(const std::string &value)
+    /** What follows the first number of a list, or a single one, that something follows. */
+    std::string first_rest(const std::string &value)
     {
-      const auto starts_unit = [](const unsigned char character)
-      { return std::isalpha(character) || character == '%' || character >= 128; };
       std::vector<std::string> numbers;
       boost::algorithm::split(numbers, value, [](const char c) { return c == ','; });
-      return std::any_of(numbers.begin(), numbers.end(),
-                         [&](const std::string &number)
-                         {
-                           const auto rest = text_after_number(number);
-                           return rest && !rest->empty() && starts_unit(rest->front());
-                         });
+      for (const std::string &number : numbers)
+        if (const auto rest = text_after_number(number); rest && !rest->empty())
+          return *rest;
+      return "";
+    }
+
+    bool is_path(const DeclaredEntries::Entry &entry)
+    {
+      return entry.allowed.find("a path") != std::string::npos;
+    }
+
+    bool is_text(const DeclaredEntries::Entry &entry)
+    {
+      return entry.allowed.find("a text") == 0;
+    }
+
+    /** Also whole numbers, which have no units. */
+    bool has_number(const DeclaredEntries::Entry &entry)
+    {
+      return !entry.units.empty() || entry.allowed.find("a whole number") != std::string::npos;
+    }
+
+    /** What is probably wrong with a rejected number, or list of them; empty if nobody knows. */
+    std::string problem_of_number(const std::string &value, const std::string &units)
+    {
+      const std::string comma = decimal_comma(value), rest = first_rest(value);
+      if (!comma.empty())
+        return comma;
+      if (std::regex_match(rest, std::regex("[dDeEqQ] *[-+]? *[0-9]*")))
+        return "has the exponent " + in_quotes(rest) + "; write exponents as in 1.41e11";
+      if (std::regex_match(rest, std::regex("[*x] *10.*")))
+        return "has the power of ten " + in_quotes(rest) + "; write powers of ten as in 1.41e11";
+      const auto starts_unit = [](const unsigned char character)
+      { return std::isalpha(character) || character == '%' || character >= 128; };
+      if (!units.empty() && !rest.empty() && starts_unit(rest.front()))
+        return "has a unit; give the number in SI, " +
+               (units == "none" ? "here a plain number" : "here in " + units) +
+               ", without the unit";
+      if (text_after_number(value) == "" && !std::isfinite(std::strtod(value.c_str(), nullptr)))
+        return "is not a finite number";
+      return "";
+    }
+
+    /** What is probably wrong with a rejected value; empty if nobody knows. */
+    std::string problem_of(const std::string &value, const DeclaredEntries::Entry &entry)
+    {
+      if (is_path(entry))
+        return problem_of_path(value);
+      if (is_text(entry))
+        return deceptive_character(value, Deception::control);
+      if (const std::string found = deceptive_character(value, Deception::look_alike);
+          !found.empty())
+        return found;
+      if (value.front() == '"' || value.front() == '\'')
+        return "is in quotes; leave them out";
+      return has_number(entry) ? problem_of_number(value, entry.units) : "";
     }
 
     /** What is probably wrong with a rejected @p value, and what is allowed. */
@@ -53,24 +102,9 @@ namespace ringmotor
     {
       if (value.empty())
         return " is empty; allowed: " + entry.allowed;
-
-      std::string guess     = "is not a valid value";
-      const bool is_number  = !entry.units.empty();
-      const auto rest       = text_after_number(value);
-      const auto is_decimal = [](const std::string &text) {
-        return text.size() > 1 && text[0] == ',' &&
-               std::isdigit(static_cast<unsigned char>(text[1]));
-      };
-      if (is_number && has_unit(value))
-        guess = "has a unit; give the number in SI, " +
-                (entry.units == "none" ? "here a plain number" : "here in " + entry.units) +
-                ", without the unit";
-      else if (is_number && rest && is_decimal(*rest))
-        guess = "has a decimal comma; write a decimal point";
-      else if (is_number && rest && rest->empty() &&
-               !std::isfinite(std::strtod(value.c_str(), nullptr)))
-        guess = "is not a finite number";
-      return " = " + in_quotes(value) + " " + guess + "; allowed: " + entry.allowed;
+      const std::string problem = problem_of(value, entry);
+      return " = " + in_quotes(value) + " " + (problem.empty() ? "is not a valid value" : problem) +
+             "; allowed: " + entry.allowed;
     }
 
     /** Passes one assignment to the handler, whose actions write to the parameters. */

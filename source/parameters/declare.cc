@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/utilities.h>
 
+#include <ringmotor/parameters/characters.h>
 #include <ringmotor/parameters/declare.h>
 
-#include <algorithm>
+#include <boost/algorithm/string/predicate.hpp>
+
 #include <array>
 #include <charconv>
 #include <limits>
+#include <regex>
 
 namespace ringmotor
 {
@@ -43,15 +46,6 @@ namespace ringmotor
                                      std::chars_format::general)
                            .ptr;
       return {buffer.data(), end};
-    }
-
-    /** Whether a text can be written as a value and read back: no comment, no line continuation. */
-    bool fits_in_file(const std::string &text)
-    {
-      const auto is_forbidden = [](const unsigned char character)
-      { return character < ' ' || character == '#'; };
-      return !text.empty() && text.back() != '\\' &&
-             std::none_of(text.begin(), text.end(), is_forbidden);
     }
 
     constexpr double largest  = std::numeric_limits<double>::max();
@@ -111,6 +105,22 @@ namespace ringmotor
     return plausible(positive_number(), 1e8, 1.5e12);
   }
 
+  std::string decimal_comma(const std::string &list)
+  {
+    if (std::regex_search(list, std::regex("[0-9],[0-9]")))
+      return "has a comma between digits; write a decimal point, no separators of thousands, and a "
+             "blank after each comma of a list";
+    if (std::regex_search(list, std::regex("(^|,)\\s*[-+]?0[0-9]")))
+      return "has a number with a leading zero, as behind a decimal comma; write a decimal point";
+    return "";
+  }
+
+  std::vector<std::string> items_of(const std::string &list)
+  {
+    return decimal_comma(list).empty() ? Utilities::split_string_list(list, ',')
+                                       : std::vector<std::string>();
+  }
+
   Notation<std::vector<double>> numbers_or(const std::string &word, const Notation<double> &number)
   {
     using Values     = std::vector<double>;
@@ -126,7 +136,7 @@ namespace ringmotor
       Values values;
       if (text == word)
         return values;
-      for (const std::string &item : Utilities::split_string_list(text, ','))
+      for (const std::string &item : items_of(text))
         if (const auto value = number.read(item))
           values.push_back(*value);
         else
@@ -154,6 +164,14 @@ namespace ringmotor
     return selection<bool>({{"true", true}, {"false", false}});
   }
 
+  bool fits_in_file(const std::string &text)
+  {
+    return !text.empty() && text.find('#') == std::string::npos && text.back() != '\\' &&
+           encoding_problem(text).empty() &&
+           deceptive_character(text, Deception::control).empty() &&
+           text.find('\t') == std::string::npos;
+  }
+
   Notation<std::string> any_text()
   {
     const auto write = [](const std::string &value) { return value; };
@@ -162,15 +180,47 @@ namespace ringmotor
     return {write, read, "a text of one line without #"};
   }
 
+  std::string problem_of_path(const std::string &text)
+  {
+    const std::string unseen = deceptive_character(text, Deception::blank);
+    if (!unseen.empty())
+      return unseen;
+    const auto has = [&text](const char *const characters)
+    { return text.find_first_of(characters) != std::string::npos; };
+    const auto begins_with = [&text](const std::string &start)
+    { return text.compare(0, start.size(), start) == 0; };
+    if (begins_with("~"))
+      return "begins with ~, which only a shell replaces; write the whole path of the home folder";
+    if (has("$`"))
+      return "has a $ or `, which only a shell replaces; write out what it stands for";
+    for (const std::string quote : {"\"", "'", "\u2018", "\u2019", "\u201A", "\u201C", "\u201D",
+                                    "\u201E", "\u00AB", "\u00BB"})
+      if (begins_with(quote) || boost::algorithm::ends_with(text, quote))
+        return "has quotes around it; leave them out, blanks need none";
+    if (has("\\"))
+      return "has a backslash; separate folders by /";
+    if (begins_with("file:"))
+      return "is an address; write the path alone, without file:";
+    return fits_in_file(text) ? "" : "is not a path that a parameter file can hold";
+  }
+
+  Notation<std::string> path()
+  {
+    const auto write = [](const std::string &value) { return value; };
+    const auto read  = [](const std::string &text)
+    {
+      return !text.empty() && problem_of_path(text).empty() ? std::make_optional(text)
+                                                            : std::nullopt;
+    };
+    return {write, read, "a path as it stands: no $ # \\, no ~ in front, no quotes around it"};
+  }
+
   Notation<std::string> file_or_none()
   {
+    const Notation<std::string> file = path();
     const auto write = [](const std::string &value) { return value.empty() ? "none" : value; };
-    const auto read  = [](const std::string &text) -> std::optional<std::string>
-    {
-      if (!fits_in_file(text))
-        return {};
-      return text == "none" ? std::string() : text;
-    };
-    return {write, read, "none, or the path of a file"};
+    const auto read  = [file](const std::string &text)
+    { return text == "none" ? std::make_optional<std::string>() : file.read(text); };
+    return {write, read, "none, or " + file.allowed};
   }
 } // namespace ringmotor

@@ -2,6 +2,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <ringmotor/parameters/assign.h>
+#include <ringmotor/parameters/declare.h>
 #include <ringmotor/parameters/declared_entries.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/parameters/parameters.h>
@@ -98,6 +99,16 @@ namespace ringmotor
       return std::filesystem::absolute(path).lexically_normal().string();
     }
 
+    /** @throws UserError for a path found by the programs that a parameter file cannot hold */
+    void check_found(const std::string &entry, const std::string &path)
+    {
+      if (!path.empty() && !fits_in_file(path))
+        throw UserError(
+            entry + ": the path " + in_quotes(path) +
+            " has a # or other characters that a parameter file cannot hold; rename the "
+            "file or folder, or choose another one");
+    }
+
     /** Replaces the values that stand for something else. */
     void resolve(Parameters &parameters, const std::filesystem::path &file)
     {
@@ -106,6 +117,9 @@ namespace ringmotor
       for (std::string *const mesh_file :
            {&parameters.stator.mesh_file, &parameters.rotor.mesh_file})
         *mesh_file = resolve_mesh_file(*mesh_file, file.parent_path());
+      check_found("Output/Directory", parameters.output.directory);
+      check_found("Stator/Mesh file", parameters.stator.mesh_file);
+      check_found("Rotor/Mesh file", parameters.rotor.mesh_file);
     }
   } // namespace
 

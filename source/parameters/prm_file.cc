@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/parameters/characters.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/parameters/prm_file.h>
 
 #include <boost/algorithm/string/join.hpp>
+#include <boost/algorithm/string/replace.hpp>
 #include <boost/algorithm/string/trim.hpp>
 #include <boost/algorithm/string/trim_all.hpp>
 
@@ -28,6 +30,26 @@ namespace ringmotor
       return boost::algorithm::join(subsections, "/");
     }
 
+    std::string first_word(const std::string &line)
+    {
+      return line.substr(0, line.find_first_of(" \t"));
+    }
+
+    /** Whether a line begins as those that no value goes on with. */
+    bool is_statement(const std::string &line)
+    {
+      const std::string word = first_word(line);
+      return word == "set" || word == "subsection" || word == "end";
+    }
+
+    /** With line feeds alone at the ends of lines. */
+    std::string with_unix_lines(std::string text)
+    {
+      boost::algorithm::replace_all(text, "\r\n", "\n");
+      boost::algorithm::replace_all(text, "\r", "\n");
+      return text;
+    }
+
     /** The parser's state from line to line. */
     class PrmParser
     {
@@ -38,6 +60,7 @@ namespace ringmotor
 
     private:
       void parse_line(const std::string &line);
+      void check_plain(const std::string &names) const;
       void open_subsection(const std::string &subsection);
       void close_subsection();
       void assign(const std::string &assignment);
@@ -57,9 +80,13 @@ namespace ringmotor
 
     PrmFile PrmParser::parse(const std::string &text)
     {
+      place = name;
+      if (const std::string problem = encoding_problem(text); !problem.empty())
+        fail(problem);
       const std::string byte_order_mark = "\xEF\xBB\xBF";
       const bool is_marked = text.compare(0, byte_order_mark.size(), byte_order_mark) == 0;
-      std::istringstream stream(is_marked ? text.substr(byte_order_mark.size()) : text);
+      std::istringstream stream(
+          with_unix_lines(is_marked ? text.substr(byte_order_mark.size()) : text));
       std::string raw_line, line;
       bool continued = false;
       for (unsigned int number = 1; std::getline(stream, raw_line); ++number)
@@ -70,7 +97,11 @@ namespace ringmotor
           place       = name + ":" + std::to_string(number);
         }
         // Cut the comment first: a comment that ends with a backslash must not swallow a line.
-        line += trim_copy(raw_line.substr(0, raw_line.find('#')));
+        const std::string part = trim_copy(raw_line.substr(0, raw_line.find('#')));
+        if (continued && is_statement(part))
+          fail("ends with a backslash, which joins the next line, " + in_quotes(part) +
+               "; remove the backslash");
+        line += part;
         continued = !line.empty() && line.back() == '\\';
         if (continued)
         {
@@ -95,9 +126,9 @@ namespace ringmotor
     {
       if (line.empty())
         return;
-      const std::size_t end_of_keyword = std::min(line.find_first_of(" \t"), line.size());
-      const std::string keyword        = line.substr(0, end_of_keyword);
-      const std::string rest           = trim_copy(line.substr(end_of_keyword));
+      check_plain(trim_copy(line.substr(0, line.find('='))));
+      const std::string keyword = first_word(line);
+      const std::string rest    = trim_copy(line.substr(keyword.size()));
 
       if (keyword == "subsection")
         open_subsection(tidy(rest));
@@ -111,6 +142,14 @@ namespace ringmotor
       else
         fail("cannot understand " + in_quotes(line) +
              "; allowed: subsection Name, set Entry = value, end, # comment");
+    }
+
+    /** Keywords, sections and entries are plain words. */
+    void PrmParser::check_plain(const std::string &names) const
+    {
+      const std::string found = deceptive_character(names, Deception::foreign);
+      if (!found.empty())
+        fail(in_quotes(names) + " " + found);
     }
 
     void PrmParser::open_subsection(const std::string &subsection)
@@ -150,12 +189,17 @@ namespace ringmotor
 
   PrmFile::Assignment parse_override(const std::string &text)
   {
-    const std::string place  = "--set " + in_quotes(text);
+    const std::string place = "--set " + in_quotes(text);
+    if (const std::string problem = encoding_problem(text); !problem.empty())
+      throw UserError(place + ": " + problem);
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos)
       throw UserError(place + ": no equals sign; write --set 'Section/Entry = value'");
 
-    std::istringstream path(text.substr(0, equals));
+    const std::string written = text.substr(0, equals);
+    if (const std::string found = deceptive_character(written, Deception::foreign); !found.empty())
+      throw UserError(place + ": " + in_quotes(trim_copy(written)) + " " + found);
+    std::istringstream path(written);
     std::vector<std::string> names;
     for (std::string name; std::getline(path, name, '/');)
       names.push_back(tidy(name));
@@ -167,12 +211,8 @@ namespace ringmotor
 
   std::string in_quotes(const std::string &text)
   {
-    const std::size_t longest = 80;
-    std::string visible       = text.substr(0, longest);
-    std::replace_if(
-        visible.begin(), visible.end(),
-        [](const unsigned char character) { return character < ' ' || character == 127; }, '?');
-    return '"' + visible + (text.size() > longest ? "..." : "") + '"';
+    constexpr std::size_t longest = 80;
+    return '"' + visible(text, longest) + '"';
   }
 
   std::string some_of(const std::vector<std::string> &names)

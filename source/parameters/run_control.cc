@@ -30,7 +30,7 @@ namespace ringmotor
         Points points;
         if (text == edge)
           return points;
-        for (const std::string &item : Utilities::split_string_list(text, ','))
+        for (const std::string &item : items_of(text))
         {
           const std::vector<std::string> parts = Utilities::split_string_list(item, ':');
           if (parts.size() != 2 || !tooth.read(parts[0]) || !radius.read(parts[1]))
@@ -78,7 +78,7 @@ namespace ringmotor
         if (text == all)
           return everything;
         Targets targets;
-        for (const std::string &item : Utilities::split_string_list(text, ','))
+        for (const std::string &item : items_of(text))
         {
           const std::vector<std::string> parts = Utilities::split_string_list(item, ':');
           const std::size_t n_colons           = std::count(item.begin(), item.end(), ':');
@@ -212,7 +212,7 @@ namespace ringmotor
 
   void Output::declare(ParameterHandler &prm)
   {
-    add_entry(prm, "Directory", directory, any_text(),
+    add_entry(prm, "Directory", directory, path(),
               "Folder of the results, with a subfolder for each program; a relative path "
               "starts in the current directory, and \"auto\" means output/ and the name of the "
               "parameter file.");

@@ -6,8 +6,11 @@
 
 #include "sample.h"
 
+#include <ringmotor/parameters/prm_file.h>
+
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -200,6 +203,26 @@ TEST(Reading, SkipsAByteOrderMark)
             printed(read_parameters_from_text(complete_text(), "a.prm")));
 }
 
+TEST(Reading, NamesInAllLanguages)
+{
+  for (const std::string name : {"Motor f\u00FCr \"77\", \u00D8 60\u00A0mm",
+                                 "\u8D85\u58F0\u6CE2\u7535\u673A \u2116 1", "$x 'y' ~z"})
+  {
+    const Parameters parameters = with({"Motor/Name = " + name});
+    EXPECT_EQ(parameters.motor.name, name);
+    EXPECT_EQ(read_parameters_from_text(printed(parameters), "a.prm").motor.name, name);
+  }
+}
+
+TEST(Reading, MessagesAreCutBetweenCharacters)
+{
+  std::string text;
+  for (unsigned int i = 0; i < 81; ++i)
+    text += "\u8D85";
+  EXPECT_EQ(in_quotes(text), '"' + text.substr(0, 240) + "...\"");
+  EXPECT_EQ(in_quotes("a\u200B\x1B\u009B\xFC"), "\"a????\"");
+}
+
 TEST(Reading, OverridesWinOverTheFile)
 {
   const Parameters parameters =
@@ -229,6 +252,11 @@ TEST(Reading, CommentsBlanksContinuationAndLineEndings)
   const Parameters parameters = read_parameters_from_text(text, "spaced.prm");
   EXPECT_EQ(parameters.wave.amplitude, 4e-6);
   EXPECT_FALSE(parameters.wave.frequency.has_value());
+
+  std::string of_old_macintosh = complete_text();
+  std::replace(of_old_macintosh.begin(), of_old_macintosh.end(), '\n', '\r');
+  EXPECT_EQ(printed(read_parameters_from_text(of_old_macintosh, "a.prm")),
+            printed(read_parameters_from_text(complete_text(), "a.prm")));
 }
 
 TEST(Reading, AMeshFileReplacesTheStatorDimensions)

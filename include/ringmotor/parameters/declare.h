@@ -116,6 +116,13 @@ namespace ringmotor
     return {write, read, word + ", or " + number.allowed, number.plausible};
   }
 
+  /** Why a list of numbers that are not whole is refused although each may be one: a comma between
+   * digits, `0,05`, or a number `05` may have come from a decimal comma. Empty if it has none. */
+  std::string decimal_comma(const std::string &list);
+
+  /** The items of such a list, between its commas; none if they may be decimal commas. */
+  std::vector<std::string> items_of(const std::string &list);
+
   /** Numbers separated by commas, or the @p word that stands for the empty list. */
   Notation<std::vector<double>> numbers_or(const std::string &word, const Notation<double> &number);
 
@@ -127,6 +134,16 @@ namespace ringmotor
 
   /** A non-empty text that fits on one line of a parameter file. */
   Notation<std::string> any_text();
+
+  /** Whether a text can be written as a value and read back: no comment, no line continuation. */
+  bool fits_in_file(const std::string &text);
+
+  /** Why a text is refused as a path: it has what only a shell understands (`~`, variables,
+   * quotes), or what is not seen; empty if it is none of these. */
+  std::string problem_of_path(const std::string &text);
+
+  /** The path of a folder or file, which is taken literally. */
+  Notation<std::string> path();
 
   /** The path of a file, or the word `none`, which stands for the empty string. */
   Notation<std::string> file_or_none();

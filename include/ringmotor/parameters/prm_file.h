@@ -37,7 +37,8 @@ namespace ringmotor
    * from `#` to the end of the line, and a backslash that joins the next line. The place of a line
    * is `name:line`. A byte-order mark at the start, which some editors write, is skipped.
    *
-   * @throws UserError for everything else, and for subsections that are not balanced.
+   * @throws UserError for everything else, for subsections that are not balanced, a text that is
+   * not UTF-8, and names with characters outside ASCII.
    */
   PrmFile parse_prm(const std::string &text, const std::string &name);
 
@@ -48,7 +49,7 @@ namespace ringmotor
    */
   PrmFile::Assignment parse_override(const std::string &text);
 
-  /** @p text in quotes for a one-line message: without control characters, not too long. */
+  /** @p text in quotes for a one-line message: without control characters, not too long, UTF-8. */
   std::string in_quotes(const std::string &text);
 
   /** The first few of @p names, separated by commas, and how many more there are. */
