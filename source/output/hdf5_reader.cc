@@ -92,7 +92,7 @@ namespace ringmotor
         reject(path, "", "nothing", expected);
       const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
       if (file < 0)
-        reject(path, "", "a damaged or locked file, or another format", expected);
+        reject(path, "", "a damaged file, or another format", expected);
       return file;
     }
 

@@ -134,6 +134,13 @@ namespace ringmotor
       mallopt(M_TRIM_THRESHOLD, 256 * megabyte);
     }
 
+    /** The folder of a case is locked (see CaseLock), and HDF5 opens no file where the file system has
+     * no locks. To be called before the first one is opened. */
+    void lock_no_hdf5_files()
+    {
+      setenv("HDF5_USE_FILE_LOCKING", "FALSE", /*overwrite =*/1);
+    }
+
     /** Reports once and ends all ranks: a rank that fails alone would leave the others waiting. */
     int fail(const Doing &doing, const std::string &message, const int status)
     {
@@ -163,6 +170,7 @@ namespace ringmotor
   {
     restart_with_faster_blas_kernel(argv);
     spare_the_network_search();
+    lock_no_hdf5_files();
     keep_freed_memory();
     std::signal(SIGXFSZ, SIG_IGN); // a file grown too large must be an error that can be reported
     const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);

@@ -171,7 +171,7 @@ TEST(Hdf5, RefusesAFileOfAnotherKind)
   expect_problem(scratch.path("y.h5"), ": found nothing, expected a readable HDF5 file",
                  [&]() { Hdf5Reader(scratch.path("y.h5"), "example", 3); });
   expect_problem(scratch.path(""),
-                 ": found a damaged or locked file, or another format, expected a readable HDF5 "
+                 ": found a damaged file, or another format, expected a readable HDF5 "
                  "file",
                  [&]() { Hdf5Reader(scratch.path(""), "example", 3); });
 }
@@ -189,7 +189,7 @@ TEST(Hdf5, RefusesAFileThatWasCutOff)
   {
     write_file(path, whole.substr(0, size));
     expect_problem(path,
-                   ": found a damaged or locked file, or another format, expected a readable HDF5 "
+                   ": found a damaged file, or another format, expected a readable HDF5 "
                    "file",
                    [&]() { Hdf5Reader(path, "example", 3); });
   }
