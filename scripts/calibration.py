@@ -2,18 +2,13 @@
 """Entries that explain a measured torque-speed curve: a surrogate of the motor, least squares, a Markov chain."""
 import itertools
 import math
-import sys
 from dataclasses import dataclass
 
+import emcee
 import numpy as np
 from case import CaseError
 from scipy.interpolate import PchipInterpolator
 from scipy.optimize import least_squares
-
-try:
-    import emcee
-except ImportError as error:
-    sys.exit(f"calibrate: {error}; scripts/setup.sh installs what is missing, run with /usr/bin/python3")
 
 DEGREE = 3  # of the surrogate in each entry, of all entries together
 N_STARTS = 12

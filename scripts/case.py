@@ -7,11 +7,7 @@ import os
 import re
 import sys
 
-try:
-    import h5py
-except ImportError as error:
-    sys.exit(f"{error}; scripts/setup.sh installs what is missing, run with /usr/bin/python3")
-
+import h5py
 
 SUMMARY_KEYS = ("program", "version", "git", "prm", "seconds", "peak_memory_MB", "dofs", "quantities", "effects",
                 "certificate")
@@ -45,6 +41,7 @@ def run_script(name, main):
     """Ends a script with the one line of a mistake, or of an interruption after which it can go on."""
     try:
         main(sys.argv[1:])
+        print(end="", flush=True)  # here, where an error is told in words
     except CaseError as problem:
         sys.exit(f"{name}: {problem}")
     except KeyboardInterrupt:
@@ -87,21 +84,21 @@ class Results:
             raise CaseError(f"{path} cannot be read ({reason}); run the program {self.program} again") from None
 
     def read_summary(self, path):
-        with open(path) as file:
+        with open(path, encoding="utf-8") as file:
             self.summary = json.load(file)
         for key in SUMMARY_KEYS:
             self.summary[key]  # what is missing is told here, not in the middle of a page
 
     def read_parameters(self, path):
         """"Section/Entry" -> text."""
-        with open(path) as file:
+        with open(path, encoding="utf-8") as file:
             self.parameters = entries_of(file)
         self.motor = self.parameters["Motor/Name"]
 
 
 def read_table(path, texts=()):
     """Rows of a CSV file as list of dict, numbers but for the columns `texts`."""
-    with open(path, newline="") as file:
+    with open(path, newline="", encoding="utf-8") as file:
         rows = [{key: text if key in texts else float(text) for key, text in row.items()}
                 for row in csv.DictReader(file)]
     if not rows:
@@ -151,12 +148,12 @@ class Case(Results):
         self.has_lowest_modes = re.search(r"set Frequency target += 0\n", self.summary["prm"]) is not None
 
     def read_frequencies(self, path):
-        with open(path, newline="") as file:
+        with open(path, newline="", encoding="utf-8") as file:
             self.modes = [{"n": int(row["n"]), "family": row["family"], "frequency_Hz": float(row["frequency_Hz"]),
                            "error_Hz": float(row["error_Hz"])} for row in csv.DictReader(file)]
 
     def read_ellipses(self, path):
-        with open(path, newline="") as file:
+        with open(path, newline="", encoding="utf-8") as file:
             self.points = {row.pop("point"): {key: float(value) for key, value in row.items()}
                            for row in csv.DictReader(file)}
 

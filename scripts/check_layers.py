@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3 -sE
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Checks that the rooms of the library include each other in one direction only.
 
@@ -34,7 +34,7 @@ def violations(root):
             if room not in MAY_INCLUDE:
                 yield f"{place}:1: '{room or path.name}' is not a room, see the table in {Path(__file__).name}"
                 continue
-            for number, line in enumerate(path.read_text().splitlines(), start=1):
+            for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
                 found = INCLUDE.match(line)
                 if found is None or found.group(1) in FREE_HEADERS:
                     continue

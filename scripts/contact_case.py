@@ -97,7 +97,7 @@ class ContactCase(Results):
         rows = []
 
         def read(path):
-            with open(path, newline="") as file:
+            with open(path, newline="", encoding="utf-8") as file:
                 for row in csv.DictReader(file):
                     if int(row["point"]) == point:
                         rows.append({key: text if key == "status" else float(text) for key, text in row.items()})

@@ -7,19 +7,14 @@ import logging
 import pathlib
 import shutil
 import subprocess
-import sys
 import tempfile
 from dataclasses import dataclass
 
+import dask
 import motor_task
 from case import CaseError, entries_of
+from distributed import Client, LocalCluster, UploadFile, as_completed
 from motor_task import Task, find_wave, known_outcome, run_motor
-
-try:
-    import dask
-    from distributed import Client, LocalCluster, UploadFile, as_completed
-except ImportError as error:
-    sys.exit(f"sweep: {error}; scripts/setup.sh installs what is missing, run with /usr/bin/python3")
 
 # Sections of which the program stator reads nothing: motors that differ in these alone have the same wave. The program
 # contact refuses a wave that is not its own.
@@ -57,7 +52,7 @@ class Family:
         self.prm, self.settings = pathlib.Path(prm).resolve(), {**NO_FIELDS, **settings}
         self.output, self.programs = pathlib.Path(output).resolve(), pathlib.Path(programs).resolve()
         try:
-            text = self.prm.read_text()
+            text = self.prm.read_text(encoding="utf-8")
             defaults = entries_of(self.said("--help").splitlines())
             self.entries = {**defaults, **entries_of(text.splitlines())}
             self.basis = self.said("--version") + text
@@ -69,7 +64,7 @@ class Family:
         self.entries.update(self.settings)
 
     def said(self, option):
-        return subprocess.run([self.programs / "contact", option], capture_output=True, text=True, check=True).stdout
+        return subprocess.run([self.programs / "contact", option], capture_output=True, encoding="utf-8", check=True).stdout
 
     def check_name(self, option, entry):
         """@throws CaseError if there is no such entry"""

@@ -45,7 +45,7 @@ def run_program(name, task, *words):
     for entry, value in task.entries:
         command += ["--set", f"{entry} = {value}"]
     begin = time.monotonic()
-    done = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, errors="replace",
+    done = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, encoding="utf-8", errors="replace",
                           preexec_fn=die_with_parent, check=False,
                           env=dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1"))
     said = [line for line in done.stderr.splitlines() if line.strip()]
@@ -59,7 +59,7 @@ def known_outcome(path):
     """What an earlier run has noted in a file; None if there is nothing, or the limit of time was exceeded."""
     if not path.exists():
         return None
-    found = Outcome(**json.loads(path.read_text()))
+    found = Outcome(**json.loads(path.read_text(encoding="utf-8")))
     return None if "Accuracy/Time limit" in found.message else found
 
 
@@ -70,7 +70,7 @@ def once(path, compute):
     found = compute()
     path.parent.mkdir(parents=True, exist_ok=True)
     part = path.with_suffix(f".{os.getpid()}.{threading.get_ident()}.part")
-    part.write_text(json.dumps(asdict(found)))
+    part.write_text(json.dumps(asdict(found)), encoding="utf-8")
     part.replace(path)
     return found
 

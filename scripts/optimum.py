@@ -3,18 +3,13 @@
 import hashlib
 import json
 import os
-import sys
 import warnings
 from dataclasses import dataclass
 
+import optuna
 from case import CaseError
 from goals import is_of_wave, quantity_of
 from sweep_table import row_of
-
-try:
-    import optuna
-except ImportError as error:
-    sys.exit(f"sweep: {error}; scripts/setup.sh installs what is missing, run with /usr/bin/python3")
 
 COARSE = 0.1  # Accuracy/Contact target of the first motors
 FINER = 0.3  # of one stage over that before

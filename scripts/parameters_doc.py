@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3 -sE
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Writes doc/parameters.md from what `stator --help` says of each entry.
 
@@ -74,12 +74,12 @@ def document(help_text):
 def main():
     if len(sys.argv) < 2:
         sys.exit(__doc__)
-    help_text = subprocess.run([sys.argv[1], "--help"], check=True, capture_output=True, text=True).stdout
+    help_text = subprocess.run([sys.argv[1], "--help"], check=True, capture_output=True, encoding="utf-8").stdout
     text = document(help_text)
     if "--check" not in sys.argv[2:]:
-        TARGET.write_text(text)
+        TARGET.write_text(text, encoding="utf-8")
         return 0
-    if TARGET.is_file() and TARGET.read_text() == text:
+    if TARGET.is_file() and TARGET.read_text(encoding="utf-8") == text:
         return 0
     print(f"{TARGET} is not what the program says; run scripts/parameters_doc.py {sys.argv[1]}")
     return 1

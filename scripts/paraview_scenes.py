@@ -55,7 +55,7 @@ def read_counts(folder):
     """Numbers of waves and of teeth around the ring; Motor is the first section of the parameters."""
     path = os.path.join(folder, "used.prm")
     try:
-        with open(path) as file:
+        with open(path, encoding="utf-8") as file:
             text = file.read()
         return [int(re.search(rf"set Number of {name} *= *(\d+)", text)[1]) for name in ("waves", "teeth")]
     except (OSError, TypeError, ValueError):

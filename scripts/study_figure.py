@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/python3 -sE
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Draws what accuracy costs, from studies (stator FILE.prm --study, contact FILE.prm --study).
 
@@ -14,7 +14,8 @@ import os
 import sys
 
 sys.dont_write_bytecode = True  # a drawing leaves nothing outside the folder of its case
-from case import CaseError
+import surroundings  # noqa: F401
+from case import CaseError, run_script
 from drawing import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, figures_folder, plt, save
 
 STUDIES = (("stator", "study"), ("contact", "contact_study"))
@@ -32,7 +33,7 @@ def read(case_folder, program):
     """The rows of a program's study, without those that have no solution; none if it has made none."""
     path = os.path.join(case_folder, program, "study.csv")
     try:
-        with open(path, newline="") as file:
+        with open(path, newline="", encoding="utf-8") as file:
             rows = list(csv.DictReader(file))
         for row in rows:
             row["seconds"] = float(row["seconds"])
@@ -126,7 +127,4 @@ def main(arguments):
 
 
 if __name__ == "__main__":
-    try:
-        main(sys.argv[1:])
-    except CaseError as error:
-        sys.exit(f"study_figure: {error}")
+    run_script("study_figure", main)

@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/python3 -sE
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Prints one page about a case: its results with their error bars, their cost, and where the files are.
 
@@ -7,7 +7,8 @@ Usage: scripts/summary.py CASE_DIR      e.g. scripts/summary.py output/canon_rin
 import sys
 
 sys.dont_write_bytecode = True
-from case import CaseError
+import surroundings  # noqa: F401
+from case import CaseError, run_script
 from page import Page
 
 MOST_POINTS = 6  # on one page
@@ -36,10 +37,11 @@ def print_page(page):
             print(line)
 
 
+def main(arguments):
+    if len(arguments) != 1:
+        raise CaseError("expected one folder; usage: scripts/summary.py CASE_DIR")
+    print_page(Page(arguments[0], MOST_POINTS))
+
+
 if __name__ == "__main__":
-    try:
-        if len(sys.argv) != 2:
-            raise CaseError("expected one folder; usage: scripts/summary.py CASE_DIR")
-        print_page(Page(sys.argv[1], MOST_POINTS))
-    except CaseError as error:
-        sys.exit(f"summary: {error}")
+    run_script("summary", main)

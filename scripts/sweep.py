@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/python3 -sE
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Many motors: every combination of values of some entries, or a sample of them, through the three programs.
 
@@ -31,6 +31,7 @@ import time
 from dataclasses import replace
 
 sys.dont_write_bytecode = True
+import surroundings  # noqa: F401
 from case import CaseError, run_script
 from goals import limit, loading_for, name_of, target
 from many_motors import Engine

@@ -68,7 +68,7 @@ def write_csv(path, rows):
     entries, names = list(rows[0].varied), names_of(rows)
     units = {name: unit_of(rows, name) for name in names}
     part = f"{path}.part"
-    with open(part, "w", newline="") as file:
+    with open(part, "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
         writer.writerow([*entries, "outcome", *(heading(name, units[name], word) for name in names for word in ("", "error")),
                          "seconds", "wave_seconds", "folder", "message"])
