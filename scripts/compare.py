@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/python3 -sE
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Compares motors: entries that differ, and each quantity with its difference and error bars.
 
@@ -12,9 +12,10 @@ import os
 import sys
 
 sys.dont_write_bytecode = True
+import surroundings  # noqa: F401
 from case import CaseError, known, run_script
 from contact_case import ContactCase
-from drawing import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, figures_folder, plt, save
+from drawing import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, figures_folder, literal, plt, save
 from motor_results import quantities_of
 
 COLORS = (BLUE, ORANGE, GREEN, PURPLE, SKY)
@@ -86,7 +87,7 @@ def draw(motors):
         curve.errorbar([row["torque_mNm"] for row in motor.curve], [row["speed_rpm"] for row in motor.curve],
                        xerr=[row["torque_error_mNm"] for row in motor.curve],
                        yerr=[row["speed_error_rpm"] for row in motor.curve], fmt="o-", color=color, ms=2.5, lw=0.9,
-                       capsize=1.5, label=motor.name)
+                       capsize=1.5, label=literal(motor.name))
     curve.set(xlabel="torque (mN m)", ylabel="speed (rpm)")
     curve.legend(frameon=False)
     names = [name for name, one in motors[0].quantities.items()
@@ -99,7 +100,7 @@ def draw(motors):
     bars.axvline(0, color=GREY, lw=0.8)
     bars.set_yticks(range(len(names)), names, fontsize=7)
     bars.invert_yaxis()
-    bars.set_xlabel(f"difference from {motors[0].name} (%)")
+    bars.set_xlabel(f"difference from {literal(motors[0].name)} (%)")
     for axes in (curve, bars):
         axes.grid(color="#EEEEEE", lw=0.5)
         axes.set_axisbelow(True)

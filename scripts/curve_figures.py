@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Figure of the torque-speed curve, of one case or of several together."""
 import numpy as np
-from drawing import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, start_figure
+from drawing import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, literal, start_figure
 
 CASE_STYLE = ((BLUE, "o"), (ORANGE, "s"), (GREEN, "^"), (PURPLE, "D"), (SKY, "v"))
 PARTS = {"friction_loss_mW": ("total", "-"), "tangential_loss_mW": ("along the ring", "--"),
@@ -51,7 +51,7 @@ def name_of(case):
     is_driven = case.parameters["Wave/Drive"] == "voltage"
     given = (f"{float(case.parameters['Wave/Voltage']):g} V" if is_driven
              else f"{1e6 * float(case.parameters['Wave/Amplitude']):g} um")
-    return case.motor.replace("$", r"\$") + ", " + given
+    return literal(case.motor) + ", " + given
 
 
 def draw_torque_speed(case, others=()):

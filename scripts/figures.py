@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/python3 -sE
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Draws the figures of a case from the result files of the programs stator, contact and losses.
 
@@ -30,7 +30,8 @@ import os
 import sys
 
 sys.dont_write_bytecode = True  # a drawing leaves nothing outside the folder of its case
-from case import CaseError
+import surroundings  # noqa: F401
+from case import CaseError, run_script
 from contact_case import ContactCase
 from contact_figures import (draw_contact_forces, draw_contact_shape, draw_friction_history, draw_normal_displacement,
                              draw_warped_displacement, history_touches)
@@ -119,12 +120,14 @@ def main(arguments):
             figures.update(figures_of_losses(losses, contact, folder))
         else:
             remove_figures(folder, LOSSES_FIGURES)
-        save_all(figures, folder)
+        failed = save_all(figures, folder)
+        remove_figures(folder, failed)
+    for name, reason in failed.items():
+        print(f"figures: {name} cannot be drawn ({reason}), and is left out", file=sys.stderr)
     print(f"figures in {folder}/")
+    if failed:
+        sys.exit(1)
 
 
 if __name__ == "__main__":
-    try:
-        main(sys.argv[1:])
-    except CaseError as error:
-        sys.exit(f"figures: {error}")
+    run_script("figures", main)

@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/python3 -sE
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Writes CASE_DIR/report.html: the page of summary.py with the figures in it, one file for a browser or a printer.
 
@@ -13,7 +13,8 @@ import sys
 import urllib.parse
 
 sys.dont_write_bytecode = True
-from case import CaseError
+import surroundings  # noqa: F401
+from case import CaseError, run_script
 from page import Page
 
 MOST_POINTS = 60
@@ -118,15 +119,29 @@ def html_of_files(table):
     return f"<h2>{html.escape(table.title)}</h2>\n<table><tbody>\n{rows}</tbody></table>\n"
 
 
+def drawn(page, names):
+    """Name -> path of the figures that are there, those of earlier results as well."""
+    paths = {name: os.path.join(page.folder, "figures", f"{name}.svg") for name in names}
+    return {name: path for name, path in paths.items() if os.path.exists(path)}
+
+
+def is_older(page, path):
+    return os.path.getmtime(path) < page.newest_result()
+
+
+def left_out(page):
+    """A line for each figure of earlier results."""
+    return [f"{path} is older than the results and left out; run scripts/figures.py and then scripts/report.py"
+            for names in FIGURES.values() for path in drawn(page, names).values() if is_older(page, path)]
+
+
 def html_of_figures(page, names):
     """Those that have been drawn; an image of its own each, so that names inside them do not meet."""
     figures = []
-    for name, caption in names.items():
-        path = os.path.join(page.folder, "figures", f"{name}.svg")
-        if not os.path.exists(path):
+    for name, path in drawn(page, names).items():
+        if is_older(page, path):
             continue
-        if os.path.getmtime(path) < page.newest_result():
-            raise CaseError(f"{path} is older than the results; run scripts/figures.py first")
+        caption = names[name]
         with open(path, "rb") as file:
             code = base64.b64encode(file.read()).decode()
         figures.append(f'<figure><img alt="{html.escape(caption)}" src="data:image/svg+xml;base64,{code}">'
@@ -145,7 +160,7 @@ def html_of(page):
     for name, table in page.tables.items():
         parts.append(html_of_files(table) if name == "files" else html_of_table(table))
         parts.append(html_of_figures(page, FIGURES.get(name, {})))
-    warnings = "".join(f'<p class="warning">{html.escape(note)}</p>\n' for note in page.notes)
+    warnings = "".join(f'<p class="warning">{html.escape(note)}</p>\n' for note in [*page.notes, *left_out(page)])
     return f"""<!DOCTYPE html>
 <html lang="en">
 <head>
@@ -169,7 +184,8 @@ def main(arguments):
     if len(arguments) != 1:
         raise CaseError("expected one folder; usage: scripts/report.py CASE_DIR")
     path = os.path.join(arguments[0], "report.html")
-    text = html_of(Page(arguments[0], MOST_POINTS))
+    page = Page(arguments[0], MOST_POINTS)
+    text = html_of(page)
     part = path + ".part"  # a failure leaves no half-written report
     try:
         with open(part, "w", encoding="utf-8") as file:
@@ -180,11 +196,10 @@ def main(arguments):
     finally:
         if os.path.exists(part):
             os.remove(part)
+    for line in left_out(page):
+        print(f"report: {line}")
     print(f"report in {path}")
 
 
 if __name__ == "__main__":
-    try:
-        main(sys.argv[1:])
-    except CaseError as error:
-        sys.exit(f"report: {error}")
+    run_script("report", main)

@@ -75,16 +75,17 @@ trap 'exit 130' INT # mpirun does not end as by the signal, and bash would go on
 
 # Where a program fails, the page tells so beside the results of those before it.
 rm -f "$case_folder/report.html"
-status=0 begun=$EPOCHSECONDS
+status=0 shown=0 begun=$EPOCHSECONDS
 "${launcher[@]}" "$bin/motor" "${options[@]}" "${resume[@]}" || status=$?
 used=$case_folder/stator/used.prm
 (($(stat -c %Y "$used" 2> /dev/null || echo 0) >= begun)) || exit "$status" # stator has failed, or another run is there
 
 figures=$(sed -n '/^subsection Output/,/^end/s/^ *set Figures *= *//p' "$used")
 if [[ $figures == true ]]; then
-  "$root/scripts/figures.py" "$case_folder"
-  "$root/scripts/report.py" "$case_folder"
+  # What cannot be drawn is missing on the page, which is there in any case.
+  "$root/scripts/figures.py" "$case_folder" || shown=$?
+  "$root/scripts/report.py" "$case_folder" || shown=$?
 fi
 echo
-"$root/scripts/summary.py" "$case_folder"
-exit "$status"
+"$root/scripts/summary.py" "$case_folder" || shown=$?
+exit $((status == 0 ? shown : status))

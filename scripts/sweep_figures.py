@@ -3,7 +3,7 @@
 import math
 import os
 
-from drawing import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, plt, save
+from drawing import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, literal, plt, save
 from sweep_table import names_of, unit_of
 
 MOST_LINES = 5
@@ -24,7 +24,7 @@ def label(name, unit):
 def start(title, n_columns, n_rows):
     figure, axes = plt.subplots(n_rows, n_columns, figsize=(3.4 * n_columns, 2.6 * n_rows), layout="constrained",
                                 squeeze=False)
-    figure.suptitle(title, fontsize=10)
+    figure.suptitle(literal(title), fontsize=10)
     for one in axes.flat:
         one.grid(color="#EEEEEE", lw=0.5)
         one.set_axisbelow(True)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from case import CaseError
-from drawing import BLUE, GREY, ORANGE, plt, save
+from drawing import BLUE, GREY, ORANGE, literal, plt, save
 from scipy.stats import norm, qmc
 from variation import number_text
 
@@ -107,7 +107,7 @@ def variances_of(values, deviates):
 
 def write_spreads(path, spreads):
     part = f"{path}.part"
-    with open(part, "w", newline="") as file:
+    with open(part, "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
         writer.writerow(["quantity", "unit", "value", "numerical_error", "deviation_of_inputs",
                          *(f"share of {name}" for name in spreads[0].shares)])
@@ -129,7 +129,7 @@ def draw_spreads(output, title, spreads):
     """Both bars of each quantity, relative to its value."""
     shown = [one for one in spreads if one.value != 0. and (one.error > 0. or one.deviation > 0.)]
     figure, axes = plt.subplots(figsize=(6.4, 0.9 + 0.34 * len(shown)), layout="constrained")
-    figure.suptitle(title, fontsize=10)
+    figure.suptitle(literal(title), fontsize=10)
     places = np.arange(len(shown))
     for shift, color, words, part in ((-0.18, BLUE, "numerical error", "error"),
                                       (0.18, ORANGE, "standard deviation by the inputs", "deviation")):

@@ -100,6 +100,22 @@ class FromFileToPage(Installed):
         self.assertIn("all hold", done.stdout)
         self.assertNotIn("FAILED", done.stdout)
 
+    def test_a_figure_that_fails_leaves_the_page(self):
+        case, figures = self.folder / "no_pen", self.prefix / "share/ringmotor/scripts/stator_figures.py"
+        usual = figures.read_text(encoding="utf-8")
+        for drawn, said in (("def draw_dispersion(*_):\n    raise RuntimeError('no pen')\n",
+                             "figures: dispersion cannot be drawn (RuntimeError no pen), and is left out"),
+                            ("raise ImportError('no matplotlib')\n", "figures: ImportError no matplotlib; ")):
+            figures.write_text(f"{usual}\n{drawn}", encoding="utf-8")
+            try:
+                done = self.ringmotor("--output", case, *settings("Output/VTU = false"))
+            finally:
+                figures.write_text(usual, encoding="utf-8")
+            self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
+            self.assertIn(said, done.stderr)
+            self.assertIn("all hold", done.stdout)  # the page
+            self.assertTrue((case / "report.html").exists())
+
     def test_an_interruption_ends_it(self):
         case = self.folder / "interrupted"
         process = subprocess.Popen([self.prefix / "bin" / "ringmotor", ROOT / "prm" / "canon_ring.prm", "--output", case],
