@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/python3 -sE
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Finds entries, such as friction coefficients and the amplitude, from a measured torque-speed curve.
 
@@ -19,11 +19,13 @@ import math
 import sys
 
 sys.dont_write_bytecode = True
+import surroundings  # noqa: F401
 import numpy as np
-from calibration import Measured, Posterior, Surrogate, n_terms
-from case import CaseError, read_table, run_script
+from calibration import Posterior, Surrogate, n_terms
+from case import CaseError, run_script
 from drawing import BLUE, ORANGE, plt, save
 from many_motors import Engine
+from measured import read_measured
 from motor_options import family_of, motors_parser
 from motor_results import RPM
 from scipy.interpolate import PchipInterpolator
@@ -32,27 +34,6 @@ from variation import latin_hypercube, number_text, ranged
 
 MOST_SPEEDS = 12  # at which each motor is computed
 INTERVAL = (2.5, 50., 97.5)  # per cent of the chain
-
-
-def read_measured(path):
-    try:
-        rows = read_table(path)
-        columns = {name: np.array([row[name] if name in rows[0] else 0. for row in rows])
-                   for name in ("torque_error_mNm", "speed_error_rpm")}
-        found = Measured(np.array([row["torque_mNm"] for row in rows]) * 1e-3,
-                         np.array([row["speed_rpm"] for row in rows]) * RPM,
-                         columns["torque_error_mNm"] * 1e-3, columns["speed_error_rpm"] * RPM)
-    except KeyError as error:
-        raise CaseError(f"{path} has no column {error}; it needs torque_mNm and speed_rpm") from None
-    except (OSError, ValueError, TypeError) as error:
-        raise CaseError(f"{path} cannot be read ({' '.join(str(error).split())}); it needs a line of names and rows of "
-                        "numbers, separated by commas") from None
-    numbers = np.concatenate([found.torque, found.speed, found.torque_error, found.speed_error])
-    if not np.all(np.isfinite(numbers)) or np.any(found.torque_error < 0) or np.any(found.speed_error < 0):
-        raise CaseError(f"{path} has numbers that are not finite, or negative deviations")
-    if np.any(found.torque_error + found.speed_error <= 0):
-        raise CaseError(f"{path} needs torque_error_mNm or speed_error_rpm above 0 for each point")
-    return found
 
 
 def speeds_for(measured):
@@ -111,7 +92,7 @@ def report(output, fitted, posterior, best, chain):
     print(f"chi squared {chi_squared:.3g} for {n_free} degrees of freedom")
     if n_free > 0 and chi_squared > n_free + 4 * math.sqrt(2 * n_free):
         print("warning: no motor of these ranges explains the curve within its deviations")
-    (output / "calibration.json").write_text(json.dumps(result, indent=1) + "\n")
+    (output / "calibration.json").write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
 
 
 def parse(arguments):

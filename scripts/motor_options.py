@@ -4,7 +4,9 @@ import argparse
 import os
 import pathlib
 
+from case import CaseError
 from many_motors import Family
+from typed import problem_of_path
 from variation import entry_and_value
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -31,6 +33,8 @@ def motors_parser(documentation):
 
 def family_of(options, kind, **settings):
     """The motors of the parameter file, in output/FILE_kind if no folder is given; with settings of the program's own."""
+    if options.output and (problem := problem_of_path(options.output)):
+        raise CaseError(f'--output "{options.output}" {problem}')
     options.output = options.output or f"output/{pathlib.Path(options.prm).stem}_{kind}"
     given = dict(entry_and_value("--set", text) for text in options.settings)
     return Family(options.prm, {**given, **settings}, options.output, options.programs)

@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/python3 -sE
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Opens a case in ParaView, in up to four views, or writes their pictures.
 
@@ -20,6 +20,8 @@ import sys
 import tempfile
 
 sys.dont_write_bytecode = True  # looking leaves nothing outside the folder that was asked for
+import surroundings  # noqa: F401
+from typed import problem_of_path
 
 # Name -> the program it shows, its files in the folder of the case.
 VIEWS = {"wave": ("stator", ["stator/ring.pvd"]),
@@ -47,6 +49,8 @@ def read_arguments(arguments):
                 value = rest.pop(0)
             if not value:
                 raise ViewError(f"{name} needs a value; {USAGE}")
+            if name == "--png" and (problem := problem_of_path(value)):
+                raise ViewError(f'{name} "{value}" {problem}')
             values[name] = value
         elif argument.startswith("-"):
             raise ViewError(f"unknown option {argument}; {USAGE}")
@@ -120,7 +124,8 @@ def main(arguments):
     # By the environment, as ParaView hands no arguments to a script that it runs in its window.
     os.environ.update(RINGMOTOR_CASE=os.path.abspath(case_folder), RINGMOTOR_VIEWS=" ".join(views),
                       RINGMOTOR_TORQUE="" if torque is None else str(torque),
-                      RINGMOTOR_PNG="" if png_folder is None else png_folder)
+                      RINGMOTOR_PNG="" if png_folder is None else png_folder,
+                      PYTHONNOUSERSITE="1")  # the Python inside ParaView wants Debian's modules, too
     sys.stdout.flush()
     os.execvp(start[0], start)
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from case import CaseError
 from scipy.stats import qmc
+from typed import problem_of_list, problem_of_number
 
 
 @dataclass(frozen=True)
@@ -47,13 +48,9 @@ def entry_and_value(option, text):
 
 
 def number_of(option, text, word):
-    try:
-        number = float(word)
-    except ValueError:
-        number = math.nan
-    if not math.isfinite(number):
-        raise CaseError(f'{option} "{text}": "{word.strip()}" is not a number')
-    return number
+    if problem := problem_of_number(word.strip()):
+        raise CaseError(f'{option} "{text}": "{word.strip()}" {problem}')
+    return float(word)
 
 
 def ranged(option, text):
@@ -81,6 +78,8 @@ def varied(option, text):
                       whole.is_logarithmic)
     if ":" in value and "/" not in value:
         return ranged(option, text)
+    if problem := problem_of_list(value):
+        raise CaseError(f'{option} "{text}" {problem}')
     return Varied(entry, tuple(word.strip() for word in value.split(",")))
 
 
