@@ -134,8 +134,8 @@ namespace ringmotor
       mallopt(M_TRIM_THRESHOLD, 256 * megabyte);
     }
 
-    /** The folder of a case is locked (see CaseLock), and HDF5 opens no file where the file system has
-     * no locks. To be called before the first one is opened. */
+    /** The folder of a case is locked (see CaseLock), and HDF5 opens no file where the file system
+     * has no locks. To be called before the first one is opened. */
     void lock_no_hdf5_files()
     {
       setenv("HDF5_USE_FILE_LOCKING", "FALSE", /*overwrite =*/1);
