@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/python3 -sE
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Torque-speed curves of one motor from a feather's touch to a ring pressed flat, each on one core.
 

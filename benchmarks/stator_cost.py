@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/python3 -sE
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What accuracy costs in the program stator: whole runs on the reference motor, timed from outside.
 

@@ -3,4 +3,4 @@
 # Usage: scripts/random_motors.sh [--seed S] [--count N] [further options of tests/hard/random_motors.py]
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-exec /usr/bin/python3 "$root/tests/hard/random_motors.py" --workers "$(nproc)" --resume "$@"
+exec /usr/bin/python3 -sE "$root/tests/hard/random_motors.py" --workers "$(nproc)" --resume "$@"

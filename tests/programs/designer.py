@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/python3 -sE
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The programs in the hands of a designer: folders, interruptions, what follows from what, what is kept.
 

@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/python3 -sE
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The programs on a machine that fails: a full disk, a folder that cannot be written, too little memory.
 

@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/python3 -sE
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What a designer does with an installed ringmotor: run.sh, which is called ringmotor there, from a parameter file to
 the page.

@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/python3 -sE
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """scripts/paraview_view.py as its user meets it: messages, exit status and, where ParaView is, pictures.
 

@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/python3 -sE
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Many motors at once: sweeps, samples, optima, solutions, comparisons, as their user meets them.
 

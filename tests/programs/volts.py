@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/python3 -sE
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A motor with piezoelectric coupling as its user meets it: circuits, voltages, messages.
 
