@@ -7,6 +7,8 @@
 #include <ringmotor/parameters/declared_entries.h>
 #include <ringmotor/parameters/errors.h>
 
+#include <boost/algorithm/string/erase.hpp>
+#include <boost/algorithm/string/predicate.hpp>
 #include <boost/algorithm/string/split.hpp>
 #include <boost/algorithm/string/trim.hpp>
 
@@ -16,7 +18,6 @@
 #include <functional>
 #include <map>
 #include <optional>
-#include <regex>
 
 namespace ringmotor
 {
@@ -61,15 +62,27 @@ namespace ringmotor
       return !entry.units.empty() || entry.allowed.find("a whole number") != std::string::npos;
     }
 
+    /** Whether a text behind a number is an exponent in the notation of another language. */
+    bool is_exponent(const std::string &rest)
+    {
+      const std::string compact = boost::algorithm::erase_all_copy(rest, " ");
+      if (compact.empty() || std::string("dDeEqQ").find(compact.front()) == std::string::npos)
+        return false;
+      const bool is_signed = compact.size() > 1 && (compact[1] == '-' || compact[1] == '+');
+      return compact.find_first_not_of("0123456789", is_signed ? 2 : 1) == std::string::npos;
+    }
+
     /** What is probably wrong with a rejected number, or list of them; empty if nobody knows. */
     std::string problem_of_number(const std::string &value, const std::string &units)
     {
       const std::string comma = decimal_comma(value), rest = first_rest(value);
       if (!comma.empty())
         return comma;
-      if (std::regex_match(rest, std::regex("[dDeEqQ] *[-+]? *[0-9]*")))
+      if (is_exponent(rest))
         return "has the exponent " + in_quotes(rest) + "; write exponents as in 1.41e11";
-      if (std::regex_match(rest, std::regex("[*x] *10.*")))
+      const std::string compact = boost::algorithm::erase_all_copy(rest, " ");
+      if (boost::algorithm::starts_with(compact, "*10") ||
+          boost::algorithm::starts_with(compact, "x10"))
         return "has the power of ten " + in_quotes(rest) + "; write powers of ten as in 1.41e11";
       const auto starts_unit = [](const unsigned char character)
       { return std::isalpha(character) || character == '%' || character >= 128; };
@@ -94,7 +107,8 @@ namespace ringmotor
         return found;
       if (value.front() == '"' || value.front() == '\'')
         return "is in quotes; leave them out";
-      return has_number(entry) ? problem_of_number(value, entry.units) : "";
+      const std::string of_number = has_number(entry) ? problem_of_number(value, entry.units) : "";
+      return of_number.empty() ? deceptive_character(value, Deception::foreign) : of_number;
     }
 
     /** What is probably wrong with a rejected @p value, and what is allowed. */

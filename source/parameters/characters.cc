@@ -151,8 +151,7 @@ namespace ringmotor
       if (found && found->kind >= mildest)
         return "has " + number_of(piece.point) + ", " + found->name + "; " + found->advice;
       if (!found && piece.point >= 0x80 && mildest == Deception::foreign)
-        return "has " + number_of(piece.point) +
-               ", which is not an ASCII character; names have these alone";
+        return "has " + number_of(piece.point) + ", which is not an ASCII character";
       place = piece.end;
     }
     return "";

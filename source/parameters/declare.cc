@@ -7,9 +7,9 @@
 #include <boost/algorithm/string/predicate.hpp>
 
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <limits>
-#include <regex>
 
 namespace ringmotor
 {
@@ -107,11 +107,19 @@ namespace ringmotor
 
   std::string decimal_comma(const std::string &list)
   {
-    if (std::regex_search(list, std::regex("[0-9],[0-9]")))
-      return "has a comma between digits; write a decimal point, no separators of thousands, and a "
-             "blank after each comma of a list";
-    if (std::regex_search(list, std::regex("(^|,)\\s*[-+]?0[0-9]")))
-      return "has a number with a leading zero, as behind a decimal comma; write a decimal point";
+    const auto is_digit = [](const std::string &text, const std::size_t place)
+    { return place < text.size() && std::isdigit(static_cast<unsigned char>(text[place])); };
+    for (std::size_t comma = list.find(','); comma != std::string::npos;
+         comma             = list.find(',', comma + 1))
+      if (comma > 0 && is_digit(list, comma - 1) && is_digit(list, comma + 1))
+        return "has a comma between digits; write a decimal point, no separators of thousands, and "
+                           "a blank after each comma of a list";
+    for (const std::string &item : Utilities::split_string_list(list, ','))
+    {
+      const std::size_t first = item.find_first_not_of("+-");
+      if (first != std::string::npos && item[first] == '0' && is_digit(item, first + 1))
+        return "has a number with a leading zero, as behind a decimal comma; write a decimal point";
+    }
     return "";
   }
 

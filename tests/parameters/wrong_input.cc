@@ -242,6 +242,8 @@ TEST(WrongInput, CharactersThatDeceive)
   expect_refused_override("Wave/Amplitude = \uFF11e-6", {"U+FF11, a full-width character"});
   expect_refused_override("Wave/Amplitude = 1.41\u00D710-6", {"U+00D7, a multiplication sign"});
   expect_refused_override("Friction/Law = \u201Ccoulomb\u201D", {"U+201C, a curly quotation mark"});
+  expect_refused_override("Wave/Amplitude = \u00BD", {"U+00BD", "not an ASCII character"});
+  expect_refused_override("Friction/Law = coul\u00F6mb", {"U+00F6", "not an ASCII character"});
   expect_refused_override("Friction/Law = \"coulomb\"", {"is in quotes", "leave them out"});
   expect_refused_override("Motor/Name = a\u0085", {"Motor/Name", "U+0085, a control character"});
 }
@@ -277,6 +279,9 @@ TEST(WrongInput, ExponentsOfOtherLanguages)
                             {entry, "the exponent \"", "write exponents as in 1.41e11"});
   for (const std::string power : {"*10^11", " x 10^11", "*10**11"})
     expect_refused_override(entry + " = 1.41" + power, {entry, "the power of ten", "1.41e11"});
+  expect_refused_override("Loading/Values = 1, 2d" + std::string(1000000, '1'), {"exponent"});
+  expect_refused_override("Loading/Values = 1, " + std::string(1000000, ' ') + "05",
+                          {"leading zero"});
   expect_refused_override("Loading/Values = 0, 5d-2", {"Loading/Values", "the exponent \"d-2\""});
 }
 
