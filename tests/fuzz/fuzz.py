@@ -33,7 +33,7 @@ FOUND = MESHES.parent / "found"
 NUMBERS = ("0", "-0", "-1", "1", "2", "1e-300", "1e300", "1e999", "nan", "inf", "-inf", "4294967295", "4294967296",
            "-2147483649", "18446744073709551616", "1e5", "0x10", "1,2", "1e", ".", "")
 WORDS = ("set", "end", "subsection", "auto", "off", "on", "=", "#", "\\", "/", "$EndNodes", "$Elements", "\x00", "\xff",
-         "%s%n", "'", '"', "a" * 5000, "é")
+         "%s%n", "'", '"', "a" * 5000, "é", "\u00a0", "\u2212", "~/x", "$HOME", "\ufeff")
 
 
 class Dice(random.Random):
