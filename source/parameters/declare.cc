@@ -48,6 +48,15 @@ namespace ringmotor
       return {buffer.data(), end};
     }
 
+    /** Whether a text can be written as a value and read back: no comment, no line continuation. */
+    bool fits_in_file(const std::string &text)
+    {
+      return !text.empty() && text.find('#') == std::string::npos && text.back() != '\\' &&
+             encoding_problem(text).empty() &&
+             deceptive_character(text, Deception::control).empty() &&
+             text.find('\t') == std::string::npos;
+    }
+
     constexpr double largest  = std::numeric_limits<double>::max();
     constexpr double smallest = std::numeric_limits<double>::min();
   } // namespace
@@ -151,7 +160,8 @@ namespace ringmotor
           return {};
       return values.empty() ? std::nullopt : std::make_optional(values);
     };
-    return {write, read, word + ", or numbers separated by commas, each " + number.allowed};
+    return {write, read,
+            word + ", or numbers separated by a comma and a blank, each " + number.allowed};
   }
 
   Notation<unsigned int> whole_number(const unsigned int lower, const unsigned int upper)
@@ -170,14 +180,6 @@ namespace ringmotor
   Notation<bool> yes_or_no()
   {
     return selection<bool>({{"true", true}, {"false", false}});
-  }
-
-  bool fits_in_file(const std::string &text)
-  {
-    return !text.empty() && text.find('#') == std::string::npos && text.back() != '\\' &&
-           encoding_problem(text).empty() &&
-           deceptive_character(text, Deception::control).empty() &&
-           text.find('\t') == std::string::npos;
   }
 
   Notation<std::string> any_text()
@@ -207,9 +209,11 @@ namespace ringmotor
         return "has quotes around it; leave them out, blanks need none";
     if (has("\\"))
       return "has a backslash; separate folders by /";
+    if (has("#"))
+      return "has a #, which begins a comment in parameter files";
     if (begins_with("file:"))
       return "is an address; write the path alone, without file:";
-    return fits_in_file(text) ? "" : "is not a path that a parameter file can hold";
+    return fits_in_file(text) ? "" : "has bytes that a parameter file cannot hold";
   }
 
   Notation<std::string> path()

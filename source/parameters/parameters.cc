@@ -99,14 +99,14 @@ namespace ringmotor
       return std::filesystem::absolute(path).lexically_normal().string();
     }
 
-    /** @throws UserError for a path found by the programs that a parameter file cannot hold */
+    /** Paths that the programs make of others stand in used.prm as well.
+     * @throws UserError for one that is refused there */
     void check_found(const std::string &entry, const std::string &path)
     {
-      if (!path.empty() && !fits_in_file(path))
-        throw UserError(
-            entry + ": the path " + in_quotes(path) +
-            " has a # or other characters that a parameter file cannot hold; rename the "
-            "file or folder, or choose another one");
+      const std::string problem = path.empty() ? "" : problem_of_path(path);
+      if (!problem.empty())
+        throw UserError(entry + ": the path " + in_quotes(path) + " " + problem +
+                        "; rename the file or folder, or choose another one");
     }
 
     /** Replaces the values that stand for something else. */

@@ -313,6 +313,7 @@ TEST(WrongInput, PathsThatOnlyAShellUnderstands)
       expect_refused_override(entry + " = " + quoted, {entry, "quotes", "leave them out"});
     for (const std::string path : {"C:\\x", "x\\"})
       expect_refused_override(entry + " = " + path, {entry, "backslash", "by /"});
+    expect_refused_override(entry + " = a#b", {entry, "has a #"});
     expect_refused_override(entry + " = file:///x", {entry, "is an address"});
     expect_refused_override(entry + " = a\u00A0b", {entry, "U+00A0"});
     expect_refused_override(entry + " = a\nb", {entry, "control character"});
@@ -322,7 +323,9 @@ TEST(WrongInput, PathsThatOnlyAShellUnderstands)
 
   // What the programs find by themselves must fit into used.prm as well.
   expect_message(message_of([] { read_parameters_from_text(complete_text(), "C#.prm"); }),
-                 {"Output/Directory", "output/C#", "choose another"});
+                 {"Output/Directory", "output/C#", "begins a comment", "choose another"});
+  expect_message(message_of([] { read_parameters_from_text(complete_text(), "caf\xE9.prm"); }),
+                 {"Output/Directory", "output/caf?", "choose another"});
   expect_message(message_of(
                      [] {
                        read_parameters_from_text(complete_text(), "/C#/a.prm",

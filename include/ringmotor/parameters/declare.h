@@ -135,9 +135,6 @@ namespace ringmotor
   /** A non-empty text that fits on one line of a parameter file. */
   Notation<std::string> any_text();
 
-  /** Whether a text can be written as a value and read back: no comment, no line continuation. */
-  bool fits_in_file(const std::string &text);
-
   /** Why a text is refused as a path: it has what only a shell understands (`~`, variables,
    * quotes), or what is not seen; empty if it is none of these. */
   std::string problem_of_path(const std::string &text);
