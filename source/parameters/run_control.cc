@@ -150,8 +150,8 @@ namespace ringmotor
         "fixed only.");
     add_entry(
         prm, "Rotor modes", rotor_modes, whole_number(1, 3),
-        "Accuracy of the vibrations of a rotor with inertia: up to harmonic 13, 20 or 30 of the "
-        "wave, on finer and finer meshes; used with Mode = fixed only.");
+        "Accuracy of the vibrations of a rotor with inertia: finer and finer meshes for the first "
+        "13, 20 or 30 of 45, 45 or 60 harmonics of the wave; used with Mode = fixed only.");
   }
 
   void Uncertainty::declare(ParameterHandler &prm)

@@ -181,7 +181,8 @@ TEST(MotorIndependenceRanks, SameVibrationsAndMotorsOnTwo)
   unsigned int n_modes = 0;
   for (unsigned int k = 0; k <= parameters.motor.n_teeth / 2; ++k)
   {
-    const auto &alone = one.level(1).of_diameter(k), &shared = two.level(1).of_diameter(k);
+    const auto &alone  = one.of_first_harmonics().of_diameter(k),
+               &shared = two.of_first_harmonics().of_diameter(k);
     ASSERT_EQ(alone.size(), shared.size()) << k;
     n_modes += alone.size();
     for (unsigned int i = 0; i < alone.size(); ++i)
@@ -191,7 +192,7 @@ TEST(MotorIndependenceRanks, SameVibrationsAndMotorsOnTwo)
   }
   EXPECT_GT(n_modes, 20u);
 
-  two.level(0); // by both ranks together, before each condenses a motor of its own
+  two.prepare(1); // by both ranks together, before each condenses a motor of its own
   const auto motors_on = [&](const RotorVibration &vibration, MPI_Comm communicator)
   {
     const auto condense = [&](const unsigned int level) {
