@@ -135,8 +135,8 @@ def html_of_figures(page, names):
 
 
 def html_of_parameters(page):
-    """All entries, without the explanations that the parameter file has."""
-    lines = [line for line in page.programs[-1].summary["prm"].splitlines() if line and not line.lstrip().startswith("#")]
+    """All entries, as the option --set takes them."""
+    lines = [f"{entry} = {text}" for entry, text in page.programs[-1].parameters.items()]
     return f"<details><summary>All parameters</summary>\n<pre>{html.escape(chr(10).join(lines))}</pre></details>\n"
 
 
