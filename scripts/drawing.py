@@ -43,9 +43,12 @@ def nice_factor(largest):
     return max(step * power for step in (1, 2, 2.5, 5) if step * power <= largest * (1 + 1e-9))
 
 
+FORMS = {"png": {"Software": None}, "svg": {"Date": None}}  # of the files of a figure, with their metadata
+
+
 def save(figure, folder, name):
     """Writes beside the final name and renames: a failure leaves no half-written figure."""
-    for kind, metadata in (("png", {"Software": None}), ("svg", {"Date": None})):
+    for kind, metadata in FORMS.items():
         path = os.path.join(folder, f"{name}.{kind}")
         part = path + ".part"
         try:

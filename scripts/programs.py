@@ -17,6 +17,10 @@ class CaseError(Exception):
     """What cannot be done or shown; the text is one line for the user."""
 
 
+class Refusal(CaseError):
+    """The same in the words of a program, which begin with its name."""
+
+
 def options_of(entries):
     """Entry -> text, as options of a program."""
     return [word for entry, text in entries.items() for word in ("--set", f"{entry} = {text}")]
@@ -48,7 +52,7 @@ def words_of(errors, status):
 
 
 def described(program, prm, *options, launcher=(), timeout=None):
-    """What a program has read from a parameter file, see --check=json in doc/files.md. @throws CaseError in its words"""
+    """What a program has read from a parameter file, see --check=json in doc/files.md. @throws Refusal in its words, CaseError"""
     refuse_pipe(prm)
     process = started(program, [*launcher, program, prm, *options, "--check=json"])
     try:
@@ -57,7 +61,7 @@ def described(program, prm, *options, launcher=(), timeout=None):
         process.kill()
         raise CaseError(f"{program} does not answer") from None
     if process.returncode != 0:
-        raise CaseError(words_of(errors, process.returncode))
+        raise Refusal(words_of(errors, process.returncode))
     try:
         return json.loads(said)
     except ValueError:  # of several processes at once, or of another program
@@ -80,4 +84,4 @@ class Identities:
             return json.loads(self.process.stdout.readline())
         except (OSError, ValueError):
             _, errors = self.process.communicate()
-            raise CaseError(words_of(errors, self.process.returncode)) from None
+            raise Refusal(words_of(errors, self.process.returncode)) from None

@@ -15,6 +15,7 @@ import urllib.parse
 sys.dont_write_bytecode = True
 from case import CaseError
 from page import Page
+from page_file import MARK, refuse_foreign
 
 MOST_POINTS = 60
 
@@ -156,7 +157,7 @@ def html_of(page):
 </head>
 <body>
 <h1>{html.escape(page.motor)}</h1>
-<p>{html.escape(page.motor_line)} <span class="origin">· {html.escape(page.origin)}</span></p>
+<p>{html.escape(page.motor_line)} {MARK} {html.escape(page.version)}</span></p>
 {warnings}{"".join(parts)}{html_of_parameters(page)}</body>
 </html>
 """
@@ -169,6 +170,7 @@ def main(arguments):
     if len(arguments) != 1:
         raise CaseError("expected one folder; usage: scripts/report.py CASE_DIR")
     path = os.path.join(arguments[0], "report.html")
+    refuse_foreign(path)
     text = html_of(Page(arguments[0], MOST_POINTS))
     part = path + ".part"  # a failure leaves no half-written report
     try:
