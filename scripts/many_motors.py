@@ -69,11 +69,10 @@ class Family:
         self.prm, self.programs = pathlib.Path(prm).absolute(), pathlib.Path(programs).resolve()
         self.settings, self.is_wave_only = {**NO_FIELDS, **settings}, is_wave_only
         program = self.programs / ("stator" if is_wave_only else "motor")
-        options = ["--output", output, *options_of(self.settings)]
-        said = described(program, self.prm, *options)
+        said = described(program, self.prm, "--output", output, *options_of(self.settings))
         self.entries, self.missing = said["entries"], said["missing"]
         self.identity, self.output = said["identity"], pathlib.Path(said["folder"]).resolve()
-        self.identities = Identities(program, self.prm, *options)
+        self.identities = Identities(program, self.prm)
 
     def check_name(self, option, entry):
         """@throws CaseError if there is no such entry"""
@@ -85,7 +84,7 @@ class Family:
 
     def motor(self, varied, **settings):
         """A motor with entries that vary (entry -> text), and further settings of its own."""
-        entries = {**settings, **varied}
+        entries = {**self.settings, **settings, **varied}
         found = self.identities.of(entries)
         if "error" in found:
             return Motor(tuple(varied.items()), refusal=Outcome("refused", found["program"], 0., found["error"]))
@@ -95,8 +94,7 @@ class Family:
 
     def task(self, kind, entries, identity):
         """In a folder that is named by what its results depend on, so that nothing is computed twice."""
-        return Task(str(self.programs), str(self.prm), tuple({**self.settings, **entries}.items()),
-                    str(self.output / kind / identity), identity)
+        return Task(str(self.programs), str(self.prm), tuple(entries.items()), str(self.output / kind / identity), identity)
 
 
 class Engine:

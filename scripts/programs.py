@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The programs, and what they say of a motor without computing anything. Scripts read no parameter file themselves."""
+import contextlib
 import json
 import os
 import pathlib
 import stat
 import subprocess
+import weakref
 
 from motor_task import without_launcher
 
@@ -68,6 +70,14 @@ def described(program, prm, *options, launcher=(), timeout=None):
         raise CaseError(f"{program} --check=json has printed no JSON") from None
 
 
+def end(process):
+    """A program that reads lines ends when there are no more."""
+    for stream in (process.stdin, process.stdout, process.stderr):
+        with contextlib.suppress(OSError):
+            stream.close()
+    process.wait()
+
+
 class Identities:
     """A program that says what identifies a motor with further entries, one after the other."""
 
@@ -75,6 +85,7 @@ class Identities:
         refuse_pipe(prm)
         self.program = program
         self.process = started(program, [program, prm, *options, "--check=lines"])
+        weakref.finalize(self, end, self.process)
 
     def of(self, entries):
         """@param entries entry -> text @return "identity", or "program" and "error" if something is wrong with them"""

@@ -230,8 +230,8 @@ class Files(InAFolder):
 
     WAVES = ("--wave-only", "--vary", "Stator/Base thickness = 4.0e-3, 4.2e-3")
 
-    def family(self, prm, **options):
-        return Family(prm, {}, self.output, PROGRAMS[0].parent, is_wave_only=True, **options)
+    def family(self, prm):
+        return Family(prm, {}, self.output, PROGRAMS[0].parent, is_wave_only=True)
 
     def test_are_read_as_the_programs_read_them(self):
         text = QUICK.read_text()
@@ -255,32 +255,35 @@ class Files(InAFolder):
                 self.assertEqual(family.identity, plain.identity)
                 self.assertEqual(family.motor({"Wave/Amplitude": "1e-6"}).key, plain.motor({"Wave/Amplitude": "1.0e-6"}).key)
 
+    def watched(self, script, *words):
+        """A script that is ended as soon as it, or what it imports, opens a parameter file."""
+        hook = ("import os, runpy, sys\n"
+                "def look(event, words):\n"
+                "    if event == 'open' and str(words[0]).endswith('.prm'):\n"
+                "        print('opened', words[0], file=sys.stderr, flush=True)\n"
+                "        os._exit(99)\n"
+                "sys.addaudithook(look)\n"
+                "sys.argv = sys.argv[1:]\n"
+                "sys.path.insert(0, os.path.dirname(sys.argv[0]))\n"
+                "runpy.run_path(sys.argv[0], run_name='__main__')\n")
+        return run("/usr/bin/python3", "-c", hook, script, *words)
+
     def test_are_not_read_by_scripts(self):
-        # Nothing in Python opens a parameter file, in a sweep and for what is shown of its motors.
-        opened = []
-        sys.addaudithook(lambda event, words: opened.append(str(words[0])) if event == "open" and str(words[0]).endswith(".prm")
-                         else None)
-        self.sweep_here(*TWO_BY_TWO)
-        case = rows_of(self.output / "table.csv")[0]["folder"]
-        import compare  # pylint: disable=import-outside-toplevel # after the hook
-        import figures
-        import report
-        import summary
-        figures.main([case])
-        report.main([case])
-        summary.print_page(summary.Page(case, summary.MOST_POINTS))
-        compare.main([case, case])
-        self.assertEqual(opened, [])
-        with open(QUICK, encoding="utf-8"):
-            self.assertEqual(opened, [str(QUICK)])  # the hook works
-        # And none knows the words of one.
-        for path in [*(ROOT / "scripts").iterdir(), *(ROOT / "benchmarks").glob("*.py")]:
+        (self.folder / "reader.py").write_text(f"open({str(QUICK)!r})")
+        self.assertEqual(self.watched(self.folder / "reader.py").returncode, 99)
+        scripts = ROOT / "scripts"
+        case = self.folder / "case"
+        for script, *words in ([scripts / "run.py", QUICK, "--output", case, *settings(*COARSE, "Output/VTU = false")],
+                               command("--output", self.output, *self.WAVES), [COMPARE, case, case]):
+            done = self.watched(script, *words)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+        for name in ("figures", "report", "summary"):
+            self.assertEqual(self.watched(scripts / f"{name}.py", case).stderr, "")
+        # And none knows the words of such a file.
+        for path in [*scripts.iterdir(), *(ROOT / "benchmarks").glob("*.py")]:
             if path.suffix in (".py", ".sh"):
                 for word in ("subsection", '["prm"]'):
                     self.assertNotIn(word, path.read_text(encoding="utf-8"), path)
-
-    def sweep_here(self, *options):
-        main([str(word) for word in command("--output", self.output, *options)[1:]])
 
     def mesh_family(self, mesh):
         prm = self.folder / "mesh.prm"
@@ -310,9 +313,10 @@ class Files(InAFolder):
         shutil.copy(ROOT / "meshes" / "canon_sector.msh", mesh)
         self.assertEqual(motor_task.find_wave(second.wave).outcome, "changed")
         self.assertFalse(second.is_known())
-        family.prm.write_text(family.prm.read_text().replace("= 141e9", "= 142e9"))
-        third = self.family(family.prm).motor({"Wave/Amplitude": "2e-6"})
-        family.prm.write_text(family.prm.read_text().replace("= 142e9", "= 141e9"))
+        prm = self.folder / "edited.prm"
+        prm.write_text(QUICK.read_text().replace("= 141e9", "= 142e9"))
+        third = self.family(prm).motor({"Wave/Amplitude": "2e-6"})
+        prm.write_text(QUICK.read_text())
         self.assertEqual(motor_task.find_wave(third.wave).outcome, "changed")
 
     def test_damaged_ones_are_computed_again(self):
@@ -336,7 +340,7 @@ class Files(InAFolder):
         self.assertEqual([(row["frequency_Hz"], row["outcome"]) for row in rows_of(self.output / "table.csv")], rows)
 
     def test_a_damaged_record_of_a_search_is_named(self):
-        self.output = self.folder / "what? {is} #this%20"
+        self.output = self.folder / "what? {is} this%20&a=b"
         options = ("--vary", "Stator/Base thickness = 4e-3:5e-3", "--maximise", "frequency", "--trials", "2")
         self.sweep(*options)
         record = self.output / "optuna.db"
@@ -407,7 +411,7 @@ class Mistakes(InAFolder):
                 (["--vary", "Loading/Preload = -1:3:4:log"], "positive"),
                 (["--vary", "Loading/Preload = 1:3"], "without a number of values"),
                 (["--vary", "Loading/Preloud = 1, 2"], 'did you mean "Loading/Preload"'),
-                (["--set", "Loading/Preloud = 1", "--vary", "Loading/Preload = 1, 2"], '--set "Loading/Preloud"'),
+                (["--set", "Loading/Preloud = 1", "--vary", "Loading/Preload = 1, 2"], '--set "Loading/Preloud = 1": unknown entry'),
                 (["--vary", "Loading/Preload = 1:3", "--sample", "sobol=3"], "lhs=COUNT"),
                 (["--vary", "Loading/Preload = 1:3", "--maximise", "efficiency >"], "name of a quantity"),
                 (["--vary", "Loading/Preload = 1:3", "--maximise", "efficiency at 0.1", "--subject-to", "speed"], "QUANTITY >"),
