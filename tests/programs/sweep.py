@@ -347,7 +347,7 @@ class Files(InAFolder):
         self.assertEqual(list(self.folder.rglob("optuna.db")), [record])
         content = record.read_bytes()
         newer = sqlite3.connect(record)
-        newer.execute("update version_info set schema_version = 99")
+        newer.execute("update alembic_version set version_num = 'v99.0.0'")
         newer.commit()
         newer.close()
         for damaged in (record.read_bytes(), b"nonsense" * 100, content[:5000], b"\x00" * 4096):
