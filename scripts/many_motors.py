@@ -71,6 +71,9 @@ class Family:
         program = self.programs / ("stator" if is_wave_only else "motor")
         said = described(program, self.prm, "--output", output, *options_of(self.settings))
         self.entries, self.missing = said["entries"], said["missing"]
+        if self.entries["Modes/Body"] != "stator":
+            raise CaseError(f"Modes/Body = {self.entries['Modes/Body']} has no wave, which all quantities of motors belong to; "
+                            "allowed: stator")
         self.identity, self.output = said["identity"], pathlib.Path(said["folder"]).resolve()
         self.identities = Identities(program, self.prm)
 

@@ -17,6 +17,8 @@ from programs import PROGRAMS, CaseError, Refusal, described, refuse_pipe
 SCRIPTS = pathlib.Path(__file__).resolve().parent
 MOST_RANKS = 4  # that share the work of a motor; a fifth one would find little left of it
 PATIENCE = 60.  # seconds for mpirun to start
+# How launchers tell a process the number of processes and its own among them.
+COPIES = (("OMPI_COMM_WORLD_SIZE", "OMPI_COMM_WORLD_RANK"), ("PMI_SIZE", "PMI_RANK"), ("SLURM_STEP_NUM_TASKS", "SLURM_PROCID"))
 
 
 class Interruption:
@@ -54,14 +56,15 @@ class Interruption:
 
 
 def refuse_copies():
-    """Under mpirun: the processes are started here. One of the copies says so."""
-    size, rank = (int(os.environ.get(f"OMPI_COMM_WORLD_{word}", default)) for word, default in (("SIZE", 1), ("RANK", 0)))
-    if size < 2:
+    """Under mpirun or srun: the processes are started here. One of the copies says so."""
+    size, rank = next(((size, rank) for size, rank in COPIES if size in os.environ and rank in os.environ), COPIES[0])
+    if os.environ.get(size, "1") == "1":
         return
-    if rank > 0:
+    if os.environ[rank] != "0":
         time.sleep(1)  # a launcher ends all when the first one ends
         sys.exit(1)
-    raise CaseError(f"started {size} times by mpirun; start it once, without mpirun: it starts the processes itself")
+    raise CaseError(f"started {os.environ[size]} times ({size}); start it once, without mpirun or srun: it starts the "
+                    "processes itself")
 
 
 def number_of_ranks():
@@ -95,8 +98,9 @@ def is_flag(word, flags):
     return any(word == flag or word.startswith(f"{flag}=") for flag in flags)
 
 
-def study(options, resume, interruption):
+def study(options, resume):
     plan = described(PROGRAMS / "motor", *options)
+    interruption = Interruption()
     interruption.need(PROGRAMS / "stator", *options, "--study", *resume)
     if plan["entries"]["Modes/Body"] != "stator":
         return 0
@@ -105,8 +109,9 @@ def study(options, resume, interruption):
     return interruption.run(SCRIPTS / "study_figure.py", plan["folder"])
 
 
-def run(options, resume, interruption):
+def run(options, resume):
     plan, launcher = plan_and_launcher(options)
+    interruption = Interruption()
     folder = pathlib.Path(plan["folder"])
     if plan["entries"]["Modes/Body"] != "stator":  # a rotor or a tooth, which have no figures
         return interruption.run(PROGRAMS / "stator", *options)
@@ -137,7 +142,7 @@ def main(words):
         os.execve(PROGRAMS / "motor", ["motor", *words], without_launcher(os.environ))
     options = [word for word in words if word not in ("--study", "--resume")]
     resume = ["--resume"] if "--resume" in words else []
-    return (study if "--study" in words else run)(options, resume, Interruption())
+    return (study if "--study" in words else run)(options, resume)
 
 
 if __name__ == "__main__":
@@ -145,3 +150,5 @@ if __name__ == "__main__":
         sys.exit(main(sys.argv[1:]))
     except CaseError as problem:
         sys.exit(str(problem) if isinstance(problem, Refusal) else f"run.sh: {problem}")
+    except KeyboardInterrupt:
+        sys.exit(128 + signal.SIGINT)

@@ -25,8 +25,6 @@ namespace ringmotor
         Launcher{"MPI_LOCALNRANKS", "MPI_LOCALRANKID"},           // Hydra
         Launcher{"MV2_COMM_WORLD_SIZE", "MV2_COMM_WORLD_RANK"},   // MVAPICH
         Launcher{"JSM_NAMESPACE_SIZE", "JSM_NAMESPACE_RANK"},     // jsrun
-        Launcher{"FLUX_JOB_SIZE", "FLUX_TASK_RANK"},              // flux run
-        Launcher{"PALS_SIZE", "PALS_RANKID"},                     // Cray
         Launcher{"SLURM_STEP_NUM_TASKS", "SLURM_PROCID"},         // srun
         Launcher{"SLURM_NTASKS", "SLURM_PROCID"}};                // srun, or a job's script
 

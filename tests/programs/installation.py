@@ -179,9 +179,13 @@ class FromFileToPage(Installed):
         case = self.folder / "under_mpirun"
         self.assert_whole_run(self.launched(case, "mpirun", "-n", "1", **may), case)
         done = self.launched(self.folder / "twice", "mpirun", "--oversubscribe", "-n", "2", **may)
-        self.assertEqual(done.stderr.count("run.sh: started 2 times by mpirun; start it once"), 1, done.stderr)
+        self.assertEqual(done.stderr.count("run.sh: started 2 times (OMPI_COMM_WORLD_SIZE); start it once"), 1, done.stderr)
         self.assertNotIn("ORTE", done.stderr)
         self.assertFalse((self.folder / "twice").exists())
+        for rank, said in (("0", "run.sh: started 3 times (PMI_SIZE); start it once"), ("1", "")):
+            done = self.launched(self.folder / "twice", PMI_SIZE="3", PMI_RANK=rank)
+            self.assertEqual((done.returncode, done.stdout), (1, ""))
+            self.assertTrue(done.stderr.startswith(said), done.stderr)
 
     def test_a_pipe_is_refused(self):
         done = subprocess.run(["bash", "-c", '"$1" <(cat "$2")', "bash", self.prefix / "bin" / "ringmotor", self.quick],

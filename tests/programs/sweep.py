@@ -429,6 +429,7 @@ class Mistakes(InAFolder):
                 (["--vary", "Loading/Preload = 1, 2", "--scheduler"], "--scheduler: expected one argument"),
                 (["--vary", "Loading/Preload = 1, 2", "--nonsense"], "unrecognized arguments: --nonsense"),
                 (["--vary", "Loading/Preload = 1, 2", *settings("Loading/Preload = -1")], "Loading/Preload"),
+                (["--vary", "Loading/Preload = 1, 2", *settings("Modes/Body = rotor")], "Modes/Body = rotor has no wave"),
                 (["--uncertainty", "1"], "at least 4"),
                 (["--uncertainty", "40", "--vary", "Loading/Preload = 1, 2"], "leave out --vary"),
                 (["--vary", "Loading/Preload = 1, 2", "--scheduler", "tcp://127.0.0.1:9"], "does not answer")):
