@@ -105,7 +105,8 @@ class Engine:
 
     def __init__(self, n_workers, scheduler=None):
         dask.config.set({"distributed.comm.timeouts.connect": "10s"})
-        logging.getLogger("distributed").setLevel(logging.CRITICAL)
+        for name in ("distributed", "distributed.client"):  # what matters is told in our words
+            logging.getLogger(name).setLevel(logging.CRITICAL)
         self.scheduler, self.cluster, self.scratch = scheduler, None, None
         if not scheduler:
             self.scratch = tempfile.mkdtemp(prefix="ringmotor_workers_")
@@ -135,7 +136,10 @@ class Engine:
         try:
             return self.client.scheduler_info()["workers"].values()
         except (OSError, LookupError):
-            raise CaseError(f"the scheduler {self.scheduler or ''} does not answer any more; start it again to go on") from None
+            raise self.gone() from None
+
+    def gone(self):
+        return CaseError(f"the scheduler {self.scheduler or ''} does not answer any more; start it, and the sweep, again to go on")
 
     def n_workers(self):
         return max(1, sum(worker["nthreads"] for worker in self.workers()))
@@ -178,6 +182,8 @@ class Engine:
         try:
             outcome = future.result()
         except Exception as error:  # of whatever kind a worker meets
+            if self.client.status != "running":
+                raise self.gone() from None
             raise CaseError(f"{motor.folder}: {type(error).__name__}: {' '.join(str(error).split())}") from None
         if outcome.outcome == "changed":
             raise CaseError("the parameter file, a file that it names, or the programs have changed meanwhile; start it again "
