@@ -72,8 +72,8 @@ class Family:
         said = described(program, self.prm, "--output", output, *options_of(self.settings))
         self.entries, self.missing = said["entries"], said["missing"]
         if self.entries["Modes/Body"] != "stator":
-            raise CaseError(f"Modes/Body = {self.entries['Modes/Body']} has no wave, which all quantities of motors belong to; "
-                            "allowed: stator")
+            raise CaseError(f"Modes/Body = {self.entries['Modes/Body']} has no wave, without which there is no motor; allowed: "
+                            "stator")
         self.identity, self.output = said["identity"], pathlib.Path(said["folder"]).resolve()
         self.identities = Identities(program, self.prm)
 
@@ -139,7 +139,8 @@ class Engine:
             raise self.gone() from None
 
     def gone(self):
-        return CaseError(f"the scheduler {self.scheduler or ''} does not answer any more; start it, and the sweep, again to go on")
+        return CaseError(f"the scheduler {self.scheduler or ''} does not answer any more; start it, and the sweep, again to "
+                         "go on")
 
     def n_workers(self):
         return max(1, sum(worker["nthreads"] for worker in self.workers()))
@@ -186,6 +187,6 @@ class Engine:
                 raise self.gone() from None
             raise CaseError(f"{motor.folder}: {type(error).__name__}: {' '.join(str(error).split())}") from None
         if outcome.outcome == "changed":
-            raise CaseError("the parameter file, a file that it names, or the programs have changed meanwhile; start it again "
-                            "to go on with what is there now")
+            raise CaseError("the parameter file, a file that it names, or the programs have changed meanwhile; start it "
+                            "again to go on with what is there now")
         return outcome

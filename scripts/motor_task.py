@@ -123,7 +123,8 @@ def once(path, compute):
 
 def find_wave(task):
     """The wave of a stator, on which several motors may run."""
-    return once(pathlib.Path(task.folder) / "wave.json", lambda: checked(run_program("stator", task), task, "stator", "wave"))
+    return once(pathlib.Path(task.folder) / "wave.json",
+                lambda: checked(run_program("stator", task), task, "stator", "wave"))
 
 
 def run_on_wave(task, wave_folder):

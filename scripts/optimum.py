@@ -30,14 +30,15 @@ def opened(path, seed, n_varied, name):
         # By a function: in the address of a database, some letters of a path have a meaning.
         storage = optuna.storages.RDBStorage("sqlite://", engine_kwargs={"creator": lambda: sqlite3.connect(path),
                                                                          "poolclass": NullPool})
-        return optuna.create_study(storage=storage, sampler=sampler, direction="maximize", study_name=name, load_if_exists=True)
+        return optuna.create_study(storage=storage, sampler=sampler, direction="maximize", study_name=name,
+                                   load_if_exists=True)
     except Exception as error:  # of whatever kind: the file may be anything
         raise unusable(path, error) from None
 
 
 def unusable(path, error):
-    return CaseError(f"{path} cannot be used ({' '.join(str(error).split())[:160]}): remove it and start again; the motors that "
-                     "have been computed stay known")
+    return CaseError(f"{path} cannot be used ({' '.join(str(error).split())[:160]}): remove it and start again; the motors "
+                     "that have been computed stay known")
 
 
 def open_study(family, aim, all_varied, seed):
@@ -135,7 +136,8 @@ def optimise(engine, family, all_varied, aim, loading, own_target, n_trials, see
         if not rows:
             print(f"Contact target = {target:g}: {n_trials} motors")
             try:
-                rows = explore(engine, family, all_varied, aim, open_study(family, aim, all_varied, seed), n_trials, settings)
+                study = open_study(family, aim, all_varied, seed)
+                rows = explore(engine, family, all_varied, aim, study, n_trials, settings)
             except (SQLAlchemyError, optuna.exceptions.OptunaError) as error:
                 raise unusable(database_of(family), error) from None
         else:

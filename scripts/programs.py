@@ -54,7 +54,8 @@ def words_of(errors, status):
 
 
 def described(program, prm, *options, launcher=(), timeout=None):
-    """What a program has read from a parameter file, see --check=json in doc/files.md. @throws Refusal in its words, CaseError"""
+    """What a program has read from a parameter file, see --check=json in doc/files.md. @throws Refusal in its words, and
+    CaseError if it does not answer"""
     refuse_pipe(prm)
     process = started(program, [*launcher, program, prm, *options, "--check=json"])
     try:

@@ -18,7 +18,8 @@ SCRIPTS = pathlib.Path(__file__).resolve().parent
 MOST_RANKS = 4  # that share the work of a motor; a fifth one would find little left of it
 PATIENCE = 60.  # seconds for mpirun to start
 # How launchers tell a process the number of processes and its own among them.
-COPIES = (("OMPI_COMM_WORLD_SIZE", "OMPI_COMM_WORLD_RANK"), ("PMI_SIZE", "PMI_RANK"), ("SLURM_STEP_NUM_TASKS", "SLURM_PROCID"))
+COPIES = (("OMPI_COMM_WORLD_SIZE", "OMPI_COMM_WORLD_RANK"), ("PMI_SIZE", "PMI_RANK"),
+          ("SLURM_STEP_NUM_TASKS", "SLURM_PROCID"))
 
 
 class Interruption:

@@ -108,7 +108,8 @@ def parse(arguments):
     parser.add_argument("--maximise", metavar="QUANTITY")
     parser.add_argument("--minimise", metavar="QUANTITY")
     parser.add_argument("--subject-to", action="append", default=[], metavar="'QUANTITY > NUMBER'")
-    parser.add_argument("--trials", type=at_least(1), default=60, metavar="N", help="motors of the coarse search for an optimum")
+    parser.add_argument("--trials", type=at_least(1), default=60, metavar="N",
+                        help="motors of the coarse search for an optimum")
     parser.add_argument("--solve", metavar="'Section/Entry = low:high'")
     parser.add_argument("--for", metavar="'QUANTITY = NUMBER'", dest="goal")
     parser.add_argument("--uncertainty", type=at_least(4), metavar="COUNT",

@@ -48,7 +48,8 @@ def row_of(motor, outcome):
     read = wave_quantities_of if motor.is_wave_only else quantities_of
     quantities = read(motor.folder) if outcome.outcome == "certified" else {}
     seconds = 0. if motor.is_wave_only else outcome.seconds
-    return Row(dict(motor.varied), outcome.outcome, words, str(motor.folder), seconds, wave.seconds if wave else 0., quantities)
+    return Row(dict(motor.varied), outcome.outcome, words, str(motor.folder), seconds, wave.seconds if wave else 0.,
+               quantities)
 
 
 def names_of(rows):

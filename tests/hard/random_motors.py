@@ -193,9 +193,10 @@ def entries_by_wave(folder, entries, later):
 
 # The power of length in the unit of an entry, of all entries of a section, or of one in its subsections.
 LENGTHS = {"Stator": 1, "Stator/Target plate cross-section": 2, "Rotor": 1, "Rotor/Radial bar stiffness": -2,
-           "Materials/Young modulus": -2, "Materials/Density": -4, "Wave/Amplitude": 1, "Friction/Decay velocity": 1, "Friction/Weakening length": 1,
-           "Friction/Lining normal stiffness": -3, "Friction/Lining tangential stiffness": -3,
-           "Contact/Normal penalty": -1, "Contact/Tangential penalty": -1, "Initial deformation/Amplitude": 1}
+           "Materials/Young modulus": -2, "Materials/Density": -4, "Wave/Amplitude": 1, "Friction/Decay velocity": 1,
+           "Friction/Weakening length": 1, "Friction/Lining normal stiffness": -3,
+           "Friction/Lining tangential stiffness": -3, "Contact/Normal penalty": -1, "Contact/Tangential penalty": -1,
+           "Initial deformation/Amplitude": 1}
 WORDS = ("solid", "shell", "none")  # values in these sections that are no numbers
 
 

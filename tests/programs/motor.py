@@ -174,8 +174,8 @@ class Questions(unittest.TestCase):
         self.assertEqual(said["programs"], [{"name": "stator", "folder": "x/rotor/"}])
 
     def test_of_many_motors(self):
-        wave, *others = self.lines(['[]', '["Loading/Preload = 11"]', '["Wave/Amplitude = 1e-6"]', '["Loading/Preload = 14.0"]',
-                                    '["Stator/Slot width = 3e-3"]', '["Friction/Dynamic coefficient = 0"]',
+        wave, *others = self.lines(['[]', '["Loading/Preload = 11"]', '["Wave/Amplitude = 1e-6"]',
+                                    '["Loading/Preload = 14.0"]', '["Stator/Slot width = 3e-3"]', '["Friction/Dynamic coefficient = 0"]',
                                     '["Loading/Preloud = 3"]', '{"Loading/Preload": 3}', 'nonsense', ''])
         preload, amplitude, same, *mistakes = others
         self.assertEqual(wave["identity"], self.answer(QUICK)["identity"])
@@ -184,8 +184,8 @@ class Questions(unittest.TestCase):
         self.assertNotEqual(preload["identity"]["motor"], wave["identity"]["motor"])
         self.assertNotEqual(amplitude["identity"]["wave"], wave["identity"]["wave"])
         self.assertEqual([one["program"] for one in mistakes], ["stator", "contact", "motor", "motor", "motor", "motor"])
-        for mistake, words in zip(mistakes, ("Stator/Slot width", "Friction/Dynamic coefficient = 0", "did you mean", "JSON list",
-                                             "JSON list", "JSON list")):
+        for mistake, words in zip(mistakes, ("Stator/Slot width", "Friction/Dynamic coefficient = 0", "did you mean",
+                                             "JSON list", "JSON list", "JSON list")):
             self.assertIn(words, mistake["error"])
         [of_stator] = self.lines(['["Friction/Dynamic coefficient = 0"]'], program=STATOR)
         self.assertEqual(of_stator["identity"]["wave"], wave["identity"]["wave"])
@@ -196,10 +196,11 @@ class Questions(unittest.TestCase):
         self.assertEqual(list(declared)[:3], ["Motor", "Stator", "Rotor"])
 
     def test_mistakes_in_options_are_told_by_their_words(self):
-        for words, said in ((["-np", "2"], "unknown option -np;"), (["-n2"], "unknown option -n2;"), (["-nh"], "unknown option -nh;"),
-                            (["--ranks=2"], "unknown option --ranks=2;"), (["--ranks", "2"], "unknown option --ranks;"),
-                            (["--set"], "the option --set needs a value"), (["--check=xml"], "--check=xml: expected --check or"),
-                            (["x.prm"], "more than one parameter file"), (["--done", "x", "--check"], "--done is not available")):
+        for words, said in ((["-np", "2"], "unknown option -np;"), (["-n2"], "unknown option -n2;"),
+                            (["-nh"], "unknown option -nh;"), (["--ranks=2"], "unknown option --ranks=2;"),
+                            (["--ranks", "2"], "unknown option --ranks;"), (["--set"], "the option --set needs a value"),
+                            (["--check=xml"], "--check=xml: expected --check or"), (["x.prm"], "more than one parameter file"),
+                            (["--done", "x", "--check"], "--done is not available")):
             for order in ([QUICK, *words], [*words, QUICK]):
                 if words == ["--set"] and order[-1] == QUICK:
                     continue
@@ -225,7 +226,8 @@ class Launchers(unittest.TestCase):
         return done.returncode, done.stderr
 
     def test_are_recognised(self):
-        for size, rank in (("PMI_SIZE", "PMI_RANK"), ("MPI_LOCALNRANKS", "MPI_LOCALRANKID"), ("SLURM_STEP_NUM_TASKS", "SLURM_PROCID"),
+        for size, rank in (("PMI_SIZE", "PMI_RANK"), ("MPI_LOCALNRANKS", "MPI_LOCALRANKID"),
+                           ("SLURM_STEP_NUM_TASKS", "SLURM_PROCID"),
                            ("SLURM_NTASKS", "SLURM_PROCID"), ("OMPI_COMM_WORLD_SIZE", "OMPI_COMM_WORLD_RANK")):
             status, said = self.check(**{size: "3", rank: "0"})
             self.assertEqual((status, said.count("\n")), (1, 1), said)

@@ -288,8 +288,8 @@ class Files(InAFolder):
     def mesh_family(self, mesh):
         prm = self.folder / "mesh.prm"
         shutil.copy(ROOT / "prm" / "canon_ring_mesh.prm", prm)
-        return Family(prm, {"Stator/Mesh file": str(mesh), "Accuracy/Mode": "fixed", "Accuracy/Polynomial degree": "2"}, self.output,
-                      PROGRAMS[0].parent, is_wave_only=True)
+        return Family(prm, {"Stator/Mesh file": str(mesh), "Accuracy/Mode": "fixed", "Accuracy/Polynomial degree": "2"},
+                      self.output, PROGRAMS[0].parent, is_wave_only=True)
 
     def test_a_mesh_file_is_known_by_its_content(self):
         meshes = [ROOT / "meshes" / f"canon_{name}sector.msh" for name in ("half_", "")]
@@ -374,9 +374,9 @@ class Workers(InAFolder):
                 time.sleep(0.1)
             found = json.loads(address.read_text())["address"]
             with open(said, "w", encoding="utf-8") as file:
-                sweep = subprocess.Popen([str(word) for word in command("--output", self.output, "--wave-only", "--vary",
-                                                                        "Wave/Amplitude = 1e-6, 2e-6", "--scheduler", found)],
-                                         stdout=file, stderr=file)
+                words = command("--output", self.output, "--wave-only", "--vary", "Wave/Amplitude = 1e-6, 2e-6", "--scheduler",
+                                found)
+                sweep = subprocess.Popen([str(word) for word in words], stdout=file, stderr=file)
             shells.append(sweep)
             while "waiting for workers" not in said.read_text() and sweep.poll() is None:
                 time.sleep(0.1)
@@ -411,7 +411,8 @@ class Mistakes(InAFolder):
                 (["--vary", "Loading/Preload = -1:3:4:log"], "positive"),
                 (["--vary", "Loading/Preload = 1:3"], "without a number of values"),
                 (["--vary", "Loading/Preloud = 1, 2"], 'did you mean "Loading/Preload"'),
-                (["--set", "Loading/Preloud = 1", "--vary", "Loading/Preload = 1, 2"], '--set "Loading/Preloud = 1": unknown entry'),
+                (["--set", "Loading/Preloud = 1", "--vary", "Loading/Preload = 1, 2"],
+                 '--set "Loading/Preloud = 1": unknown entry'),
                 (["--vary", "Loading/Preload = 1:3", "--sample", "sobol=3"], "lhs=COUNT"),
                 (["--vary", "Loading/Preload = 1:3", "--maximise", "efficiency >"], "name of a quantity"),
                 (["--vary", "Loading/Preload = 1:3", "--maximise", "efficiency at 0.1", "--subject-to", "speed"], "QUANTITY >"),
