@@ -90,10 +90,7 @@ namespace ringmotor
       }
       check_from(line.from, process);
     }
-  } // namespace
 
-  namespace
-  {
     /** The form that stands behind the equals sign of an option, if any. */
     std::string form_of(const std::string &option, const std::vector<std::string> &forms)
     {
