@@ -42,7 +42,6 @@ import numpy
 sys.dont_write_bytecode = True
 from calculix import check_installed, run_calculix  # noqa: E402
 from calculix_bodies import CELLS_PER_QUARTER, Rotor, Stator  # noqa: E402
-from contact_checks import entries_of  # noqa: E402
 from motor_run import OUTPUT_OFF, table, write_markdown  # noqa: E402
 from timed_run import MOTOR, PAPERS_MODEL, PROGRAMS, ROOT, arguments, limited_run, program  # noqa: E402
 
@@ -111,7 +110,7 @@ def rotor_rows(motor, n_waves, options, path):
         ours, summary, cost = run_ringmotor(path, motor, folder, "rotor", {
             "Modes/Nodal diameters": str(n_waves), "Rotor/Flange element": "solid", "Rotor/Radial bar stiffness": "0",
             "Accuracy/Mode": "adaptive", "Accuracy/Target": options.target})
-        rotor = Rotor.of(entries_of(summary["prm"]))
+        rotor = Rotor.of(summary["entries"])
         runs = [rotor_modes(rotor, n_waves, 1e-3 * size, folder) for size in options.sizes]
     all_seconds = ", ".join(f"{seconds:.0f}" for _, seconds in runs)
     for mode, theirs in zip(ours, zip(*(frequencies for frequencies, _ in runs))):
@@ -174,7 +173,7 @@ class StatorComparison:
         self.all_diameters = range(options.last + 1)
         self.best, summary, self.best_cost = self._run_ringmotor(BEST, self.all_diameters)
         self.best_dofs = summary["dofs"]
-        entries = entries_of(summary["prm"])
+        entries = summary["entries"]
         self.stator = Stator.of(entries)
         wave = int(entries["Motor/Number of waves"])
         if wave > options.last:

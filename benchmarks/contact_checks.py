@@ -17,28 +17,13 @@ TINY = 1e-6  # relative: certified states fulfil their laws to 1e-8 and better
 NO_POWER = 1e-6  # of what goes to and fro: rounding
 
 
-def entries_of(prm):
-    """All entries of a parameter file as the programs write it: {'Section/Entry': 'value'}."""
-    entries, path = {}, []
-    for line in prm.splitlines():
-        words = line.split("#")[0].split()
-        if words[:1] == ["subsection"]:
-            path.append(" ".join(words[1:]))
-        elif words[:1] == ["end"]:
-            path.pop()
-        elif words[:1] == ["set"]:
-            name, _, value = " ".join(words[1:]).partition("=")
-            entries["/".join(path + [name.strip()])] = value.strip()
-    return entries
-
-
 class ContactResults:
     """What the program contact has written into a folder."""
 
     def __init__(self, folder):
         folder = pathlib.Path(folder)
         self.summary = json.loads((folder / "contact" / "summary.json").read_text())
-        self.entries = entries_of(self.summary["prm"])
+        self.entries = self.summary["entries"]
         with open(folder / "contact" / "torque_speed.csv") as file:
             self.rows = [{key: value if key == "control" else float(value) for key, value in row.items()}
                          for row in csv.DictReader(file)]

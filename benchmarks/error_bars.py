@@ -16,9 +16,8 @@ import statistics
 import sys
 
 sys.dont_write_bytecode = True
-from contact_checks import entries_of  # noqa: E402
 from motor_run import OUTPUT_OFF, RowFile, certified_run, operating_points, table, write_markdown  # noqa: E402
-from timed_run import PAPERS_MODEL, ROOT  # noqa: E402
+from timed_run import PAPERS_MODEL, ROOT, entries_of  # noqa: E402
 
 CANON, STIFF, RING60 = (ROOT / "prm" / f"{name}.prm" for name in ("canon_ring", "canon_stiff_spring", "ring60"))
 RING45 = ROOT / "tests" / "programs" / "ring45.prm"
@@ -47,7 +46,7 @@ COLUMNS = ["motor", "target", "seconds", "torque_mNm"] + sum(map(list, QUANTITIE
 
 def truth_of(motor):
     """Entries of the finest discretisation."""
-    n_waves, n_teeth = (int(entries_of(motor.read_text())[f"Motor/Number of {which}"]) for which in ("waves", "teeth"))
+    n_waves, n_teeth = (int(entries_of(motor)[f"Motor/Number of {which}"]) for which in ("waves", "teeth"))
     steps = n_teeth // math.gcd(n_waves, n_teeth)  # with one time sample: a step from tooth to tooth that differ
     return {"Accuracy/Mode": "fixed", "Accuracy/Interface refinement": "4",
             "Time/Snapshots": str(math.ceil(STEPS_OF_TRUTH / steps))}

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Runs a program on one thread for each rank and times it from outside, for the benchmarks."""
+import json
 import os
 import pathlib
 import resource
@@ -27,6 +28,12 @@ def program(name, programs=PROGRAMS):
     if not path.exists():
         sys.exit(f"{path} is missing: run scripts/setup.sh")
     return path
+
+
+def entries_of(motor, programs=PROGRAMS):
+    """All entries of a parameter file, as a program reads it: {'Section/Entry': 'value'}."""
+    done = subprocess.run([program("stator", programs), motor, "--check=json"], check=True, stdout=subprocess.PIPE)
+    return json.loads(done.stdout)["entries"]
 
 
 def arguments(motor, folder, entries):

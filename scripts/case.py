@@ -4,17 +4,13 @@ import csv
 import json
 import math
 import os
-import re
 import sys
 
 import h5py
+from programs import CaseError
 
-SUMMARY_KEYS = ("program", "version", "git", "prm", "seconds", "peak_memory_MB", "dofs", "quantities", "effects",
+SUMMARY_KEYS = ("program", "version", "git", "entries", "seconds", "peak_memory_MB", "dofs", "quantities", "effects",
                 "certificate")
-
-
-class CaseError(Exception):
-    """A case that cannot be shown; the text is one line for the user."""
 
 
 def words_of_failure(case_folder, program):
@@ -48,19 +44,6 @@ def run_script(name, main):
         sys.exit(f"{name}: interrupted; start it again to go on")
 
 
-def entries_of(lines):
-    """The entries of a parameter file: "Section/Entry" -> text."""
-    entries, sections = {}, []
-    for line in lines:
-        if found := re.match(r"\s*subsection (.*\S)", line):
-            sections.append(found[1])
-        elif line.strip() == "end":
-            sections.pop()
-        elif found := re.match(r"\s*set (.*?)\s*=\s*(.*?)\s*$", line):
-            entries["/".join([*sections, found[1]])] = found[2]
-    return entries
-
-
 class Results:
     """Files of one program in the folder of a case; `program` is its name and that of its folder."""
 
@@ -88,11 +71,7 @@ class Results:
             self.summary = json.load(file)
         for key in SUMMARY_KEYS:
             self.summary[key]  # what is missing is told here, not in the middle of a page
-
-    def read_parameters(self, path):
-        """"Section/Entry" -> text."""
-        with open(path, encoding="utf-8") as file:
-            self.parameters = entries_of(file)
+        self.parameters = self.summary["entries"]
         self.motor = self.parameters["Motor/Name"]
 
 
@@ -110,7 +89,7 @@ class Case(Results):
     """What the program stator left in a folder.
 
     summary  content of summary.json
-    parameters  "Section/Entry" -> text, from used.prm
+    parameters  "Section/Entry" -> text
     modes    list of dict: n, family, frequency_Hz, error_Hz
     wave     attributes and surface traces of the motor's wave, None if it is not among the modes
     points   with a wave: name of a point of the tooth -> dict of the columns of ellipses.csv
@@ -126,7 +105,6 @@ class Case(Results):
         super().__init__(folder)
         self.wave = None
         self.load("summary.json", self.read_summary)
-        self.load("used.prm", self.read_parameters)
         self.load("frequencies.csv", self.read_frequencies)
         self.load("modes.h5", self.read_modes)
         if self.wave:
@@ -145,7 +123,7 @@ class Case(Results):
         # Accuracy/Target if the mesh was refined until it was met, else None
         self.target = checks.get("largest relative error bar of a frequency")
         # not so if the modes nearest to a frequency were asked for
-        self.has_lowest_modes = re.search(r"set Frequency target += 0\n", self.summary["prm"]) is not None
+        self.has_lowest_modes = float(self.parameters["Modes/Frequency target"]) == 0
 
     def read_frequencies(self, path):
         with open(path, newline="", encoding="utf-8") as file:

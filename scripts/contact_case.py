@@ -14,7 +14,7 @@ class ContactCase(Results):
     """What the program contact left in a folder.
 
     summary     content of summary.json
-    parameters  "Section/Entry" -> text, from used.prm
+    parameters  "Section/Entry" -> text
     curve       list of dict, the rows of torque_speed.csv
     lip         list of dict, the rows of lip.csv; empty where inertia could not take part
     response    list of dict, the rows of response.csv; empty without Wave/Response torques
@@ -26,7 +26,6 @@ class ContactCase(Results):
     def __init__(self, folder):
         super().__init__(folder)
         self.load("summary.json", self.read_summary)
-        self.load("used.prm", self.read_parameters)
         self.load("torque_speed.csv", self.read_curve)
         self.load("contact.h5", self.read_contact_points)
         self.lip = []
@@ -36,8 +35,8 @@ class ContactCase(Results):
         if self.has("response.csv"):
             self.load("response.csv", self.read_response)
 
-    def read_parameters(self, path):
-        super().read_parameters(path)
+    def read_summary(self, path):
+        super().read_summary(path)
         self.friction_coefficient = float(self.parameters["Friction/Dynamic coefficient"])
         is_left_out = self.parameters["Effects/Initial deformation"] == "off"
         self.warp = 0.0 if is_left_out else float(self.parameters["Initial deformation/Amplitude"])

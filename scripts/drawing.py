@@ -85,10 +85,13 @@ def tell_unknown(characters):
               "such as the Debian package fonts-noto-cjk")
 
 
+FORMS = {"png": {"Software": None}, "svg": {"Date": None}}  # of the files of a figure, with their metadata
+
+
 def write(figure, folder, name):
     """Beside the final name, then renamed: a failure leaves no half-written figure. @return see give_fonts()"""
     unknown = give_fonts(figure)
-    for kind, metadata in (("png", {"Software": None}), ("svg", {"Date": None})):
+    for kind, metadata in FORMS.items():
         path = os.path.join(folder, f"{name}.{kind}")
         part = path + ".part"
         try:

@@ -25,8 +25,7 @@ From CASE_DIR/losses, where it exists:
   drive                voltage, current and efficiency from the plug against torque, with a piezoelectric ceramic
 """
 import functools
-import glob
-import os
+import pathlib
 import sys
 
 sys.dont_write_bytecode = True  # a drawing leaves nothing outside the folder of its case
@@ -36,7 +35,7 @@ from contact_case import ContactCase
 from contact_figures import (draw_contact_forces, draw_contact_shape, draw_friction_history, draw_normal_displacement,
                              draw_warped_displacement, history_touches)
 from curve_figures import draw_lip_amplification, draw_torque_speed
-from drawing import figures_folder, save_all
+from drawing import FORMS, figures_folder, save_all
 from loss_figures import draw_drive, draw_efficiency, draw_energy, draw_losses
 from losses_case import read_case
 from response_figure import draw_response
@@ -55,8 +54,8 @@ LOSSES_FIGURES = {"losses": draw_losses, "efficiency": draw_efficiency, "energy"
 
 def remove_figure(folder, name):
     """Of an earlier run that had what this one has not."""
-    for path in glob.glob(os.path.join(glob.escape(folder), f"{name}.*")):
-        os.remove(path)
+    for form in FORMS:
+        pathlib.Path(folder, f"{name}.{form}").unlink(missing_ok=True)
 
 
 def figures_of_stator(case, contact, folder):

@@ -8,6 +8,7 @@ from case import CaseError
 from variation import number_of
 
 NAME = r"\s*([A-Za-z_][\w/]*(?:\s+at\s+[-+.\deE]+)?)\s*"
+NO_MOTOR = 1e6  # excess of a motor that was refused or failed
 CURVE_ONLY = ("stall_torque", "peak_efficiency", "peak_output_power")
 
 
@@ -88,3 +89,35 @@ def quantity_of(row, name):
     if name not in row.quantities:
         raise CaseError(f'there is no quantity "{name}"; there are: {", ".join(row.quantities)}')
     return row.quantities[name]
+
+
+@dataclass(frozen=True)
+class Aim:
+    """The quantity to be maximised, or minimised if sign is -1, and the limits of others."""
+
+    name: str
+    sign: int
+    limits: tuple
+
+    def names(self):
+        return [self.name, *(one.name for one in self.limits)]
+
+    def is_of_wave(self):
+        return all(map(is_of_wave, self.names()))
+
+    def of(self, row):
+        """Value, the larger the better, and error bar."""
+        quantity = quantity_of(row, self.name)
+        return self.sign * quantity.value, quantity.error
+
+    def excesses(self, row):
+        """Of each limit, negative inside; first whether there is a motor at all."""
+        if row.outcome != "certified":
+            return [NO_MOTOR] * (1 + len(self.limits))
+        for one in self.limits:
+            quantity_of(row, one.name)
+        return [-1., *(one.excess(row) for one in self.limits)]
+
+    def is_possible(self, row):
+        """Whether it may keep all limits, within their error bars."""
+        return row.outcome == "certified" and all(one.may_hold(row) for one in self.limits)

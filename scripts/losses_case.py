@@ -22,7 +22,7 @@ class LossesCase(Results):
     """What the program losses left in a folder.
 
     summary     content of summary.json
-    parameters  "Section/Entry" -> text, from used.prm
+    parameters  "Section/Entry" -> text
     points      list of dict, one for each operating point: the columns of losses.csv and efficiency.csv and, where
                 it exists, of drive.csv
     has_drive   whether it exists: the ceramic is piezoelectric
@@ -34,7 +34,6 @@ class LossesCase(Results):
         super().__init__(folder)
         self.points = []
         self.load("summary.json", self.read_summary)
-        self.load("used.prm", self.read_parameters)
         self.load("losses.csv", self.read_points)
         self.load("efficiency.csv", self.read_points)
         self.has_drive = self.has("drive.csv")

@@ -9,30 +9,46 @@ import signal
 import subprocess
 import threading
 import time
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 
 TERMINATE_WITH_PARENT = 1  # PR_SET_PDEATHSIG
 OUTCOMES = {0: "certified", 1: "refused", 2: "failed"}
+RESULTS = ("stator", "contact", "losses")  # folders of the programs
+# What mpirun, srun and their like tell the processes that they start.
+LAUNCHERS = ("PMIX_", "PMI_", "ORTE_", "OMPI_COMM_", "MPI_LOCAL", "MV2_COMM_", "JSM_NAMESPACE_", "FLUX_", "PALS_",
+             "SLURM_PROCID", "SLURM_NTASKS", "SLURM_STEP_")
+OF_THE_USER = "OMPI_ALLOW_RUN_AS_ROOT"
 
 
 @dataclass(frozen=True)
 class Task:
-    """A parameter file with the entries that differ from it, (entry, text) each, and the folder of its results."""
+    """A parameter file with the entries that differ from it, (entry, text) each, the folder of the results and what
+    identifies them in the summary of the last program."""
 
     programs: str
     prm: str
     entries: tuple
     folder: str
+    identity: str
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """How a program ended: certified, refused (a mistake in the input) or failed; seconds of all that was done for it."""
+    """How a program ended: certified, refused (a mistake in the input), failed, or changed (the input is not that of the
+    task any more); seconds of all that was done for it; sizes of the files of results by their names."""
 
     outcome: str
     program: str
     seconds: float
     message: str = ""
+    files: dict = field(default_factory=dict)
+
+
+def without_launcher(environment):
+    """The environment for a program that is started alone: it must not take itself for one of the processes that mpirun
+    or srun has started, such as a worker."""
+    mine = LAUNCHERS + (("OMPI_",) if "OMPI_COMM_WORLD_SIZE" in environment else ())
+    return {name: text for name, text in environment.items() if name.startswith(OF_THE_USER) or not name.startswith(mine)}
 
 
 def die_with_parent():
@@ -45,9 +61,9 @@ def run_program(name, task, *words):
     for entry, value in task.entries:
         command += ["--set", f"{entry} = {value}"]
     begin = time.monotonic()
-    done = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, encoding="utf-8", errors="replace",
-                          preexec_fn=die_with_parent, check=False,
-                          env=dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1"))
+    done = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
+                          encoding="utf-8", errors="replace", preexec_fn=die_with_parent, check=False,
+                          env=dict(without_launcher(os.environ), OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1"))
     said = [line for line in done.stderr.splitlines() if line.strip()]
     speaker, _, message = said[-1].partition(": ") if said and done.returncode else (name, "", "")
     if done.returncode not in OUTCOMES:  # killed: not an outcome, the engine tries again
@@ -55,12 +71,43 @@ def run_program(name, task, *words):
     return Outcome(OUTCOMES[done.returncode], speaker, time.monotonic() - begin, message)
 
 
+def sizes_of(folder):
+    """The files of the results in the folder of a motor."""
+    return {str(path.relative_to(folder)): path.stat().st_size for name in RESULTS
+            for path in sorted((folder / name).glob("*")) if path.is_file()}
+
+
 def known_outcome(path):
-    """What an earlier run has noted in a file; None if there is nothing, or the limit of time was exceeded."""
-    if not path.exists():
+    """What an earlier run has noted in a file; None if there is nothing, if this or a file of the results is damaged, or
+    if the limit of time was exceeded."""
+    try:
+        found = Outcome(**json.loads(path.read_text(encoding="utf-8")))
+        if found.outcome not in OUTCOMES.values() or "Accuracy/Time limit" in found.message or found.seconds < 0:
+            return None
+        return found if found.outcome != "certified" or found.files == sizes_of(path.parent) else None
+    except (OSError, ValueError, TypeError):
         return None
-    found = Outcome(**json.loads(path.read_text(encoding="utf-8")))
-    return None if "Accuracy/Time limit" in found.message else found
+
+
+def write(path, text):
+    """All or nothing, also if the power fails."""
+    part = path.with_suffix(f".{os.getpid()}.{threading.get_ident()}.part")
+    with open(part, "w", encoding="utf-8") as file:
+        file.write(text)
+        file.flush()
+        os.fsync(file.fileno())
+    part.replace(path)
+
+
+def checked(found, task, program, kind):
+    """The outcome with the files that belong to it; "changed" if the program has read something else than the task was
+    made for: the parameter file, a mesh file or the program is another one by now."""
+    if found.outcome != "certified":
+        return found
+    folder = pathlib.Path(task.folder)
+    if json.loads((folder / program / "summary.json").read_text(encoding="utf-8"))["identity"][kind] != task.identity:
+        return Outcome("changed", program, found.seconds)
+    return Outcome(found.outcome, found.program, found.seconds, found.message, sizes_of(folder))
 
 
 def once(path, compute):
@@ -68,16 +115,16 @@ def once(path, compute):
     if found := known_outcome(path):
         return found
     found = compute()
-    path.parent.mkdir(parents=True, exist_ok=True)
-    part = path.with_suffix(f".{os.getpid()}.{threading.get_ident()}.part")
-    part.write_text(json.dumps(asdict(found)), encoding="utf-8")
-    part.replace(path)
+    if found.outcome != "changed":
+        path.parent.mkdir(parents=True, exist_ok=True)
+        write(path, json.dumps(asdict(found)))
     return found
 
 
 def find_wave(task):
     """The wave of a stator, on which several motors may run."""
-    return once(pathlib.Path(task.folder) / "wave.json", lambda: run_program("stator", task))
+    return once(pathlib.Path(task.folder) / "wave.json",
+                lambda: checked(run_program("stator", task), task, "stator", "wave"))
 
 
 def run_on_wave(task, wave_folder):
@@ -91,7 +138,7 @@ def run_on_wave(task, wave_folder):
     found = run_program("motor", task, "--from", "contact", *(["--resume"] if kept.is_dir() else []))
     if found.outcome == "certified":
         shutil.rmtree(kept, ignore_errors=True)  # large, and of no use to any other motor
-    return found
+    return checked(found, task, "losses", "motor")
 
 
 def run_motor(task, wave_folder, wave):

@@ -3,67 +3,55 @@
 import hashlib
 import json
 import os
+import sqlite3
 import warnings
-from dataclasses import dataclass
 
 import optuna
 from case import CaseError
-from goals import is_of_wave, quantity_of
+from sqlalchemy.exc import SQLAlchemyError
+from sqlalchemy.pool import NullPool
 from sweep_table import row_of
 
 COARSE = 0.1  # Accuracy/Contact target of the first motors
 FINER = 0.3  # of one stage over that before
 MOST_CANDIDATES = 12  # that one stage hands on to the next
-NO_MOTOR = 1e6  # excess of a motor that was refused or failed
 
 
-@dataclass(frozen=True)
-class Aim:
-    """The quantity to be maximised, or minimised if sign is -1, and the limits of others."""
+def opened(path, seed, n_varied, name):
+    """The study of this name in a database. @throws CaseError if it is damaged or of a newer Optuna"""
+    sampler = optuna.samplers.TPESampler(seed=seed, multivariate=True, constant_liar=True, n_startup_trials=4 * n_varied + 4,
+                                         constraints_func=lambda trial: trial.user_attrs["excesses"])
+    try:
+        # By a function: in the address of a database, some letters of a path have a meaning.
+        storage = optuna.storages.RDBStorage("sqlite://", engine_kwargs={"creator": lambda: sqlite3.connect(path),
+                                                                         "poolclass": NullPool})
+        return optuna.create_study(storage=storage, sampler=sampler, direction="maximize", study_name=name,
+                                   load_if_exists=True)
+    except Exception as error:  # of whatever kind: the file may be anything
+        raise unusable(path, error) from None
 
-    name: str
-    sign: int
-    limits: tuple
 
-    def names(self):
-        return [self.name, *(one.name for one in self.limits)]
-
-    def is_of_wave(self):
-        return all(map(is_of_wave, self.names()))
-
-    def of(self, row):
-        """Value, the larger the better, and error bar."""
-        quantity = quantity_of(row, self.name)
-        return self.sign * quantity.value, quantity.error
-
-    def excesses(self, row):
-        """Of each limit, negative inside; first whether there is a motor at all."""
-        if row.outcome != "certified":
-            return [NO_MOTOR] * (1 + len(self.limits))
-        for one in self.limits:
-            quantity_of(row, one.name)
-        return [-1., *(one.excess(row) for one in self.limits)]
-
-    def is_possible(self, row):
-        """Whether it may keep all limits, within their error bars."""
-        return row.outcome == "certified" and all(one.may_hold(row) for one in self.limits)
+def unusable(path, error):
+    return CaseError(f"{path} cannot be used ({' '.join(str(error).split())[:160]}): remove it and start again; the motors "
+                     "that have been computed stay known")
 
 
 def open_study(family, aim, all_varied, seed):
     """The study of the same question that is in the folder, or a new one. Its motors that were being computed when it
     was interrupted are computed first."""
     os.makedirs(family.output, exist_ok=True)
-    optuna.logging.set_verbosity(optuna.logging.ERROR)
+    optuna.logging.set_verbosity(optuna.logging.CRITICAL)
     warnings.simplefilter("ignore", optuna.exceptions.ExperimentalWarning)
-    question = json.dumps([family.basis, family.settings, str(aim), str(all_varied), seed], sort_keys=True)
-    sampler = optuna.samplers.TPESampler(seed=seed, multivariate=True, constant_liar=True, n_startup_trials=4 * len(all_varied) + 4,
-                                         constraints_func=lambda trial: trial.user_attrs["excesses"])
-    study = optuna.create_study(storage=f"sqlite:///{family.output}/optuna.db", sampler=sampler, direction="maximize",
-                                study_name=hashlib.sha256(question.encode()).hexdigest()[:12], load_if_exists=True)
+    question = json.dumps([family.identity, str(aim), str(all_varied), seed], sort_keys=True)
+    study = opened(database_of(family), seed, len(all_varied), hashlib.sha256(question.encode()).hexdigest()[:12])
     for trial in study.get_trials(deepcopy=False, states=[optuna.trial.TrialState.RUNNING]):
         study.tell(trial.number, state=optuna.trial.TrialState.FAIL)
         study.enqueue_trial(trial.params)
     return study
+
+
+def database_of(family):
+    return os.path.join(family.output, "optuna.db")
 
 
 def draw(trial, one):
@@ -79,31 +67,22 @@ def explore(engine, family, all_varied, aim, study, n_trials, coarse):
     n_started = len(study.get_trials(deepcopy=False, states=complete))
     if n_started:
         print(f"{n_started} motors are known already")
-    running, rows = {}, {}  # trials, which may ask for the same motor, and what is found, by folder
-
-    def finish(row):
-        for trial in running.pop(row.folder):
-            trial.set_user_attr("excesses", aim.excesses(row))
-            trial.set_user_attr("entries", row.varied)
-            study.tell(trial, aim.of(row)[0] if row.outcome == "certified" else 0.)
-
+    running = {}  # trials, by their motors
     while n_started < n_trials or running:
         while n_started < n_trials and len(running) < engine.n_workers():
             trial = study.ask()
             n_started += 1
-            motor = family.motor({one.entry: draw(trial, one) for one in all_varied}, aim.is_of_wave(), **coarse)
-            running.setdefault(motor.task.folder, []).append(trial)
-            if motor.task.folder in rows:
-                finish(rows[motor.task.folder])
-            else:
-                engine.submit(motor)
-        if running:
-            row = row_of(*engine.next_done())
-            rows[row.folder] = row
-            finish(row)
-            tell(n_started - sum(map(len, running.values())), n_trials, row, aim)
+            motor = family.motor({one.entry: draw(trial, one) for one in all_varied}, **coarse)
+            running[motor] = trial
+            engine.submit(motor)
+        motor, outcome = engine.next_done()
+        trial, row = running.pop(motor), row_of(motor, outcome)
+        trial.set_user_attr("excesses", aim.excesses(row))
+        trial.set_user_attr("entries", row.varied)
+        study.tell(trial, aim.of(row)[0] if row.outcome == "certified" else 0.)
+        tell(n_started - len(running), n_trials, row, aim)
     # Motors of an interrupted study are in their folders.
-    return rows_of(engine, [family.motor(trial.user_attrs["entries"], aim.is_of_wave(), **coarse)
+    return rows_of(engine, [family.motor(trial.user_attrs["entries"], **coarse)
                             for trial in study.get_trials(deepcopy=False, states=complete)])
 
 
@@ -119,10 +98,11 @@ def tell(number, count, row, aim):
 
 
 def rows_of(engine, motors):
-    by_folder = {motor.task.folder: motor for motor in motors}
-    for motor in by_folder.values():
+    """Of each motor one, though the sampler may have drawn it twice."""
+    different = {motor.key: motor for motor in motors}.values()
+    for motor in different:
         engine.submit(motor)
-    return [row_of(*engine.next_done()) for _ in by_folder]
+    return [row_of(*engine.next_done()) for _ in different]
 
 
 def contenders(rows, aim):
@@ -150,11 +130,14 @@ def optimise(engine, family, all_varied, aim, loading, own_target, n_trials, see
         settings = {**loading, "Accuracy/Contact target": f"{target:g}"}
         if not rows:
             print(f"Contact target = {target:g}: {n_trials} motors")
-            study = open_study(family, aim, all_varied, seed)
-            rows = explore(engine, family, all_varied, aim, study, n_trials, settings)
+            try:
+                study = open_study(family, aim, all_varied, seed)
+                rows = explore(engine, family, all_varied, aim, study, n_trials, settings)
+            except (SQLAlchemyError, optuna.exceptions.OptunaError) as error:
+                raise unusable(database_of(family), error) from None
         else:
             print(f"Contact target = {target:g}: {len(chosen)} motors that may be the best")
-            rows = rows_of(engine, [family.motor(row.varied, aim.is_of_wave(), **settings) for row in chosen])
+            rows = rows_of(engine, [family.motor(row.varied, **settings) for row in chosen])
             for number, row in enumerate(rows, 1):
                 tell(number, len(rows), row, aim)
         all_rows += [(target, row) for row in rows]

@@ -62,7 +62,7 @@ class Table:
 class Page:
     """What there is to say about a case; of many operating points some, from the first to the last.
 
-    motor, motor_line, origin  its name; waves and teeth; version of the program
+    motor, motor_line, version  its name; waves and teeth; that of the programs
     tables                     by name: list of Table, in the order of the page
     notes                      of results that do not belong together and are left out
     """
@@ -74,7 +74,7 @@ class Page:
         summary = self.case.summary
         self.motor = self.case.motor
         self.motor_line = f"{self.case.n_waves} waves, {self.case.n_teeth} teeth"
-        self.origin = f"ringmotor {summary['version']}" + (f" ({summary['git']})" if summary["git"] else "")
+        self.version = summary["version"] + (f" ({summary['git']})" if summary["git"] else "")
         tables = {"glance": self.glance(), "modes": self.modes()}
         if self.case.wave:
             tables["wave"] = self.wave()

@@ -7,6 +7,7 @@ PROGRAM is any of the three programs (they declare the same entries), e.g. build
 --check compares with the file instead of writing it, and exits with 1 where they differ.
 """
 
+import json
 import re
 import subprocess
 import sys
@@ -27,45 +28,32 @@ reference motor; `prm/canon_ring.prm` says where each comes from. "(required)": 
 LABELS = r"(?: Units: (?P<units>.+?)\.)?(?: Allowed: (?P<allowed>.+?)\.)?(?P<required> Required\.)?$"
 
 
-def entries_of(help_text):
-    """Yields (section, entry, default, comment); sections as `Materials/Stator metal`."""
-    sections, comment = [], []
-    for line in map(str.strip, help_text.splitlines()):
-        words = line.split(maxsplit=1)
-        if not words:
-            comment = []
-        elif words[0] == "subsection":
-            sections.append(words[1])
-            comment = []
-        elif words[0] == "end":
-            sections.pop()
-        elif words[0] == "#":
-            comment.append(line[1:].strip())
-        elif words[0] == "set":
-            name, default = (part.strip() for part in words[1].split("=", 1))
-            yield "/".join(sections), name, default, " ".join(comment)
-            comment = []
+def entries_of(declared, section=""):
+    """Yields (section, entry, default, documentation); sections as `Materials/Stator metal`."""
+    for name, found in declared.items():
+        if isinstance(found.get("documentation"), str):
+            yield section, name, found["default_value"], found["documentation"]
         else:
-            sys.exit(f"the help has a line that is not understood: {line}")
+            yield from entries_of(found, f"{section}/{name}" if section else name)
 
 
-def row(name, default, comment):
-    found = re.fullmatch(r"(?P<sentence>.+?)" + LABELS, comment)
+def row(name, default, documentation):
+    found = re.fullmatch(r"(?P<sentence>.+?)" + LABELS, documentation)
     if not found or not found["allowed"]:
-        sys.exit(f"the entry {name} does not say what is allowed: {comment}")
+        sys.exit(f"the entry {name} does not say what is allowed: {documentation}")
     units = "" if found["units"] in (None, "none") else found["units"]
     allowed = found["allowed"] + (" (required)" if found["required"] else "")
     cells = [name, f"`{default}`", units, allowed, found["sentence"]]
     return "| " + " | ".join(cell.replace("|", r"\|") for cell in cells) + " |"
 
 
-def document(help_text):
+def document(declared):
     lines, last = [HEAD.rstrip()], None
-    for section, name, default, comment in entries_of(help_text):
+    for section, name, default, documentation in entries_of(declared):
         if section != last:
             lines += ["", f"## {section}", "", "| entry | default | unit | allowed | meaning |", "|---|---|---|---|---|"]
             last = section
-        lines.append(row(name, default, comment))
+        lines.append(row(name, default, documentation))
     if last is None:
         sys.exit("the help has no entries")
     return "\n".join(lines) + "\n"
@@ -74,8 +62,7 @@ def document(help_text):
 def main():
     if len(sys.argv) < 2:
         sys.exit(__doc__)
-    help_text = subprocess.run([sys.argv[1], "--help"], check=True, capture_output=True, encoding="utf-8").stdout
-    text = document(help_text)
+    text = document(json.loads(subprocess.run([sys.argv[1], "--help=json"], check=True, capture_output=True).stdout))
     if "--check" not in sys.argv[2:]:
         TARGET.write_text(text, encoding="utf-8")
         return 0

@@ -3,9 +3,9 @@
 
 All that depends on the motor's size (scale factors, what is zoomed at, units) comes from its data.
 """
+import json
 import math
 import os
-import re
 import sys
 import xml.etree.ElementTree
 
@@ -52,13 +52,13 @@ def ring_size(points):
 
 
 def read_counts(folder):
-    """Numbers of waves and of teeth around the ring; Motor is the first section of the parameters."""
-    path = os.path.join(folder, "used.prm")
+    """Numbers of waves and of teeth around the ring."""
+    path = os.path.join(folder, "summary.json")
     try:
         with open(path, encoding="utf-8") as file:
-            text = file.read()
-        return [int(re.search(rf"set Number of {name} *= *(\d+)", text)[1]) for name in ("waves", "teeth")]
-    except (OSError, TypeError, ValueError):
+            entries = json.load(file)["entries"]
+        return [int(entries[f"Motor/Number of {name}"]) for name in ("waves", "teeth")]
+    except (OSError, LookupError, TypeError, ValueError):
         raise SceneError(f"{path} does not tell Motor/Number of waves and of teeth; run the program "
                          f"{os.path.basename(folder)} again") from None
 

@@ -16,6 +16,7 @@ sys.dont_write_bytecode = True
 import surroundings  # noqa: F401
 from case import CaseError, run_script
 from page import Page
+from page_file import MARK, refuse_foreign
 
 MOST_POINTS = 60
 
@@ -150,8 +151,8 @@ def html_of_figures(page, names):
 
 
 def html_of_parameters(page):
-    """All entries, without the explanations that the parameter file has."""
-    lines = [line for line in page.programs[-1].summary["prm"].splitlines() if line and not line.lstrip().startswith("#")]
+    """All entries, as the option --set takes them."""
+    lines = [f"{entry} = {text}" for entry, text in page.programs[-1].parameters.items()]
     return f"<details><summary>All parameters</summary>\n<pre>{html.escape(chr(10).join(lines))}</pre></details>\n"
 
 
@@ -171,7 +172,7 @@ def html_of(page):
 </head>
 <body>
 <h1>{html.escape(page.motor)}</h1>
-<p>{html.escape(page.motor_line)} <span class="origin">· {html.escape(page.origin)}</span></p>
+<p>{html.escape(page.motor_line)} {MARK} {html.escape(page.version)}</span></p>
 {warnings}{"".join(parts)}{html_of_parameters(page)}</body>
 </html>
 """
@@ -184,6 +185,7 @@ def main(arguments):
     if len(arguments) != 1:
         raise CaseError("expected one folder; usage: scripts/report.py CASE_DIR")
     path = os.path.join(arguments[0], "report.html")
+    refuse_foreign(path)
     page = Page(arguments[0], MOST_POINTS)
     text = html_of(page)
     part = path + ".part"  # a failure leaves no half-written report

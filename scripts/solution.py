@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Looks for the value of an entry with which a quantity has a given value."""
 from case import CaseError
-from goals import is_of_wave, loading_for, quantity_of
+from goals import loading_for, quantity_of
 from scipy.optimize import root_scalar
 from sweep_table import row_of
 from variation import number_text
@@ -20,8 +20,7 @@ class Search:
 
     def row(self, value, **settings):
         """@throws CaseError if the motor is not certified"""
-        self.engine.submit(self.family.motor({self.one.entry: number_text(value)}, is_of_wave(self.name), **self.loading,
-                                             **settings))
+        self.engine.submit(self.family.motor({self.one.entry: number_text(value)}, **self.loading, **settings))
         row = row_of(*self.engine.next_done())
         if row.outcome != "certified":
             raise CaseError(f"{self.one.entry} = {number_text(value)} is {row.outcome}: {row.message}")

@@ -28,7 +28,7 @@ def lines_of(table):
 
 
 def print_page(page):
-    print(f"{page.motor}: {page.motor_line}    [{page.origin}]")
+    print(f"{page.motor}: {page.motor_line}    [ringmotor {page.version}]")
     for note in page.notes:
         print(note)
     for table in page.tables.values():

@@ -33,9 +33,10 @@ from dataclasses import replace
 sys.dont_write_bytecode = True
 import surroundings  # noqa: F401
 from case import CaseError, run_script
-from goals import limit, loading_for, name_of, target
+from goals import Aim, is_of_wave, limit, loading_for, name_of, target
 from many_motors import Engine
-from motor_options import family_of, motors_parser
+from motor_options import at_least, family_of, motors_parser
+from programs import options_of
 from solution import solve
 from sweep_figures import draw_optimum, draw_sweep
 from sweep_table import row_of, write_table
@@ -71,23 +72,26 @@ def duration(seconds):
     return f"{seconds / 3600:.1f} h"
 
 
-def sweep(engine, family, all_varied, wave_only=False):
+def sweep(engine, family, all_varied):
     """Runs all of them, and returns their rows in the order of the combinations."""
-    motors = [family.motor(one, wave_only) for one in all_varied]
-    order = {motor.task.folder: number for number, motor in enumerate(motors)}
-    known = {motor.task.folder for motor in motors if motor.is_known()}
-    progress, rows, written = Progress(len(order) - len(known), len(known)), {}, time.monotonic()
+    motors = [family.motor(one) for one in all_varied]
+    known = {motor for motor in motors if motor.is_known()}
+    progress, rows, written = Progress(len(motors) - len(known), len(known)), {}, time.monotonic()
+
+    def rows_in_order():
+        return [rows[motor] for motor in motors if motor in rows]
+
     for motor in motors:
         engine.submit(motor)
-    while len(rows) < len(order):
+    while len(rows) < len(motors):
         motor, outcome = engine.next_done()
-        rows[motor.task.folder] = row_of(motor, outcome)
-        if motor.task.folder not in known:
-            progress.add(rows[motor.task.folder])
+        rows[motor] = row_of(motor, outcome)
+        if motor not in known:
+            progress.add(rows[motor])
         if time.monotonic() > written + INTERVAL:
-            write_table(family.output, sorted(rows.values(), key=lambda row: order[row.folder]))
+            write_table(family.output, rows_in_order())
             written = time.monotonic()
-    return sorted(rows.values(), key=lambda row: order[row.folder])
+    return rows_in_order()
 
 
 def sample_size(text):
@@ -105,10 +109,12 @@ def parse(arguments):
     parser.add_argument("--maximise", metavar="QUANTITY")
     parser.add_argument("--minimise", metavar="QUANTITY")
     parser.add_argument("--subject-to", action="append", default=[], metavar="'QUANTITY > NUMBER'")
-    parser.add_argument("--trials", type=int, default=60, metavar="N", help="motors of the coarse search for an optimum")
+    parser.add_argument("--trials", type=at_least(1), default=60, metavar="N",
+                        help="motors of the coarse search for an optimum")
     parser.add_argument("--solve", metavar="'Section/Entry = low:high'")
     parser.add_argument("--for", metavar="'QUANTITY = NUMBER'", dest="goal")
-    parser.add_argument("--uncertainty", type=int, metavar="COUNT", help="motors of a sample of uncertain inputs")
+    parser.add_argument("--uncertainty", type=at_least(4), metavar="COUNT",
+                        help="motors of a sample of uncertain inputs, better 40 than 4")
     options = parser.parse_args(arguments)
     kinds = [name for name in ("sample", "maximise", "minimise", "solve", "uncertainty") if getattr(options, name)]
     if len(kinds) > 1:
@@ -117,8 +123,6 @@ def parse(arguments):
         raise CaseError("--solve and --for go together: --solve 'Stator/Base thickness = 1e-3:3e-3' --for 'frequency = 43e3'")
     if options.vary and (options.solve or options.uncertainty):
         raise CaseError(f"--{kinds[0]} chooses the motors: leave out --vary")
-    if options.uncertainty is not None and options.uncertainty < 4:
-        raise CaseError(f"--uncertainty {options.uncertainty}: expected a number of motors, at least 4, better 40")
     if not (options.vary or options.solve or options.uncertainty):
         raise CaseError("no --vary: nothing varies; example: --vary 'Wave/Amplitude = 1e-6, 2e-6'")
     return options
@@ -133,7 +137,7 @@ def run_sweep(options, family, all_varied):
     chosen = (latin_hypercube(all_varied, sample_size(options.sample), options.seed) if options.sample
               else combinations(all_varied))
     with Engine(options.workers, options.scheduler) as engine:
-        rows = sweep(engine, family, chosen, options.wave_only)
+        rows = sweep(engine, family, chosen)
     write_table(family.output, rows)
     draw_sweep(family.output, f"{family.entries['Motor/Name']}: {len(rows)} motors", rows)
     counts = {outcome: sum(row.outcome == outcome for row in rows) for outcome in ("certified", "refused", "failed")}
@@ -141,11 +145,22 @@ def run_sweep(options, family, all_varied):
           f": tables and figures in {options.output}")
 
 
-def run_optimisation(options, family, all_varied):
-    from optimum import Aim, optimise  # pylint: disable=import-outside-toplevel # slow to import
+def aim_of(options):
     option = "--maximise" if options.maximise else "--minimise"
-    aim = Aim(name_of(option, options.maximise or options.minimise), 1 if options.maximise else -1,
-              tuple(limit("--subject-to", text) for text in options.subject_to))
+    return Aim(name_of(option, options.maximise or options.minimise), 1 if options.maximise else -1,
+               tuple(limit("--subject-to", text) for text in options.subject_to))
+
+
+def is_of_the_wave_alone(options):
+    """Whether the program stator answers the question."""
+    if options.solve:
+        return is_of_wave(target("--for", options.goal)[0])
+    return aim_of(options).is_of_wave() if options.maximise or options.minimise else options.wave_only
+
+
+def run_optimisation(options, family, all_varied):
+    from optimum import optimise  # pylint: disable=import-outside-toplevel # slow to import
+    aim = aim_of(options)
     own_target = float(family.entries["Accuracy/Contact target"])
     loading = loading_for(aim.names())
     with Engine(options.workers, options.scheduler) as engine:
@@ -166,8 +181,8 @@ def run_optimisation(options, family, all_varied):
 
 
 def settings_of(row, family):
-    entries = {entry: text for entry, text in family.settings.items() if not entry.startswith("Output/")}
-    return [word for entry, text in {**entries, **row.varied}.items() for word in ("--set", f"{entry} = {text}")]
+    return options_of({**{entry: text for entry, text in family.settings.items() if not entry.startswith("Output/")},
+                       **row.varied})
 
 
 def run_solution(options, family):
@@ -188,7 +203,7 @@ def run_uncertainty(options, family):
     deviates = sample_of(inputs, options.uncertainty, options.seed)
     chosen = [motor_of(inputs, row, family.entries) for row in [[0.] * len(inputs), *deviates]]
     with Engine(options.workers, options.scheduler) as engine:
-        nominal, *rows = sweep(engine, family, chosen, options.wave_only)
+        nominal, *rows = sweep(engine, family, chosen)
     write_table(family.output, [nominal, *rows])
     if not nominal.quantities:
         raise CaseError(f"the motor itself is {nominal.outcome}: {nominal.message}")
@@ -203,7 +218,7 @@ def run_uncertainty(options, family):
 def main(arguments):
     options = parse(arguments)
     all_varied = [varied("--vary", text) for text in options.vary]
-    family = family_of(options, "sweep")
+    family = family_of(options, "sweep", is_of_the_wave_alone(options))
     for one in all_varied:
         family.check_name("--vary", one.entry)
     if options.solve:

@@ -1,20 +1,21 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The table of many motors: inputs, outcomes, quantities with errors, seconds; as CSV and HDF5."""
 import csv
-import json
 import os
+import pathlib
 from dataclasses import dataclass, field
 
 import h5py
 import numpy as np
 from motor_results import quantities_of, wave_quantities_of
+from motor_task import known_outcome
 
 MOST_IN_LINE = 4
 
 
 @dataclass(frozen=True)
 class Row:
-    """One motor: the entries that vary, how it ended, and its results if it is certified."""
+    """One motor: the entries that vary, how it ended, its folder if it was computed, its results if it is certified."""
 
     varied: dict
     outcome: str
@@ -28,7 +29,7 @@ class Row:
         """The entries that vary on one line, with as much of their sections as tells them apart; if there are many, the
         folder, which is in the table."""
         if len(self.varied) > MOST_IN_LINE:
-            return os.path.basename(self.folder)
+            return os.path.basename(self.folder) or "a motor"
         return ", ".join(f"{name} = {text}" for name, text in zip(short_names(self.varied), self.varied.values()))
 
 
@@ -40,13 +41,15 @@ def short_names(entries):
 
 def row_of(motor, outcome):
     """@param outcome how the motor has ended"""
-    with open(os.path.join(motor.wave.folder, "wave.json"), encoding="utf-8") as file:
-        wave_seconds = json.load(file)["seconds"]
+    words = f"{outcome.program}: {outcome.message}" if outcome.message else ""
+    if motor.refusal:
+        return Row(dict(motor.varied), outcome.outcome, words, "", 0., 0.)
+    wave = known_outcome(pathlib.Path(motor.wave.folder) / "wave.json")
     read = wave_quantities_of if motor.is_wave_only else quantities_of
     quantities = read(motor.folder) if outcome.outcome == "certified" else {}
-    words = f"{outcome.program}: {outcome.message}" if outcome.message else ""
     seconds = 0. if motor.is_wave_only else outcome.seconds
-    return Row(dict(motor.varied), outcome.outcome, words, str(motor.folder), seconds, wave_seconds, quantities)
+    return Row(dict(motor.varied), outcome.outcome, words, str(motor.folder), seconds, wave.seconds if wave else 0.,
+               quantities)
 
 
 def names_of(rows):

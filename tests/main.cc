@@ -4,7 +4,7 @@
 // tests; rank 0 prints, and a failure on any rank is a failure of all.
 
 #include <ringmotor/programs/blas_kernel.h>
-#include <ringmotor/programs/run_program.h>
+#include <ringmotor/programs/launcher.h>
 
 #include <deal.II/base/mpi.h>
 

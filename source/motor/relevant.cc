@@ -34,15 +34,43 @@ namespace ringmotor
       parameters.wave.voltage = {};
     }
 
-    /** Resets the entries that affect neither the wave nor any operating point. */
-    void forget_what_never_matters(Parameters &parameters)
+    /** Resets the entries that affect no number in any file. */
+    void forget_the_run(Parameters &parameters)
     {
       const Parameters defaults;
       parameters.motor.name                   = defaults.motor.name;
       parameters.motor.accepts_unusual_values = defaults.motor.accepts_unusual_values;
-      parameters.modes                        = defaults.modes;
       parameters.uncertainty                  = defaults.uncertainty;
-      parameters.output                       = defaults.output;
+      parameters.accuracy.time_limit          = defaults.accuracy.time_limit;
+      parameters.output.directory             = defaults.output.directory;
+      parameters.output.figures               = defaults.output.figures;
+    }
+
+    /** Resets the entries that only the programs contact and losses read. */
+    void forget_after_the_wave(Parameters &parameters)
+    {
+      const Parameters defaults;
+      parameters.rotor                 = defaults.rotor;
+      parameters.materials.rotor_metal = defaults.materials.rotor_metal;
+      parameters.loading               = defaults.loading;
+      parameters.friction              = defaults.friction;
+      parameters.initial_deformation   = defaults.initial_deformation;
+      parameters.contact               = defaults.contact;
+      parameters.time                  = defaults.time;
+      forget_drive(parameters);
+      parameters.wave.response_torques.clear();
+      for (const auto &effect : all_effects())
+        if (effect->stage != EffectStage::stator)
+          parameters.effects.*effect->entry = defaults.effects.*effect->entry;
+    }
+
+    /** Resets the entries that affect neither the wave nor any operating point. */
+    void forget_what_never_matters(Parameters &parameters)
+    {
+      const Parameters defaults;
+      forget_the_run(parameters);
+      parameters.modes  = defaults.modes;
+      parameters.output = defaults.output;
       reset_loss_factors(parameters);
       parameters.wave.response_torques.clear();
       if (parameters.wave.drive == Drive::amplitude)
@@ -102,22 +130,37 @@ namespace ringmotor
 
   Parameters relevant_for_wave(const Parameters &parameters)
   {
-    const Parameters defaults;
-    Parameters relevant            = parameters;
-    relevant.rotor                 = defaults.rotor;
-    relevant.materials.rotor_metal = defaults.materials.rotor_metal;
-    relevant.loading               = defaults.loading;
-    relevant.friction              = defaults.friction;
-    relevant.initial_deformation   = defaults.initial_deformation;
-    relevant.contact               = defaults.contact;
-    relevant.time                  = defaults.time;
-    relevant.accuracy              = defaults.accuracy;
-    forget_drive(relevant);
-    for (const auto &effect : all_effects())
-      if (effect->stage != EffectStage::stator)
-        relevant.effects.*effect->entry = defaults.effects.*effect->entry;
+    Parameters relevant = parameters;
+    forget_after_the_wave(relevant);
+    relevant.accuracy = Accuracy();
     forget_what_never_matters(relevant);
     return relevant;
+  }
+
+  Parameters relevant_for_stator(const Parameters &parameters)
+  {
+    Parameters relevant = relevant_for_motor(parameters);
+    if (parameters.modes.body != Body::stator) // an entry of the rotor may matter
+      return relevant;
+    forget_after_the_wave(relevant);
+    relevant.output.history_points = Output().history_points;
+    return relevant;
+  }
+
+  Parameters relevant_for_motor(const Parameters &parameters)
+  {
+    Parameters relevant = parameters;
+    forget_the_run(relevant);
+    return relevant;
+  }
+
+  std::vector<std::string> files_named_by(const Parameters &parameters)
+  {
+    std::vector<std::string> files;
+    for (const std::string &file : {parameters.stator.mesh_file, parameters.rotor.mesh_file})
+      if (!file.empty())
+        files.push_back(file);
+    return files;
   }
 
   std::string text_of(const Parameters &parameters)
@@ -131,6 +174,12 @@ namespace ringmotor
     std::ostringstream text;
     prm.print_parameters(text, ParameterHandler::ShortPRM | ParameterHandler::KeepDeclarationOrder);
     return text.str();
+  }
+
+  Identity identity_of(const Parameters &parameters, const std::string &programs)
+  {
+    return {fingerprint(programs + "\nstator\n" + text_of(relevant_for_stator(parameters))),
+            fingerprint(programs + "\nmotor\n" + text_of(relevant_for_motor(parameters)))};
   }
 
   std::string difference(const std::string &text, const Parameters &parameters)

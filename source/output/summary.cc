@@ -116,12 +116,18 @@ namespace ringmotor
     for (const auto &[phase, duration] : summary.seconds)
       seconds[phase] = duration;
 
+    Json entries = Json::object();
+    for (const auto &[name, text] : summary.entries)
+      entries[name] = text;
+
     Json json = {
         {"program", summary.program},
         {"version", summary.version},
         {"git", summary.git},
         {"blas_kernel", summary.blas_kernel},
         {"prm", summary.prm},
+        {"entries", entries},
+        {"identity", {{"wave", summary.identity.wave}, {"motor", summary.identity.motor}}},
         {"seconds", seconds},
         {"peak_memory_MB", summary.peak_memory_MB},
         {"dofs", summary.dofs},

@@ -47,7 +47,7 @@ namespace ringmotor
             missing.push_back(entry);
       if (!missing.empty())
         throw UserError("missing " + some_of(missing) + "; " + whom +
-                        ", which has no default values, see --help for the required entries");
+                        "; these entries have no default values, see --help");
     }
 
     void check_mesh_file(const std::string &file)
@@ -209,8 +209,11 @@ namespace ringmotor
 
   std::vector<std::string> check_for_contact(const Parameters &parameters)
   {
-    check_given(parameters, "the program contact needs a rotor and its preload",
-                {"Rotor/", "Materials/Rotor metal/", "Loading/"});
+    check_given(
+        parameters,
+        "contact and losses need a rotor and its preload; for the modes of the stator alone, run "
+        "the program stator",
+        {"Rotor/", "Materials/Rotor metal/", "Loading/"});
     check_wave(parameters.motor);
     check_modes_for_contact(parameters);
     check_stator_geometry(parameters);

@@ -4,6 +4,8 @@
 
 #include <getopt.h>
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <algorithm>
 #include <ostream>
 #include <tuple>
@@ -44,7 +46,7 @@ namespace ringmotor
     /** The options of a process, as shown in its usage. */
     std::string options_of(const Process &process)
     {
-      return std::string(" [--output DIR] [--check]") +
+      return std::string(" [--output DIR] [--check[=json]]") +
              (has_several(process) ? " [--from PROGRAM]" : "") +
              (has_study(process) ? " [--study [--resume]]" : "") +
              (has(process, &Program::resume) ? " [--resume]" : "") +
@@ -70,6 +72,10 @@ namespace ringmotor
           {"--study", line.study, has_study(process)},
           {"--clear", line.clear, has(process, &Program::clear)},
           {"--check", line.check, true}};
+      if (line.done && (line.check || !has_several(process)))
+        throw UserError("--done is not available " +
+                        (line.check ? "with --check" : "for the program " + process.name) +
+                        "; leave it out");
       std::string first;
       for (const auto &[option, is_given, is_there] : works)
       {
@@ -84,24 +90,49 @@ namespace ringmotor
       }
       check_from(line.from, process);
     }
+
+    /** The form that stands behind the equals sign of an option, if any. */
+    std::string form_of(const std::string &option, const std::vector<std::string> &forms)
+    {
+      if (optarg == nullptr)
+        return "";
+      if (std::find(forms.begin(), forms.end(), optarg) == forms.end())
+        throw UserError(option + "=" + optarg + ": expected " + option + " or " + option + "=" +
+                        boost::algorithm::join(forms, " or " + option + "="));
+      return optarg;
+    }
   } // namespace
 
   CommandLine read_command_line(int argc, char **argv, const Process &process)
   {
-    const option options[] = {
-        {"set", required_argument, nullptr, 's'},  {"output", required_argument, nullptr, 'o'},
-        {"from", required_argument, nullptr, 'f'}, {"check", no_argument, nullptr, 'k'},
-        {"study", no_argument, nullptr, 't'},      {"resume", no_argument, nullptr, 'r'},
-        {"clear", no_argument, nullptr, 'c'},      {"help", no_argument, nullptr, 'h'},
-        {"version", no_argument, nullptr, 'v'},    {nullptr, 0, nullptr, 0}};
+    const option options[]  = {{"set", required_argument, nullptr, 's'},
+                               {"output", required_argument, nullptr, 'o'},
+                               {"from", required_argument, nullptr, 'f'},
+                               {"check", optional_argument, nullptr, 'k'},
+                               {"study", no_argument, nullptr, 't'},
+                               {"resume", no_argument, nullptr, 'r'},
+                               {"clear", no_argument, nullptr, 'c'},
+                               {"help", optional_argument, nullptr, 'h'},
+                               {"version", no_argument, nullptr, 'v'},
+                               {"done", required_argument, nullptr, 'd'},
+                               {nullptr, 0, nullptr, 0}};
     const std::string usage = "; usage: " + process.name +
                               " FILE.prm [--set 'Section/Entry = value']..." + options_of(process) +
                               ", or " + process.name + " --help for all entries";
     CommandLine line;
+    std::vector<std::string> files;
     opterr = 0;
-    for (int found; (found = getopt_long(argc, argv, ":h", options, nullptr)) != -1;)
+    while (optind < argc)
+    {
+      // A cluster of letters, such as -np, is one word: optind passes it with its last letter.
+      const std::string word = argv[optind];
+      const int found        = getopt_long(argc, argv, "+:h", options, nullptr);
       switch (found)
       {
+      case -1: // no option, or "--" before one
+        if (optind < argc)
+          files.emplace_back(argv[optind++]);
+        break;
       case 's':
         line.overrides.emplace_back(optarg);
         break;
@@ -113,6 +144,7 @@ namespace ringmotor
         break;
       case 'k':
         line.check = true;
+        line.form  = form_of("--check", {"json", "lines"});
         break;
       case 't':
         line.study = true;
@@ -125,23 +157,28 @@ namespace ringmotor
         break;
       case 'h':
         line.help = true;
+        line.form = form_of("--help", {"json"});
         break;
       case 'v':
         line.version = true;
         break;
+      case 'd':
+        line.done = optarg;
+        break;
       case ':':
-        throw UserError("the option " + std::string(argv[optind - 1]) + " needs a value" + usage);
+        throw UserError("the option " + word + " needs a value" + usage);
       default:
-        throw UserError("unknown option " + std::string(argv[optind - 1]) + usage);
+        throw UserError("unknown option " + word + usage);
       }
+    }
     if (line.help || line.version)
       return line;
     check_options(line, process);
-    if (argc - optind != 1)
+    if (files.size() != 1)
       throw UserError(
-          (optind == argc ? "no parameter file given" : "more than one parameter file given") +
+          (files.empty() ? "no parameter file given" : "more than one parameter file given") +
           usage);
-    line.file = argv[optind];
+    line.file = files.front();
     return line;
   }
 
@@ -149,10 +186,16 @@ namespace ringmotor
   {
     out << "# " << process.name << " FILE.prm [--set 'Section/Sub/Entry = value']..."
         << options_of(process) << " [--help] [--version]\n# " << process.purpose
-        << "\n# --check checks the parameters and computes nothing.";
+        << "\n# --check checks the parameters and computes nothing. For scripts, see doc/files.md: "
+           "--check=json\n# prints what has been read; --check=lines reads lists of further "
+           "entries, "
+           "one a line, and\n# prints the identities of these motors; --help=json prints what "
+           "follows.";
     if (has_several(process))
       out << "\n# --from PROGRAM begins with " << names_after_the_first(process)
-          << ", on what those before it have found in an earlier run.";
+          << ", on what those before it have found in an earlier run."
+          << "\n# --done FILE writes the names of the programs that have come to their end, as "
+             "JSON.";
     if (has_study(process))
       out << "\n# --study measures the cost of accuracy: many settings of the discretisation, each "
              "with its\n# distance from the best one and its seconds; with --resume it goes on "

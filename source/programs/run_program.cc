@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/output/files.h>
 #include <ringmotor/output/log.h>
+#include <ringmotor/parameters/entries.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/programs/blas_kernel.h>
 #include <ringmotor/programs/case_lock.h>
 #include <ringmotor/programs/command_line.h>
 #include <ringmotor/programs/interruption.h>
+#include <ringmotor/programs/launcher.h>
+#include <ringmotor/programs/plan.h>
 #include <ringmotor/programs/run_program.h>
 #include <ringmotor/programs/run_results.h>
-#include <ringmotor/version.h>
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -60,13 +64,14 @@ namespace ringmotor
     }
 
     /** Does the work in the folder of the case, which nobody else uses meanwhile. */
-    void work_in_folder(const std::vector<Program> &programs, const CommandLine &line,
-                        const Parameters &parameters, Doing &doing)
+    void work_in_folder(const Plan &plan, const CommandLine &line, Doing &doing)
     {
+      const Parameters &parameters = plan.parameters;
+      nlohmann::json done          = nlohmann::json::array();
       std::optional<CaseLock> lock;
       if (is_first_rank())
         lock.emplace(parameters.output.directory);
-      for (const Program &program : programs)
+      for (const Program &program : plan.programs)
       {
         doing.name     = program.name;
         doing.noted_in = failure_file(program.name, parameters);
@@ -80,49 +85,53 @@ namespace ringmotor
         forget_peak_memory();
         do_work(program, line, parameters);
         MPI_Barrier(MPI_COMM_WORLD); // the next one reads what rank 0 has written
+        done.push_back(program.name);
+        if (line.done && is_first_rank())
+          write_file(*line.done, done.dump() + "\n");
       }
     }
 
-    /** The programs to run: those from the first one asked for, and where the modes of the rotor or
-     * of a tooth are asked for, which have no wave for the others, that one alone. */
-    std::vector<Program> programs_to_run(const Process &process, const CommandLine &line,
-                                         const Parameters &parameters)
+    void answer_check(const Plan &plan, const CommandLine &line, const Process &process)
     {
-      std::vector<Program> programs = process.programs;
-      if (line.from)
-        programs.erase(programs.begin(), std::find_if(programs.begin(), programs.end(),
-                                                      [&](const Program &program)
-                                                      { return program.name == *line.from; }));
-      if (parameters.modes.body != Body::stator)
-        programs.resize(1, programs.front());
-      return programs;
+      if (line.form == "json")
+        return print_as_json(std::cout, plan);
+      std::cout << process.name << ": the parameters are valid; results would be written to "
+                << (plan.programs.size() > 1
+                        ? plan.parameters.output.directory + "/"
+                        : results_folder(plan.programs.front().name, plan.parameters))
+                << std::endl;
     }
 
     void work(const CommandLine &line, const Process &process, Doing &doing)
     {
-      const Parameters parameters         = read_parameters(line.file, line.overrides);
-      const std::vector<Program> programs = programs_to_run(process, line, parameters);
-      for (const Program &program : programs)
-        program.check(parameters);
+      const Plan plan = make_plan(process, line, doing.name);
       if (!line.check)
-        work_in_folder(programs, line, parameters, doing);
+        work_in_folder(plan, line, doing);
       else if (is_first_rank())
-        std::cout << process.name << ": the parameters are valid; results would be written to "
-                  << (programs.size() > 1 ? parameters.output.directory + "/"
-                                          : results_folder(programs.front().name, parameters))
-                  << std::endl;
+        answer_check(plan, line, process);
+    }
+
+    /** What asks for no motor. */
+    void print_about(const CommandLine &line, const Process &process)
+    {
+      if (line.version)
+        std::cout << process.name << " of " << this_version() << ", " << describe_blas() << '\n';
+      else if (line.form == "json")
+        print_declarations(std::cout);
+      else
+        print_help(std::cout, process);
     }
 
     void answer_or_work(int argc, char **argv, const Process &process, Doing &doing)
     {
       const CommandLine line = read_command_line(argc, argv, process);
-      if (!line.version && !line.help)
+      const bool is_about    = line.version || line.help;
+      if (!is_about && line.form != "lines")
         work(line, process, doing);
-      else if (line.version && is_first_rank())
-        std::cout << process.name << " of ringmotor " << version << " (" << git_revision << "), "
-                  << describe_blas() << '\n';
+      else if (is_about && is_first_rank())
+        print_about(line, process);
       else if (is_first_rank())
-        print_help(std::cout, process);
+        answer_lines(std::cin, std::cout, process, line);
     }
 
     /** Large matrices come and go all the time: getting their memory from the system, page by page,
@@ -141,6 +150,17 @@ namespace ringmotor
       setenv("HDF5_USE_FILE_LOCKING", "FALSE", /*overwrite =*/1);
     }
 
+    /** Ends one of several copies; the first one speaks, before a launcher ends it with the others.
+     */
+    int end_copy(const std::string &name, const std::string &complaint)
+    {
+      if (complaint.empty())
+        std::this_thread::sleep_for(std::chrono::seconds(1));
+      else
+        std::cerr << name << ": " << complaint << std::endl;
+      return 1;
+    }
+
     /** Reports once and ends all ranks: a rank that fails alone would leave the others waiting. */
     int fail(const Doing &doing, const std::string &message, const int status)
     {
@@ -154,18 +174,6 @@ namespace ringmotor
     }
   } // namespace
 
-  void spare_the_network_search()
-  {
-    if (std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr)
-      return;
-    setenv("OMPI_MCA_ess_singleton_isolated", "1", /*overwrite =*/0);
-    setenv("OMPI_MCA_pml", "ob1", 0);
-    setenv("OMPI_MCA_btl", "self", 0);
-    // All programs started alone would share one folder, and fail if another one removes it while
-    // they create theirs in it.
-    setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
-  }
-
   int run_program(int argc, char **argv, const Process &process)
   {
     restart_with_faster_blas_kernel(argv);
@@ -175,6 +183,8 @@ namespace ringmotor
     std::signal(SIGXFSZ, SIG_IGN); // a file grown too large must be an error that can be reported
     const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
     Doing doing{process.name, {}};
+    if (const std::optional<std::string> complaint = complaint_about_launcher())
+      return end_copy(process.name, *complaint);
     try
     {
       reserve_blas_memory();

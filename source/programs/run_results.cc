@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/output/files.h>
 #include <ringmotor/output/text.h>
+#include <ringmotor/parameters/entries.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/programs/blas_kernel.h>
 #include <ringmotor/programs/run_results.h>
@@ -12,6 +13,11 @@
 
 namespace ringmotor
 {
+  std::string this_version()
+  {
+    return std::string("ringmotor ") + version + " (" + git_revision + ")";
+  }
+
   std::string results_folder(const std::string &program, const Parameters &parameters)
   {
     const std::string name = program == "stator" ? to_string(parameters.modes.body) : program;
@@ -50,8 +56,7 @@ namespace ringmotor
     write_file(path,
                [&](std::ostream &out)
                {
-                 out << "# used by " << program << " of ringmotor " << version << " ("
-                     << git_revision << ")\n";
+                 out << "# used by " << program << " of " << this_version() << "\n";
                  print_parameters(out, parameters);
                });
   }
@@ -77,6 +82,8 @@ namespace ringmotor
     std::ostringstream prm;
     print_parameters(prm, parameters);
     summary.prm            = prm.str();
+    summary.entries        = entries_of(parameters);
+    summary.identity       = identity_of(parameters, this_version());
     summary.seconds        = phases.seconds();
     summary.peak_memory_MB = peak_memory_MB();
     return summary;

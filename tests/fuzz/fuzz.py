@@ -164,7 +164,7 @@ class Inputs:
             subprocess.run([program, MOTOR, "--output", case, "--set", "Output/VTU = false"], check=True,
                            stdout=subprocess.DEVNULL)
         self.scratch, self.modes = scratch, case / "stator" / "modes.h5"
-        self.files = {".prm": sorted((ROOT / "prm").glob("*.prm")) + sorted((ROOT / "tests" / "hard").glob("*.prm")),
+        self.files = {".prm": sorted((ROOT / "prm").glob("*.prm")),
                       ".msh": sorted([*(ROOT / "meshes").glob("*.msh"), *MESHES.glob("*.msh")]),
                       ".h5": [self.modes, case / "contact" / "contact.h5"],
                       "": sorted((case / "contact" / "kept").glob("interface_mesh_*"))[:1]}

@@ -13,7 +13,7 @@
 #include <ringmotor/output/kept_file.h>
 #include <ringmotor/output/modes_file.h>
 #include <ringmotor/parameters/errors.h>
-#include <ringmotor/programs/run_program.h>
+#include <ringmotor/programs/launcher.h>
 
 #include <deal.II/base/mpi.h>
 

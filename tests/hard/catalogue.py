@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Motors that are hard for a solver: each must end as its file says.
 
-usage: tests/hard/catalogue.py [--programs FOLDER] [--csv FILE [--resume]] [--markdown FILE] [CASE.prm ...]
+usage: tests/hard/catalogue.py [--programs FOLDER] [--csv FILE [--resume]] [--markdown FILE] [FILE.case ...]
 
-A case is a parameter file of this folder: what differs from prm/quick.prm, below a header of comments. Lines that
-begin with more than one blank continue the one before.
+A case is a file of this folder: what differs from prm/quick.prm, a line "Section/Entry = value" for each entry as the
+option --set takes it, below a header of comments. Lines of the header that begin with more than one blank continue the
+one before.
 
   # Hard: what is hard about it
   # Must: certified | refused: WORDS | failed: WORDS; several, separated by " or ": any of them. A refusal (exit
@@ -33,7 +34,7 @@ import numpy
 sys.dont_write_bytecode = True
 FOLDER = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER.parent.parent / "benchmarks"))
-from contact_checks import RPM, ContactResults, disagreements, entries_of  # noqa: E402
+from contact_checks import RPM, ContactResults, disagreements  # noqa: E402
 from motor_run import (COLUMNS, OUTPUT_OFF, RowFile, run_contact, run_program, table, write_markdown)  # noqa: E402
 from timed_run import ROOT  # noqa: E402
 
@@ -42,17 +43,27 @@ FIELDS = ("Hard", "Must", "Why", "Vary", "Check", "Agree", "After", "Within")
 
 
 class Case:
-    """A parameter file and what its header asks for."""
+    """Entries that differ, and what the header asks for."""
 
     def __init__(self, path):
         self.path = pathlib.Path(path)
         text = self.path.read_text()
         self.name = self.path.stem
-        self.entries = {**OUTPUT_OFF, **entries_of(text)}
+        self.entries = {**OUTPUT_OFF, **self._entries(text)}
         self.fields = self._header(text)
         self.seconds = float(self.one("Within", "60"))
         entry, _, values = self.one("Vary", "").partition("=")
         self.variants = [{entry.strip(): value.strip()} for value in values.split(";")] if entry else [{}]
+
+    def _entries(self, text):
+        found = {}
+        for line in text.splitlines():
+            if line and not line.startswith("#"):
+                entry, equals, value = line.partition(" = ")
+                if not equals:
+                    raise SystemExit(f"{self.path}: not understood: {line}")
+                found[entry] = value
+        return found
 
     def _header(self, text):
         found = {}
@@ -114,7 +125,7 @@ def judge(case, rows, results, options):
     agree = case.one("Agree")
     if agree and agree != "variants":
         with tempfile.TemporaryDirectory() as scratch:
-            certified.append(run(Case(FOLDER / f"{agree}.prm"), {}, pathlib.Path(scratch), options)[1])
+            certified.append(run(Case(FOLDER / f"{agree}.case"), {}, pathlib.Path(scratch), options)[1])
     if agree:
         wrong += [text for result in certified[:-1] for text in disagreements(result, certified[-1])]
     return wrong
@@ -125,7 +136,7 @@ def run_case(case, options):
     rows, results = [], []
     with tempfile.TemporaryDirectory() as scratch:
         if case.one("After"):
-            before, _ = run(Case(FOLDER / f"{case.one('After')}.prm"), {}, pathlib.Path(scratch) / "0", options)
+            before, _ = run(Case(FOLDER / f"{case.one('After')}.case"), {}, pathlib.Path(scratch) / "0", options)
             assert before["outcome"] == "certified", before["message"]
         for number, variant in enumerate(case.variants):
             folder = pathlib.Path(scratch) / str(0 if case.one("After") else number)
@@ -162,7 +173,7 @@ def lines_of(cases, rows):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("cases", nargs="*", default=sorted(FOLDER.glob("*.prm")), metavar="CASE.prm")
+    parser.add_argument("cases", nargs="*", default=sorted(FOLDER.glob("*.case")), metavar="FILE.case")
     parser.add_argument("--programs", default=ROOT / "build" / "bin", help="the folder of the programs")
     parser.add_argument("--slowness", type=float, default=1., help="of the programs, by which all limits are raised")
     parser.add_argument("--csv", help="the file of all rows")

@@ -28,10 +28,10 @@ import tempfile
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent.parent / "benchmarks"))
-from contact_checks import ContactResults, disagreements, entries_of  # noqa: E402
+from contact_checks import ContactResults, disagreements  # noqa: E402
 from motor_run import (COLUMNS, OUTPUT_OFF, RowFile, add_options, command_lines, is_acceptable,  # noqa: E402
                        run_contact, run_program, summary, write_markdown)
-from timed_run import ROOT  # noqa: E402
+from timed_run import ROOT, entries_of  # noqa: E402
 
 BASE = ROOT / "prm" / "quick.prm"
 SHOWN = ("Motor/Number of waves", "Motor/Number of teeth", "Loading/Preload", "Wave/Amplitude", "Friction/Law",
@@ -192,17 +192,18 @@ def entries_by_wave(folder, entries, later):
 
 
 # The power of length in the unit of an entry, of all entries of a section, or of one in its subsections.
-LENGTHS = {"Stator": 1, "Rotor": 1, "Rotor/Radial bar stiffness": -2, "Materials/Young modulus": -2,
-           "Materials/Density": -4, "Wave/Amplitude": 1, "Friction/Decay velocity": 1, "Friction/Weakening length": 1,
-           "Friction/Lining normal stiffness": -3, "Friction/Lining tangential stiffness": -3,
-           "Contact/Normal penalty": -1, "Contact/Tangential penalty": -1, "Initial deformation/Amplitude": 1}
-WORDS = ("solid", "shell")  # values in these sections that are no numbers
+LENGTHS = {"Stator": 1, "Stator/Target plate cross-section": 2, "Rotor": 1, "Rotor/Radial bar stiffness": -2,
+           "Materials/Young modulus": -2, "Materials/Density": -4, "Wave/Amplitude": 1, "Friction/Decay velocity": 1,
+           "Friction/Weakening length": 1, "Friction/Lining normal stiffness": -3,
+           "Friction/Lining tangential stiffness": -3, "Contact/Normal penalty": -1, "Contact/Tangential penalty": -1,
+           "Initial deformation/Amplitude": 1}
+WORDS = ("solid", "shell", "none")  # values in these sections that are no numbers
 
 
-def in_millimetres(entries):
+def in_millimetres(entries, options):
     """The same motor in mm, N, s and therefore tonnes: its torques are in N mm."""
     changed = {**entries, "Motor/Unusual values": "accept"}
-    for entry, value in {**entries_of(BASE.read_text()), **entries}.items():
+    for entry, value in {**entries_of(BASE, options.programs), **entries}.items():
         section, _, name = entry.rpartition("/")
         power = next((LENGTHS[key] for key in (entry, f"{section.partition('/')[0]}/{name}", section)
                       if key in LENGTHS), 0)
@@ -214,7 +215,7 @@ def in_millimetres(entries):
 def invariances(folder, entries, options):
     """What changes although it must not: list of texts."""
     millimetres, two_ranks, results = folder / "millimetres", folder / "two_ranks", ContactResults(folder)
-    in_mm = in_millimetres(entries)
+    in_mm = in_millimetres(entries, options)
     row = run_program("stator", BASE, millimetres, in_mm, options)
     if row["outcome"] == "certified":
         row = run_contact(BASE, millimetres, in_mm, options, checks=False)

@@ -26,6 +26,8 @@ namespace
     summary.git            = "abcdef";
     summary.blas_kernel    = "SkylakeX";
     summary.prm            = "subsection Motor\n  set Name = \"x\"\nend\n";
+    summary.entries        = {{"Motor/Name", "x"}, {"Materials/Stator metal/Density", "8100"}};
+    summary.identity       = {"some wave", "some motor"};
     summary.seconds        = {{"mesh", 0.25}, {"factorise", 1.5}, {"assemble", 0.5}};
     summary.peak_memory_MB = 123.5;
     summary.dofs           = 4294967296u;
@@ -54,6 +56,8 @@ TEST(Summary, HoldsEverythingUnderItsName)
   const auto expected = nlohmann::json::parse(R"({
     "program": "stator", "version": "0.1.0", "git": "abcdef", "blas_kernel": "SkylakeX",
     "prm": "subsection Motor\n  set Name = \"x\"\nend\n",
+    "entries": {"Motor/Name": "x", "Materials/Stator metal/Density": "8100"},
+    "identity": {"wave": "some wave", "motor": "some motor"},
     "seconds": {"mesh": 0.25, "factorise": 1.5, "assemble": 0.5},
     "peak_memory_MB": 123.5,
     "dofs": 4294967296,
@@ -123,7 +127,9 @@ TEST(Summary, AForeignLetterInThePrmDoesNotLoseTheRun)
   const Scratch scratch;
   Summary summary = example();
   summary.prm     = "# 2 \xb5m"; // Latin-1, not UTF-8
+  summary.entries = {{"Motor/Name", "2 \xb5m"}};
   write_summary(scratch.path("summary.json"), summary);
   const auto json = nlohmann::json::parse(content_of(scratch.path("summary.json")));
   EXPECT_EQ(json["prm"], "# 2 \xef\xbf\xbdm");
+  EXPECT_EQ(json["entries"]["Motor/Name"], "2 \xef\xbf\xbdm");
 }

@@ -19,6 +19,7 @@ sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
 from program import ROOT, rows_of, run, settings  # noqa: E402
 
 BUILD = pathlib.Path(sys.argv.pop(1))
+NO_FIELDS = settings("Output/VTU = false", "Accuracy/Contact target = 0.2", "Loading/Values = 0, 0.05")
 QUIET = settings("Output/VTU = false", "Output/Figures = false")
 
 
@@ -145,6 +146,68 @@ class FromFileToPage(Installed):
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertIn(f"would be written to {case}", done.stdout)
         self.assertFalse(case.exists())
+
+    def assert_whole_run(self, done, case, *files):
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("all hold", done.stdout)
+        for name in ("losses/summary.json", *files):
+            self.assertTrue((case / name).exists(), name)
+
+    def test_names_of_folders_mean_nothing(self):
+        elsewhere = self.folder / "elsewhere"
+        (elsewhere / "date").mkdir(parents=True)
+        (elsewhere / "date" / "report.html").write_text("of somebody else")
+        for name in ("rotor", "up to date; $HOME 'x' \"y\" (1) > 2"):
+            case = self.folder / "names" / name
+            done = subprocess.run([self.prefix / "bin" / "ringmotor", self.quick, "--output", case, *NO_FIELDS], text=True,
+                                  capture_output=True, cwd=elsewhere, check=False)
+            self.assert_whole_run(done, case, "report.html", "figures/torque_speed.png")
+        self.assertEqual((elsewhere / "date" / "report.html").read_text(), "of somebody else")
+
+    def test_a_page_of_somebody_else_stays(self):
+        case = self.folder / "page"
+        case.mkdir()
+        for content in ("<html>mine</html>", ""):
+            (case / "report.html").write_text(content)
+            done = self.ringmotor("--output", case, *NO_FIELDS)
+            self.assertEqual((done.returncode, done.stdout, done.stderr.count("\n")), (1, "", 1))
+            self.assertIn("is not a page of ringmotor", done.stderr)
+            self.assertEqual([path.name for path in case.iterdir()], ["report.html"])
+            self.assertEqual((case / "report.html").read_text(), content)
+
+    def launched(self, case, *before, **environment):
+        return subprocess.run([*before, self.prefix / "bin" / "ringmotor", self.quick, "--output", case, *NO_FIELDS,
+                               *QUIET[-2:]], text=True, capture_output=True, env={**os.environ, **environment}, check=False)
+
+    def test_an_mpirun_of_another_mpi(self):
+        # It starts as many copies as it is asked for, of which each takes itself for the only one, or nothing at all.
+        copies = 'while [[ $1 != -n ]]; do shift; done; for ((i = 0; i < $2; ++i)); do "${@:3:1}" "${@:4}" & done; wait'
+        for number, script in enumerate((copies, f"export PMI_SIZE=2 PMI_RANK=0; {copies}", "echo no")):
+            folder = self.folder / f"mpirun_{number}"
+            folder.mkdir()
+            (folder / "mpirun").write_text(f"#!/bin/bash\n{script}\n")
+            (folder / "mpirun").chmod(0o755)
+            case = folder / "case"
+            self.assert_whole_run(self.launched(case, PATH=f"{folder}:{os.environ['PATH']}"), case)
+
+    def test_under_mpirun(self):
+        may = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+        case = self.folder / "under_mpirun"
+        self.assert_whole_run(self.launched(case, "mpirun", "-n", "1", **may), case)
+        done = self.launched(self.folder / "twice", "mpirun", "--oversubscribe", "-n", "2", **may)
+        self.assertEqual(done.stderr.count("run.sh: started 2 times (OMPI_COMM_WORLD_SIZE); start it once"), 1, done.stderr)
+        self.assertNotIn("ORTE", done.stderr)
+        self.assertFalse((self.folder / "twice").exists())
+        for rank, said in (("0", "run.sh: started 3 times (PMI_SIZE); start it once"), ("1", "")):
+            done = self.launched(self.folder / "twice", PMI_SIZE="3", PMI_RANK=rank)
+            self.assertEqual((done.returncode, done.stdout), (1, ""))
+            self.assertTrue(done.stderr.startswith(said), done.stderr)
+
+    def test_a_pipe_is_refused(self):
+        done = subprocess.run(["bash", "-c", '"$1" <(cat "$2")', "bash", self.prefix / "bin" / "ringmotor", self.quick],
+                              capture_output=True, text=True, check=False)
+        self.assertEqual((done.returncode, done.stdout, done.stderr.count("\n")), (1, "", 1))
+        self.assertIn("is a pipe", done.stderr)
 
     def test_modes_of_the_rotor_alone(self):
         case = self.folder / "rotor"

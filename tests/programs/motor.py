@@ -1,12 +1,14 @@
 #!/usr/bin/python3 -sE
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The program motor, which runs the three others in one process, against those.
+"""The program motor, which runs the three others in one process, against those; and what the programs tell scripts.
 
 Usage: tests/programs/motor.py STATOR CONTACT LOSSES MOTOR [unittest arguments]
 """
 import json
+import os
 import pathlib
 import shutil
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -120,6 +122,124 @@ class Motor(unittest.TestCase):
         self.assertIn("Loading/Values = 9", (case / "contact_failed.txt").read_text())
         self.assertTrue((case / "stator" / "summary.json").exists())
         self.assertFalse((case / "losses").exists())
+
+
+class Questions(unittest.TestCase):
+    """--check=json, --check=lines and --help=json."""
+
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp())
+
+    def tearDown(self):
+        shutil.rmtree(self.folder)
+
+    def answer(self, *words, program=MOTOR):
+        done = run(program, *words, "--check=json")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return json.loads(done.stdout)
+
+    def lines(self, asked, *words, program=MOTOR):
+        done = subprocess.run([program, QUICK, *words, "--check=lines"], input="".join(f"{line}\n" for line in asked),
+                              capture_output=True, text=True, check=True)
+        return [json.loads(line) for line in done.stdout.splitlines()]
+
+    def test_tell_what_the_results_will_tell(self):
+        folder = self.folder / "up to rotor"
+        said = self.answer(QUICK, "--output", folder, *QUIET)
+        self.assertEqual([said["folder"], said["files"], said["ranks"]], [str(folder), [], 1])
+        self.assertEqual([(one["name"], one["folder"]) for one in said["programs"]],
+                         [(name, f"{folder}/{name}/") for name in ("stator", "contact", "losses")])
+        self.assertFalse(folder.exists())
+        done = run(STATOR, QUICK, "--output", folder, *QUIET)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        summary = json.loads((folder / "stator" / "summary.json").read_text())
+        self.assertEqual([summary["entries"], summary["identity"]], [said["entries"], said["identity"]])
+        again = self.answer(folder / "stator" / "used.prm", "--output", self.folder / "elsewhere")
+        self.assertEqual(again["identity"], said["identity"])
+        self.assertEqual({**again["entries"], "Output/Directory": str(folder)}, said["entries"])
+
+    def test_of_a_stator_alone(self):
+        mesh = QUICK.parent / "canon_ring_mesh.prm"
+        said = self.answer(mesh, program=STATOR)
+        self.assertEqual([pathlib.Path(file).name for file in said["files"]], ["canon_half_sector.msh"])
+        self.assertIn("Loading/Preload", said["missing"])
+        self.assertNotIn("Loading/Preload", said["entries"])
+        self.assertEqual([one["name"] for one in said["programs"]], ["stator"])
+        done = run(MOTOR, mesh, "--check=json")
+        self.assertEqual((done.returncode, done.stdout, done.stderr.count("\n")), (1, "", 1))
+        self.assertIn("for the modes of the stator alone, run the program stator", done.stderr)
+
+    def test_of_the_modes_of_a_rotor(self):
+        said = self.answer(QUICK, *settings("Modes/Body = rotor"), "--output", "x")
+        self.assertEqual(said["programs"], [{"name": "stator", "folder": "x/rotor/"}])
+
+    def test_of_many_motors(self):
+        wave, *others = self.lines(['[]', '["Loading/Preload = 11"]', '["Wave/Amplitude = 1e-6"]',
+                                    '["Loading/Preload = 14.0"]', '["Stator/Slot width = 3e-3"]', '["Friction/Dynamic coefficient = 0"]',
+                                    '["Loading/Preloud = 3"]', '{"Loading/Preload": 3}', 'nonsense', ''])
+        preload, amplitude, same, *mistakes = others
+        self.assertEqual(wave["identity"], self.answer(QUICK)["identity"])
+        self.assertEqual(same, wave)
+        self.assertEqual(preload["identity"]["wave"], wave["identity"]["wave"])
+        self.assertNotEqual(preload["identity"]["motor"], wave["identity"]["motor"])
+        self.assertNotEqual(amplitude["identity"]["wave"], wave["identity"]["wave"])
+        self.assertEqual([one["program"] for one in mistakes], ["stator", "contact", "motor", "motor", "motor", "motor"])
+        for mistake, words in zip(mistakes, ("Stator/Slot width", "Friction/Dynamic coefficient = 0", "did you mean",
+                                             "JSON list", "JSON list", "JSON list")):
+            self.assertIn(words, mistake["error"])
+        [of_stator] = self.lines(['["Friction/Dynamic coefficient = 0"]'], program=STATOR)
+        self.assertEqual(of_stator["identity"]["wave"], wave["identity"]["wave"])
+
+    def test_of_all_entries(self):
+        declared = json.loads(run(CONTACT, "--help=json").stdout)
+        self.assertEqual(declared["Materials"]["Stator metal"]["Density"]["default_value"], "8100")
+        self.assertEqual(list(declared)[:3], ["Motor", "Stator", "Rotor"])
+
+    def test_mistakes_in_options_are_told_by_their_words(self):
+        for words, said in ((["-np", "2"], "unknown option -np;"), (["-n2"], "unknown option -n2;"),
+                            (["-nh"], "unknown option -nh;"), (["--ranks=2"], "unknown option --ranks=2;"),
+                            (["--ranks", "2"], "unknown option --ranks;"), (["--set"], "the option --set needs a value"),
+                            (["--check=xml"], "--check=xml: expected --check or"), (["x.prm"], "more than one parameter file"),
+                            (["--done", "x", "--check"], "--done is not available")):
+            for order in ([QUICK, *words], [*words, QUICK]):
+                if words == ["--set"] and order[-1] == QUICK:
+                    continue
+                done = run(MOTOR, *order)
+                self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
+                self.assertIn(said, done.stderr)
+        self.assertEqual(run(MOTOR, "--", QUICK, "--check").returncode, 0)
+
+    def test_programs_that_have_come_to_their_end(self):
+        note = self.folder / "done.json"
+        done = run(MOTOR, QUICK, "--output", self.folder / "case", "--done", note, *settings("Output/VTU = false",
+                                                                                           "Loading/Values = 9"))
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(json.loads(note.read_text()), ["stator"])
+
+
+class Launchers(unittest.TestCase):
+    """Copies of a program that do not find each other, as they have an mpirun of another MPI."""
+
+    def check(self, **environment):
+        done = subprocess.run([MOTOR, QUICK, "--check"], capture_output=True, text=True, env={**os.environ, **environment},
+                              check=False)
+        return done.returncode, done.stderr
+
+    def test_are_recognised(self):
+        for size, rank in (("PMI_SIZE", "PMI_RANK"), ("MPI_LOCALNRANKS", "MPI_LOCALRANKID"),
+                           ("SLURM_STEP_NUM_TASKS", "SLURM_PROCID"),
+                           ("SLURM_NTASKS", "SLURM_PROCID"), ("OMPI_COMM_WORLD_SIZE", "OMPI_COMM_WORLD_RANK")):
+            status, said = self.check(**{size: "3", rank: "0"})
+            self.assertEqual((status, said.count("\n")), (1, 1), said)
+            self.assertIn(f"started 3 times ({size})", said)
+            self.assertEqual(self.check(**{size: "3", rank: "2"}), (1, ""))
+            self.assertEqual(self.check(**{size: "1", rank: "0"}), (0, ""))
+
+    def test_the_script_of_a_job_runs_once(self):
+        job = {"SLURM_NTASKS": "4", "SLURM_PROCID": "0", "ENVIRONMENT": "BATCH"}
+        self.assertEqual(self.check(**job), (0, ""))
+        self.assertEqual(self.check(**job, SLURM_STEP_NUM_TASKS="4")[0], 1)
+        self.assertEqual(self.check(SLURM_NTASKS="4"), (0, ""))  # of salloc
 
 
 if __name__ == "__main__":

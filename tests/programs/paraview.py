@@ -163,7 +163,7 @@ class Pictures(WithFolder):
         self.assertFalse(self.picture("pressure").read_bytes() == without_load, "the same picture at another torque")
 
     def test_files_that_are_damaged_are_named(self):
-        for file, said in (("stator/ring.pvd", "cannot be read"), ("contact/used.prm", "Motor/Number of waves")):
+        for file, said in (("stator/ring.pvd", "cannot be read"), ("contact/summary.json", "Motor/Number of waves")):
             with self.subTest(file=file):
                 path = self.case / file
                 kept = path.read_bytes()

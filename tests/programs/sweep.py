@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Many motors at once: sweeps, samples, optima, solutions, comparisons, as their user meets them.
 
-Usage: tests/programs/sweep.py Table|Search|Mistakes STATOR CONTACT LOSSES
+Usage: tests/programs/sweep.py Table|Search|Files|Mistakes STATOR CONTACT LOSSES
 
 What is compared: rows of the table with runs of the programs by hand; optima and solutions with what follows from monotony;
 fronts with comparison of all pairs.
@@ -14,6 +14,7 @@ import pathlib
 import random
 import shutil
 import signal
+import sqlite3
 import subprocess
 import sys
 import tempfile
@@ -25,8 +26,11 @@ from program import QUICK, ROOT, rows_of, run, settings  # noqa: E402
 
 sys.path.insert(0, str(ROOT / "scripts"))
 import h5py  # noqa: E402
+import motor_task  # noqa: E402
 from case import CaseError  # noqa: E402
 from goals import limit  # noqa: E402
+from many_motors import Family  # noqa: E402
+from motor_task import known_outcome, without_launcher  # noqa: E402
 from sweep import main  # noqa: E402
 from sweep_figures import pareto_front  # noqa: E402
 from sweep_table import short_names  # noqa: E402
@@ -94,6 +98,14 @@ class Table(InAFolder):
             self.assertEqual(file["values/speed at 0.05"].attrs["unit"], "rpm")
             self.assertEqual(list(file["values/speed at 0.05"]), [float(row["speed_rpm at 0.05"]) for row in rows])
         self.assertTrue((self.output / "figures" / "quantities.svg").exists())
+
+    def test_has_a_row_for_each_motor_though_some_are_the_same(self):
+        said = self.sweep("--wave-only", "--vary", "Wave/Amplitude = 1e-6, 1.0e-6", "--vary", "Motor/Name = a, b")
+        self.assertIn("4 certified", said)
+        self.assertEqual(len(list((self.output / "waves").iterdir())), 1)
+        rows = self.rows()
+        self.assertEqual([row["Motor/Name"] for row in rows], ["a", "b"] * 2)
+        self.assertEqual(len({row["frequency_Hz"] for row in rows}), 1)
 
     def test_has_the_words_of_motors_that_are_refused(self):
         said = self.sweep("--vary", "Stator/Slot width = 0.6e-3, 3e-3")
@@ -212,6 +224,181 @@ class Search(InAFolder):
         self.assertNotIn(" open", same.stdout)
 
 
+@unittest.skipUnless(SUITE == "Files", "another suite")
+class Files(InAFolder):
+    """Parameter files, mesh files, and the small files that a sweep keeps."""
+
+    WAVES = ("--wave-only", "--vary", "Stator/Base thickness = 4.0e-3, 4.2e-3")
+
+    def family(self, prm):
+        return Family(prm, {}, self.output, PROGRAMS[0].parent, is_wave_only=True)
+
+    def test_are_read_as_the_programs_read_them(self):
+        text = QUICK.read_text()
+        plain = self.family(QUICK)
+        edits = {
+            "a comment behind end": text.replace("\nend\n", "\nend # of it\n"),
+            "blanks": text.replace("subsection ", "subsection   ").replace("set ", "   set   "),
+            "tabs": text.replace("subsection ", "subsection\t").replace("set ", "set\t").replace(" = ", "\t=\t"),
+            "comments behind values": text.replace("= 141e9", "= 141e9 # Invar"),
+            "a mark of the byte order": "\ufeff" + text,
+            "lines of DOS": text.replace("\n", "\r\n"),
+            "a line in two": text.replace("set Young modulus = 141e9", "set Young \\\n modulus = 141e9"),
+            "an empty comment": text.replace("= 141e9", "= 141e9#"),
+            "comments in ISO 8859-1": "# Ma\xdfe des L\xe4ufers\n" + text}
+        for name, edited in edits.items():
+            with self.subTest(name):
+                self.assertNotEqual(edited, text)
+                path = self.folder / "edited.prm"
+                path.write_bytes(edited.encode("latin-1" if "8859" in name else "utf-8"))
+                family = self.family(path)
+                self.assertEqual(family.identity, plain.identity)
+                self.assertEqual(family.motor({"Wave/Amplitude": "1e-6"}).key, plain.motor({"Wave/Amplitude": "1.0e-6"}).key)
+
+    def watched(self, script, *words):
+        """A script that is ended as soon as it, or what it imports, opens a parameter file."""
+        hook = ("import os, runpy, sys\n"
+                "def look(event, words):\n"
+                "    if event == 'open' and str(words[0]).endswith('.prm'):\n"
+                "        print('opened', words[0], file=sys.stderr, flush=True)\n"
+                "        os._exit(99)\n"
+                "sys.addaudithook(look)\n"
+                "sys.argv = sys.argv[1:]\n"
+                "sys.path.insert(0, os.path.dirname(sys.argv[0]))\n"
+                "runpy.run_path(sys.argv[0], run_name='__main__')\n")
+        return run("/usr/bin/python3", "-c", hook, script, *words)
+
+    def test_are_not_read_by_scripts(self):
+        (self.folder / "reader.py").write_text(f"open({str(QUICK)!r})")
+        self.assertEqual(self.watched(self.folder / "reader.py").returncode, 99)
+        scripts = ROOT / "scripts"
+        case = self.folder / "case"
+        for script, *words in ([scripts / "run.py", QUICK, "--output", case, *settings(*COARSE, "Output/VTU = false")],
+                               command("--output", self.output, *self.WAVES), [COMPARE, case, case]):
+            done = self.watched(script, *words)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+        for name in ("figures", "report", "summary"):
+            self.assertEqual(self.watched(scripts / f"{name}.py", case).stderr, "")
+        # And none knows the words of such a file.
+        for path in [*scripts.iterdir(), *(ROOT / "benchmarks").glob("*.py")]:
+            if path.suffix in (".py", ".sh"):
+                for word in ("subsection", '["prm"]'):
+                    self.assertNotIn(word, path.read_text(encoding="utf-8"), path)
+
+    def mesh_family(self, mesh):
+        prm = self.folder / "mesh.prm"
+        shutil.copy(ROOT / "prm" / "canon_ring_mesh.prm", prm)
+        return Family(prm, {"Stator/Mesh file": str(mesh), "Accuracy/Mode": "fixed", "Accuracy/Polynomial degree": "2"},
+                      self.output, PROGRAMS[0].parent, is_wave_only=True)
+
+    def test_a_mesh_file_is_known_by_its_content(self):
+        meshes = [ROOT / "meshes" / f"canon_{name}sector.msh" for name in ("half_", "")]
+        mesh = self.folder / "sector.msh"
+        keys = []
+        for source in (meshes[0], meshes[1], meshes[0]):
+            shutil.copy(source, mesh)
+            motor = self.mesh_family(mesh).motor({"Wave/Amplitude": "1e-6"})
+            keys.append(motor.key)
+            self.assertEqual(motor.is_known(), len(keys) == 3)
+            self.assertEqual(motor_task.find_wave(motor.wave).outcome, "certified")
+        self.assertEqual(keys[0], keys[2])
+        self.assertNotEqual(keys[0], keys[1])
+
+    def test_one_that_changes_while_motors_are_computed(self):
+        mesh = self.folder / "sector.msh"
+        shutil.copy(ROOT / "meshes" / "canon_half_sector.msh", mesh)
+        family = self.mesh_family(mesh)
+        first, second = (family.motor({"Wave/Amplitude": text}) for text in ("1e-6", "2e-6"))
+        self.assertEqual(motor_task.find_wave(first.wave).outcome, "certified")
+        shutil.copy(ROOT / "meshes" / "canon_sector.msh", mesh)
+        self.assertEqual(motor_task.find_wave(second.wave).outcome, "changed")
+        self.assertFalse(second.is_known())
+        prm = self.folder / "edited.prm"
+        prm.write_text(QUICK.read_text().replace("= 141e9", "= 142e9"))
+        third = self.family(prm).motor({"Wave/Amplitude": "2e-6"})
+        prm.write_text(QUICK.read_text())
+        self.assertEqual(motor_task.find_wave(third.wave).outcome, "changed")
+
+    def test_damaged_ones_are_computed_again(self):
+        self.sweep(*self.WAVES)
+        note, other = sorted(self.output.glob("waves/*/wave.json"))
+        text, times = note.read_text(), other.stat().st_mtime_ns
+        rows = [(row["frequency_Hz"], row["outcome"]) for row in rows_of(self.output / "table.csv")]
+        self.assertIsNotNone(known_outcome(note))
+        fields = json.loads(text)
+        for content in ("", text[:30], "null", "[]", "3", "{}", json.dumps({**fields, "outcome": "x"}), "\x00" * len(text),
+                        json.dumps({**fields, "message": 3}), json.dumps({**fields, "seconds": "x"}), "\xff"):
+            note.write_bytes(content.encode("latin-1"))
+            self.assertIsNone(known_outcome(note), content)
+        self.assertIn("1 motors are known already", self.sweep(*self.WAVES))
+        for name in ("summary.json", "modes.h5", "frequencies.csv"):
+            path = note.parent / "stator" / name
+            path.write_bytes(path.read_bytes()[:-7] if name == "modes.h5" else b"")
+            self.assertIsNone(known_outcome(note), name)
+            self.assertIn("1 motors are known already", self.sweep(*self.WAVES))
+        self.assertEqual(other.stat().st_mtime_ns, times)
+        self.assertEqual([(row["frequency_Hz"], row["outcome"]) for row in rows_of(self.output / "table.csv")], rows)
+
+    def test_a_damaged_record_of_a_search_is_named(self):
+        self.output = self.folder / "what? {is} this%20&a=b"
+        options = ("--vary", "Stator/Base thickness = 4e-3:5e-3", "--maximise", "frequency", "--trials", "2")
+        self.sweep(*options)
+        record = self.output / "optuna.db"
+        self.assertEqual(list(self.folder.rglob("optuna.db")), [record])
+        content = record.read_bytes()
+        newer = sqlite3.connect(record)
+        newer.execute("update alembic_version set version_num = 'v99.0.0'")
+        newer.commit()
+        newer.close()
+        for damaged in (record.read_bytes(), b"nonsense" * 100, content[:5000], b"\x00" * 4096):
+            record.write_bytes(damaged)
+            done = run(*command("--output", self.output, *options))
+            self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
+            self.assertIn(f"{record} cannot be used", done.stderr)
+            self.assertIn("remove it", done.stderr)
+        record.unlink()
+        before = {path: path.stat().st_mtime_ns for path in self.output.glob("waves/*/wave.json")}
+        self.sweep(*options)
+        self.assertEqual({path: path.stat().st_mtime_ns for path in before}, before)
+
+
+@unittest.skipUnless(SUITE == "Mistakes", "another suite")
+class Workers(InAFolder):
+    def test_of_a_scheduler_are_waited_for_with_a_word(self):
+        address, said = self.folder / "address.json", self.folder / "said"
+        quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+        shells = [subprocess.Popen(["dask-scheduler", "--scheduler-file", address, "--port", "0", "--no-dashboard",
+                                    "--interface", "lo"], **quiet)]
+        try:
+            while not address.exists():
+                time.sleep(0.1)
+            found = json.loads(address.read_text())["address"]
+            with open(said, "w", encoding="utf-8") as file:
+                words = command("--output", self.output, "--wave-only", "--vary", "Wave/Amplitude = 1e-6, 2e-6", "--scheduler",
+                                found)
+                sweep = subprocess.Popen([str(word) for word in words], stdout=file, stderr=file)
+            shells.append(sweep)
+            while "waiting for workers" not in said.read_text() and sweep.poll() is None:
+                time.sleep(0.1)
+            self.assertIn(f"start some with: dask-worker {found}", said.read_text())
+            # As srun would start one.
+            shells.append(subprocess.Popen(["dask-worker", "--scheduler-file", address, "--nthreads", "1", "--no-dashboard",
+                                            "--local-directory", self.folder / "scratch"], **quiet,
+                                           env={**os.environ, "PMI_SIZE": "2", "PMI_RANK": "1"}))
+            self.assertEqual(sweep.wait(timeout=100), 0, said.read_text())
+            self.assertIn("2 certified", said.read_text())
+        finally:
+            for shell in shells[::-1]:
+                shell.terminate()
+                shell.wait()
+
+    def test_know_nothing_of_their_launcher(self):
+        mine = {"PATH": "/bin", "OMPI_MCA_btl": "self", "OMPI_ALLOW_RUN_AS_ROOT": "1", "SLURM_JOB_ID": "3"}
+        self.assertEqual(without_launcher({**mine, "PMI_RANK": "1", "PMIX_RANK": "1", "SLURM_PROCID": "1"}), mine)
+        under_mpirun = without_launcher({**mine, "OMPI_COMM_WORLD_SIZE": "1", "OMPI_COMMAND": "x", "PMIX_RANK": "0"})
+        self.assertEqual(under_mpirun, {name: text for name, text in mine.items() if name != "OMPI_MCA_btl"})
+
+
 @unittest.skipUnless(SUITE == "Mistakes", "another suite")
 class Mistakes(InAFolder):
     def test_are_told_in_one_line(self):
@@ -224,7 +411,8 @@ class Mistakes(InAFolder):
                 (["--vary", "Loading/Preload = -1:3:4:log"], "positive"),
                 (["--vary", "Loading/Preload = 1:3"], "without a number of values"),
                 (["--vary", "Loading/Preloud = 1, 2"], 'did you mean "Loading/Preload"'),
-                (["--set", "Loading/Preloud = 1", "--vary", "Loading/Preload = 1, 2"], '--set "Loading/Preloud"'),
+                (["--set", "Loading/Preloud = 1", "--vary", "Loading/Preload = 1, 2"],
+                 '--set "Loading/Preloud = 1": unknown entry'),
                 (["--vary", "Loading/Preload = 1:3", "--sample", "sobol=3"], "lhs=COUNT"),
                 (["--vary", "Loading/Preload = 1:3", "--maximise", "efficiency >"], "name of a quantity"),
                 (["--vary", "Loading/Preload = 1:3", "--maximise", "efficiency at 0.1", "--subject-to", "speed"], "QUANTITY >"),
@@ -234,6 +422,15 @@ class Mistakes(InAFolder):
                 (["--solve", "Loading/Preload = 1:3", "--for", "frequency"], "QUANTITY = number"),
                 (["--solve", "Loading/Preload = 1:3", "--vary", "Loading/Preload = 1, 2", "--for", "frequency = 3"], "--vary"),
                 (["--uncertainty", "40"], "no input is uncertain"),
+                (["--vary", "Loading/Preload = 1, 2", "--workers", "0"], "--workers: expected a whole number, at least 1"),
+                (["--vary", "Loading/Preload = 1, 2", "--workers", "-1"], "--workers: expected a whole number, at least 1"),
+                (["--vary", "Loading/Preload = 1, 2", "--workers", "two"], "--workers: expected a whole number, at least 1"),
+                (["--vary", "Loading/Preload = 1:2", "--maximise", "frequency", "--trials", "0"], "--trials: expected"),
+                (["--vary", "Loading/Preload = 1:2", "--sample", "lhs=4", "--seed", "-1"], "--seed: expected"),
+                (["--vary", "Loading/Preload = 1, 2", "--scheduler"], "--scheduler: expected one argument"),
+                (["--vary", "Loading/Preload = 1, 2", "--nonsense"], "unrecognized arguments: --nonsense"),
+                (["--vary", "Loading/Preload = 1, 2", *settings("Loading/Preload = -1")], "Loading/Preload"),
+                (["--vary", "Loading/Preload = 1, 2", *settings("Modes/Body = rotor")], "Modes/Body = rotor has no wave"),
                 (["--uncertainty", "1"], "at least 4"),
                 (["--uncertainty", "40", "--vary", "Loading/Preload = 1, 2"], "leave out --vary"),
                 (["--vary", "Loading/Preload = 1, 2", "--scheduler", "tcp://127.0.0.1:9"], "does not answer")):
@@ -243,7 +440,14 @@ class Mistakes(InAFolder):
     def test_a_file_that_is_not_there(self):
         done = run(SWEEP, self.folder / "nothing.prm", "--programs", PROGRAMS[0].parent, *TWO_BY_TWO)
         self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
-        self.assertIn("nothing.prm", done.stderr)
+        self.assertIn("nothing.prm: no such parameter file", done.stderr)
+        os.mkfifo(self.folder / "pipe.prm")
+        done = run(SWEEP, self.folder / "pipe.prm", "--programs", PROGRAMS[0].parent, *TWO_BY_TWO)
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
+        self.assertIn("is a pipe", done.stderr)
+        done = run(SWEEP, QUICK, "--programs", self.folder, *TWO_BY_TWO)
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
+        self.assertIn("scripts/setup.sh", done.stderr)
 
     def test_quantities_that_no_motor_has(self):
         done = run(*command("--output", self.output, "--vary", "Stator/Base thickness = 4e-3:5e-3", "--maximise", "frequncy",

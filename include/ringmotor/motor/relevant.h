@@ -4,6 +4,7 @@
 #include <ringmotor/parameters/parameters.h>
 
 #include <string>
+#include <vector>
 
 // The parameters on which costly results depend. A cached result is identified by all parameters it
 // can depend on. The computation is given these parameters and no others: thus an entry that is
@@ -25,9 +26,29 @@ namespace ringmotor
    * stored with it. */
   Parameters relevant_for_wave(const Parameters &parameters);
 
+  /** The same for all results of the program stator, as numbers in its files: error bars, circuits
+   * and estimates of effects too. */
+  Parameters relevant_for_stator(const Parameters &parameters);
+
+  /** The same for the results of all programs. */
+  Parameters relevant_for_motor(const Parameters &parameters);
+
+  /** The mesh files that the parameters name. */
+  std::vector<std::string> files_named_by(const Parameters &parameters);
+
   /** All entries and their values as text, without comments, one per line. A mesh file is
    * identified by its content, not by its path. */
   std::string text_of(const Parameters &parameters);
+
+  /** 36 characters each that identify results, by all that they depend on: those of the program
+   * stator, and those of all programs. */
+  struct Identity
+  {
+    std::string wave, motor;
+  };
+
+  /** @param programs their version */
+  Identity identity_of(const Parameters &parameters, const std::string &programs);
 
   /** The first entry in which a text from text_of() differs from @p parameters, as
    * `Section/Entry = 1 there, 2 here`; empty if none does. */

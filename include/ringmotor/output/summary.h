@@ -2,6 +2,8 @@
 #pragma once
 
 #include <ringmotor/motor/effect.h>
+#include <ringmotor/motor/relevant.h>
+#include <ringmotor/parameters/entries.h>
 #include <ringmotor/quantities/quantity.h>
 
 #include <cstdint>
@@ -45,6 +47,8 @@ namespace ringmotor
     std::string program, version, git;
     std::string blas_kernel; ///< see blas_kernel(); empty for a BLAS other than OpenBLAS
     std::string prm;         ///< the parameters of the run, as text
+    Entries entries;         ///< the same, one by one
+    Identity identity;       ///< of the motor, see identity_of()
     std::vector<std::pair<std::string, double>> seconds; ///< per phase, in the order of the run
     double peak_memory_MB = 0.;
     std::uint64_t dofs    = 0;

@@ -6,13 +6,6 @@
 namespace ringmotor
 {
   /**
-   * To be called before MPI starts: a program started without mpirun needs no network, and not
-   * looking for one saves a third of a second; nor does it need a folder for its session, which
-   * it would share with others that run at the same time.
-   */
-  void spare_the_network_search();
-
-  /**
    * Everything main() does around the work of one or several programs: selects a fast BLAS kernel,
    * starts MPI, reads the command line (see CommandLine) and the parameters, checks them for all
    * programs before the first one runs and, in a folder that it locks, does the work; turns errors

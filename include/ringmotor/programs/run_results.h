@@ -9,6 +9,9 @@
 
 namespace ringmotor
 {
+  /** `ringmotor 0.1.0 (1455fa2)`. */
+  std::string this_version();
+
   /** The folder in which a program writes its results, with a slash at its end. */
   std::string results_folder(const std::string &program, const Parameters &parameters);
 

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/parameters/parameters.h>
+
+#include <iosfwd>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Parameters for those who have no reader of parameter files: scripts and other programs.
+
+namespace ringmotor
+{
+  /** `Section/Sub/Entry` and the text of its value, in the order of a parameter file. */
+  using Entries = std::vector<std::pair<std::string, std::string>>;
+
+  /** All entries, but without those of Parameters::not_given. */
+  Entries entries_of(const Parameters &parameters);
+
+  /** Writes what is declared as JSON: nested objects for sections, and for each entry its default
+   * value, documentation and pattern in words, in the order of a parameter file. */
+  void print_declarations(std::ostream &out);
+} // namespace ringmotor

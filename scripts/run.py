@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What scripts/run.sh does when the programs are built, see there: from a parameter file to a report."""
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+sys.dont_write_bytecode = True
+import surroundings  # noqa: F401
+from motor_task import without_launcher
+from page_file import refuse_foreign
+from programs import PROGRAMS, CaseError, Refusal, described, refuse_pipe
+
+SCRIPTS = pathlib.Path(__file__).resolve().parent
+MOST_RANKS = 4  # that share the work of a motor; a fifth one would find little left of it
+PATIENCE = 60.  # seconds for mpirun to start
+# How launchers tell a process the number of processes and its own among them.
+COPIES = (("OMPI_COMM_WORLD_SIZE", "OMPI_COMM_WORLD_RANK"), ("PMI_SIZE", "PMI_RANK"),
+          ("SLURM_STEP_NUM_TASKS", "SLURM_PROCID"))
+
+
+class Interruption:
+    """The programs end by themselves when they are interrupted; what would come after them does not begin."""
+
+    def __init__(self):
+        self.signal, self.process = None, None
+        if signal.getsignal(signal.SIGINT) != signal.SIG_IGN:  # as in the background of a script
+            signal.signal(signal.SIGINT, self.note)
+        signal.signal(signal.SIGTERM, self.hand_on)
+
+    def note(self, number, _):
+        """Ctrl-C has reached the program as well."""
+        self.signal = number
+
+    def hand_on(self, number, _):
+        self.signal = number
+        if self.process:
+            self.process.send_signal(number)
+
+    def run(self, *command):
+        """The exit status of a program, in our terminal."""
+        sys.stdout.flush()
+        self.process = subprocess.Popen([str(word) for word in command], env=without_launcher(os.environ))
+        status = self.process.wait()
+        if self.signal:
+            sys.exit(128 + self.signal)
+        return status if status >= 0 else 128 - status
+
+    def need(self, *command):
+        """The same; ends with it if it fails."""
+        status = self.run(*command)
+        if status != 0:
+            sys.exit(status)
+
+
+def refuse_copies():
+    """Under mpirun or srun: the processes are started here. One of the copies says so."""
+    size, rank = next(((size, rank) for size, rank in COPIES if size in os.environ and rank in os.environ), COPIES[0])
+    if os.environ.get(size, "1") == "1":
+        return
+    if os.environ[rank] != "0":
+        time.sleep(1)  # a launcher ends all when the first one ends
+        sys.exit(1)
+    raise CaseError(f"started {os.environ[size]} times ({size}); start it once, without mpirun or srun: it starts the "
+                    "processes itself")
+
+
+def number_of_ranks():
+    return min(MOST_RANKS, int(subprocess.run(["nproc"], capture_output=True, encoding="utf-8", check=True).stdout))
+
+
+def mpirun(n_ranks):
+    """Ranks are not bound to cores that other runs may have been bound to, nproc counts more than the slots of mpirun,
+    containers forbid the fast way of copying between processes, and mpirun adds nothing to what the program says."""
+    command = ["mpirun", "--quiet", "--bind-to", "none", "--oversubscribe", "--mca", "mpi_yield_when_idle", "1", "--mca",
+               "btl_vader_single_copy_mechanism", "none", "-n", str(n_ranks)]
+    return command if os.geteuid() != 0 else [*command, "--allow-run-as-root"]
+
+
+def plan_and_launcher(options):
+    """What the programs have read, and the words before a program on several ranks: none unless so many ranks answer as
+    were asked for, as the mpirun that is found may not be that of the programs."""
+    n_ranks = number_of_ranks()
+    if n_ranks > 1:
+        try:
+            launcher = mpirun(n_ranks)
+            plan = described(PROGRAMS / "motor", *options, launcher=launcher, timeout=PATIENCE)
+            if plan["ranks"] == n_ranks:
+                return plan, launcher
+        except CaseError:
+            pass
+    return described(PROGRAMS / "motor", *options), []
+
+
+def is_flag(word, flags):
+    return any(word == flag or word.startswith(f"{flag}=") for flag in flags)
+
+
+def study(options, resume):
+    plan = described(PROGRAMS / "motor", *options)
+    interruption = Interruption()
+    interruption.need(PROGRAMS / "stator", *options, "--study", *resume)
+    if plan["entries"]["Modes/Body"] != "stator":
+        return 0
+    interruption.need(PROGRAMS / "stator", *options)  # contact needs a wave, which a study leaves none of
+    interruption.need(PROGRAMS / "contact", *options, "--study", *resume)
+    return interruption.run(SCRIPTS / "study_figure.py", plan["folder"])
+
+
+def run(options, resume):
+    plan, launcher = plan_and_launcher(options)
+    interruption = Interruption()
+    folder = pathlib.Path(plan["folder"])
+    if plan["entries"]["Modes/Body"] != "stator":  # a rotor or a tooth, which have no figures
+        return interruption.run(PROGRAMS / "stator", *options)
+    # Where a program fails, the page tells so beside the results of those before it.
+    page = folder / "report.html"
+    refuse_foreign(page)
+    page.unlink(missing_ok=True)
+    with tempfile.TemporaryDirectory(prefix="ringmotor_") as scratch:
+        done = pathlib.Path(scratch) / "done.json"
+        status = interruption.run(*launcher, PROGRAMS / "motor", *options, *resume, "--done", done)
+        if not done.exists():  # the stator has failed, or another run is there
+            return status
+    # What cannot be drawn is missing on the page, which is there in any case.
+    shown = []
+    if plan["entries"]["Output/Figures"] == "true":
+        shown = [interruption.run(SCRIPTS / f"{name}.py", folder) for name in ("figures", "report")]
+    print()
+    shown.append(interruption.run(SCRIPTS / "summary.py", folder))
+    return status or max(shown)
+
+
+def main(words):
+    refuse_copies()
+    if asked := [word for word in words if is_flag(word, ("--help", "--version"))]:
+        os.execv(PROGRAMS / "contact", ["contact", asked[0]])
+    for word in words:
+        refuse_pipe(word)
+    if any(is_flag(word, ("--check", "--clear")) for word in words):
+        os.execve(PROGRAMS / "motor", ["motor", *words], without_launcher(os.environ))
+    options = [word for word in words if word not in ("--study", "--resume")]
+    resume = ["--resume"] if "--resume" in words else []
+    return (study if "--study" in words else run)(options, resume)
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main(sys.argv[1:]))
+    except CaseError as problem:
+        sys.exit(str(problem) if isinstance(problem, Refusal) else f"run.sh: {problem}")
+    except KeyboardInterrupt:
+        sys.exit(128 + signal.SIGINT)
