@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/mesh/ids.h>
+#include <ringmotor/mesh/places.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/quantities/tooth_motion.h>
 #include <ringmotor/structure/mirror.h>
@@ -62,7 +63,7 @@ namespace ringmotor
     std::vector<Candidate> on_edges(const CyclicSector &sector, const std::vector<Face> &faces,
                                     const double r)
     {
-      const double tolerance = 1e-9 * r;
+      const double tolerance = places::rounding * r;
       std::vector<Candidate> candidates;
       for (const Face &face : faces)
         for (unsigned int line = 0; line < 4; ++line)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/mesh/places.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/structure/potential_dofs.h>
 
@@ -75,7 +76,6 @@ namespace ringmotor
             high = std::max(high, cell->vertex(vertex)[2]);
           }
         });
-    const double tolerance = 1e-6 * (high - low);
     std::array<bool, 2> found{};
     for_each_cell(
         [&](const auto &cell)
@@ -85,8 +85,8 @@ namespace ringmotor
             {
               bool lies_in_plane = true;
               for (const unsigned int vertex : cell->face(face)->vertex_indices())
-                lies_in_plane = lies_in_plane && std::abs(cell->face(face)->vertex(vertex)[2] -
-                                                          (is_upper ? high : low)) < tolerance;
+                lies_in_plane = lies_in_plane && is_same_place(cell->face(face)->vertex(vertex)[2],
+                                                               is_upper ? high : low, high - low);
               if (!lies_in_plane)
                 continue;
               found[is_upper] = true;
