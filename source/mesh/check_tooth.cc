@@ -114,6 +114,21 @@ namespace ringmotor
           for (const auto &face : cell->face_iterators())
             visit(cell, face);
       }
+      /** @p visit(cell of the tooth, face that it has in common with the base) */
+      template <typename Visit>
+      void for_each_face_of_foot(const Visit &visit) const
+      {
+        for (const auto &cell : mesh.triangulation->active_cell_iterators())
+          for (const unsigned int face : cell->face_indices())
+            if (cell->material_id() == ids::tooth && !cell->at_boundary(face) &&
+                cell->neighbor(face)->material_id() == ids::base)
+              visit(cell, cell->face(face));
+      }
+      /** ", near ..." */
+      static std::string near(const Face &face)
+      {
+        return ", near " + in_words(cylindrical(face->center()));
+      }
       bool is_marked(const Face &face) const
       {
         return face->at_boundary() && face->boundary_id() == ids::tooth_top;
@@ -129,7 +144,8 @@ namespace ringmotor
       Outline outline_of_top() const;
       Outline outline_of_foot() const;
       void expect_two_ends(const std::string &name, const Outline &outline) const;
-      void expect_center(const std::string &name, const Outline &outline) const;
+      void expect_reach(const std::string &name, const Outline &outline) const;
+      void expect_center(const Outline &top) const;
 
       const SectorMesh &mesh;
       const MeshFile &file;
@@ -139,6 +155,7 @@ namespace ringmotor
       double height_of_cut = std::numeric_limits<double>::lowest();
     };
 
+    const std::string name_of_top = "the tooth's top (physical id 15)";
     const std::string turn_the_mesh =
         "theta = 0 must be the centre of the tooth: turn the mesh around z";
     const std::string make_one_face =
@@ -194,9 +211,7 @@ namespace ringmotor
 
     void ToothCheck::top() const
     {
-      bool found      = false;
-      const auto near = [](const Face &face)
-      { return ", near " + in_words(cylindrical(face->center())); };
+      bool found = false;
       for_each_face(
           [&](const Cell &cell, const Face &face)
           {
@@ -239,26 +254,37 @@ namespace ringmotor
       if (height_of.count(ids::base) == 0)
         file.refuse("no volume has the physical id 1 (base)",
                     "mark the metal below the slot's bottom as 1, the tooth above it as 2");
-      const double base = height_of.at(ids::base).high, tooth = height_of.at(ids::tooth).low;
-      if (!is_small(std::abs(base - tooth)))
-        file.refuse_place(std::abs(base - tooth) / outer_radius,
-                          "the base (physical id 1) reaches up to z = " + in_millimetres(base) +
-                              " and the tooth (2) down to z = " + in_millimetres(tooth),
-                          "the tooth must stand on the base in a plane z = constant at the slot's "
-                          "bottom: correct the physical volumes");
+      Range foot;
+      for_each_face_of_foot(
+          [&](const Cell &tooth, const Face &face)
+          {
+            for (const unsigned int i : face->vertex_indices())
+              foot.add(face->vertex(i)[2]);
+            Tensor<1, 3> up = cross_product_3d(face->vertex(3) - face->vertex(0),
+                                               face->vertex(2) - face->vertex(1));
+            if (up * (tooth->center() - face->center()) < 0.)
+              up *= -1.;
+            if (up[2] < 0.5 * up.norm())
+              file.refuse("the tooth (physical id 2) lies beside or below the base (1)" +
+                              near(face),
+                          "it must stand on the base at the slot's bottom: correct the physical "
+                          "volumes");
+          });
+      if (foot.high < foot.low)
+        file.refuse("no tooth cell (physical id 2) stands on a base cell (1)",
+                    "mark the volumes of tooth and base");
       if (is_small(height.high - height_of_cut))
         return; // a ring without slots
-      if (!is_small(std::max(0., tooth - height_of_cut)))
-        file.refuse_place((tooth - height_of_cut) / outer_radius,
-                          "the tooth (physical id 2) begins at z = " + in_millimetres(tooth) +
+      if (!is_small(std::max(0., foot.low - height_of_cut)))
+        file.refuse_place((foot.low - height_of_cut) / outer_radius,
+                          "the tooth (physical id 2) begins at z = " + in_millimetres(foot.low) +
                               ", above the slot's bottom at z = " + in_millimetres(height_of_cut),
                           "all metal above the slot's bottom must be marked as 2");
       for_each_face(
           [&](const Cell &cell, const Face &face)
           {
             if (cell->material_id() == ids::tooth && is_on_cut(face))
-              file.refuse("the tooth (physical id 2) reaches a cut, near " +
-                              in_words(cylindrical(face->center())),
+              file.refuse("the tooth (physical id 2) reaches a cut" + near(face),
                           "the metal below the slot's bottom must be marked as 1 (base)");
           });
     }
@@ -278,24 +304,19 @@ namespace ringmotor
     Outline ToothCheck::outline_of_foot() const
     {
       Outline outline;
-      for (const auto &cell : mesh.triangulation->active_cell_iterators())
-        for (const unsigned int face : cell->face_indices())
-          if (cell->material_id() == ids::tooth && !cell->at_boundary(face) &&
-              cell->neighbor(face)->material_id() == ids::base)
-            add(cell->face(face), outline);
+      for_each_face_of_foot([&](const Cell &, const Face &face) { add(face, outline); });
       return outline;
     }
 
     void ToothCheck::shape() const
     {
-      for (const auto &[name, outline] :
-           {std::pair<std::string, Outline>("the tooth's top (physical id 15)", outline_of_top()),
-            std::pair<std::string, Outline>("the tooth's foot, where physical volume 2 meets 1,",
-                                            outline_of_foot())})
-      {
-        expect_two_ends(name, outline);
-        expect_center(name, outline);
-      }
+      const Outline top = outline_of_top(), foot = outline_of_foot();
+      expect_two_ends(name_of_top, top);
+      expect_center(top);
+      expect_reach(name_of_top, top);
+      const std::string name_of_foot = "the tooth's foot, where physical volume 2 meets 1,";
+      expect_two_ends(name_of_foot, foot);
+      expect_reach(name_of_foot, foot);
     }
 
     void ToothCheck::expect_two_ends(const std::string &name, const Outline &outline) const
@@ -312,13 +333,25 @@ namespace ringmotor
       }
     }
 
-    void ToothCheck::expect_center(const std::string &name, const Outline &outline) const
+    void ToothCheck::expect_reach(const std::string &name, const Outline &outline) const
     {
-      const Range radii             = outline.radii();
-      const double r                = radii.at(0.5);
-      const std::vector<double> end = outline.angles_at(r);
+      const Range radii  = outline.radii();
+      const Range inside = outline.radii_at_center(places::file_rounding * outer_radius);
+      const double missing =
+          std::max(std::abs(inside.low - radii.low), std::abs(radii.high - inside.high));
+      if (!is_small(missing))
+        file.refuse_place(missing / outer_radius,
+                          name + " reaches from r = " + in_millimetres(radii.low) + " to " +
+                              in_millimetres(radii.high) + ", but not at theta = 0",
+                          make_one_face);
+    }
+
+    void ToothCheck::expect_center(const Outline &top) const
+    {
+      const double r                = top.radii().at(0.5);
+      const std::vector<double> end = top.angles_at(r);
       const double width            = end[1] - end[0];
-      const std::string found       = name + " reaches from " + in_degrees(end[0]) + " to " +
+      const std::string found       = name_of_top + " reaches from " + in_degrees(end[0]) + " to " +
                                 in_degrees(end[1]) + " at r = " + in_millimetres(r);
       // The edges are straight in (r, theta) between their nodes only, so that their middle is not
       // known to the digits of the file.
@@ -330,14 +363,6 @@ namespace ringmotor
                                  : is_ring || std::abs(off) <= negligible * width;
       if (!is_center)
         file.refuse_place(std::abs(off) * r / outer_radius, found, turn_the_mesh);
-      const Range inside = outline.radii_at_center(places::file_rounding * outer_radius);
-      const double missing =
-          std::max(std::abs(inside.low - radii.low), std::abs(radii.high - inside.high));
-      if (!is_small(missing))
-        file.refuse_place(missing / outer_radius,
-                          name + " reaches from r = " + in_millimetres(radii.low) + " to " +
-                              in_millimetres(radii.high) + ", but not at theta = 0",
-                          make_one_face);
     }
   } // namespace
 
