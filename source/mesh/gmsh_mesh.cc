@@ -66,9 +66,11 @@ namespace ringmotor
       /** Goes to the next line that is not empty, if there is one. */
       bool go_on()
       {
+        constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF"; // of some editors
         while (std::getline(input, line))
         {
-          ++number_of_line;
+          if (++number_of_line == 1 && line.rfind(byte_order_mark, 0) == 0)
+            line.erase(0, byte_order_mark.size());
           split();
           if (!words.empty())
             return true;

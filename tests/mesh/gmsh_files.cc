@@ -90,6 +90,7 @@ TEST(GmshFiles, MayHaveOtherSections)
            {section + text, with(text, "$EndMeshFormat\n", section),
             with(text, "$EndNodes\n", section), with(text, "$EndElements\n", section)})
         EXPECT_EQ(content(read(write(scratch, changed), 90)), plain) << section;
+    EXPECT_EQ(content(read(write(scratch, "\xEF\xBB\xBF" + text), 90)), plain);
     expect_refusal(write(scratch, text + "$Comments\nwithout an end\n"), {"damaged"}, 90);
     expect_refusal(write(scratch, with(text, "$EndNodes\n", "words outside of sections\n")),
                    {"damaged", "line "}, 90);
