@@ -196,7 +196,7 @@ TEST_F(WarpedMotor, IsForeseenOnceItHasSettled)
       }
       const double error = std::sqrt(missed / all);
       record("error_" + std::to_string(warp.n_waves) + "_" + std::to_string(int(steps)), error);
-      EXPECT_LT(error, 1e-2);
+      EXPECT_LT(error, 1e-6);
     }
 }
 
