@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <ringmotor/mesh/check_gmsh.h>
 #include <ringmotor/mesh/check_sector.h>
+#include <ringmotor/mesh/gmsh_mesh.h>
 #include <ringmotor/mesh/ids.h>
+#include <ringmotor/mesh/places.h>
 #include <ringmotor/mesh/read_sector.h>
 
-#include <deal.II/grid/grid_in.h>
+#include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 
 #include <algorithm>
-#include <fstream>
+#include <array>
+#include <map>
 #include <set>
 
 namespace ringmotor
@@ -17,97 +19,225 @@ namespace ringmotor
 
   namespace
   {
-    /** Lets deal.II read the file, and rewords its errors. */
-    void read(const std::string &file, Triangulation<3> &triangulation)
+    std::string name_of(const long kind)
     {
-      std::ifstream input(file);
-      if (!input)
-        throw mesh_file_error(file, "it cannot be opened", "check the name and the permissions");
-      const UserError damaged = mesh_file_error(
-          file, "it is damaged, or not a mesh in Gmsh's ASCII format of version 2.2 or 4.1",
-          "save it again as such, with hexahedra of first order (meshes/README.md)");
-      if (!is_whole_gmsh(input))
-        throw damaged;
-      input.clear();
-      input.seekg(0);
-      // deal.II does not check whether there was a number to read: without exceptions, a file that
-      // ends early would make it loop forever.
-      input.exceptions(std::ios::failbit | std::ios::badbit);
-      GridIn<3> reader(triangulation);
-      try
+      static const std::map<long, std::string> names{{GmshMesh::triangle, "triangles"},
+                                                     {GmshMesh::tetrahedron, "tetrahedra"},
+                                                     {GmshMesh::prism, "prisms"},
+                                                     {GmshMesh::pyramid, "pyramids"}};
+      const auto found              = names.find(kind);
+      const bool is_of_second_order = kind >= 8 && kind <= 19;
+      return found != names.end() ? found->second
+             : is_of_second_order ? "elements of second order"
+                                  : "Gmsh's kind " + std::to_string(kind);
+    }
+
+    /** The cells of a file, and the surfaces that it marks. */
+    class Body
+    {
+    public:
+      /** @throws UserError if elements or their ids are not those of a sector */
+      explicit Body(const GmshMesh &mesh);
+
+      void create(Triangulation<3> &triangulation);
+      /** Gives faces their ids. @throws UserError for surfaces that are not outer ones */
+      void mark(Triangulation<3> &triangulation) const;
+
+    private:
+      using Element = GmshMesh::Element;
+      using Nodes   = std::vector<unsigned int>;
+
+      void check_kinds() const;
+      void check_ids() const;
+      void add_cell(const Element &element);
+      std::string near(const Nodes &nodes) const;
+      /** Gmsh may mark what lies between partitions. */
+      std::string or_without_partitions() const
       {
-        reader.read_msh(input);
+        return mesh.has_partitions ? "; or save the mesh without partitions" : "";
       }
-      catch (const std::ios::failure &)
+
+      const GmshMesh &mesh;
+      std::vector<CellData<3>> cells;
+      std::vector<Point<3>> vertices;
+      std::vector<unsigned int> vertex_of_node;
+      std::map<Nodes, long> ids_of_cells;            ///< by ascending nodes
+      std::map<Nodes, unsigned int> n_cells_at_face; ///< by ascending nodes
+    };
+
+    bool is_volume(const GmshMesh::Element &element)
+    {
+      return element.kind == GmshMesh::hexahedron;
+    }
+
+    bool is_marked_surface(const GmshMesh::Element &element)
+    {
+      return element.kind == GmshMesh::quadrilateral && element.id != ids::free;
+    }
+
+    Body::Body(const GmshMesh &mesh)
+        : mesh(mesh), vertex_of_node(mesh.nodes.size(), numbers::invalid_unsigned_int)
+    {
+      check_kinds();
+      check_ids();
+      for (const Element &element : mesh.elements)
+        if (is_volume(element))
+          add_cell(element);
+    }
+
+    /** ", near ..." */
+    std::string Body::near(const Nodes &nodes) const
+    {
+      Point<3> center;
+      for (const unsigned int node : nodes)
+        center += 1. / nodes.size() * mesh.nodes[node];
+      return ", near " + in_words(cylindrical(center));
+    }
+
+    void Body::check_kinds() const
+    {
+      for (const Element &element : mesh.elements)
       {
-        throw damaged;
+        const bool is_free_triangle = element.kind == GmshMesh::triangle && element.id == ids::free;
+        if (element.kind != GmshMesh::hexahedron && element.kind != GmshMesh::quadrilateral &&
+            !is_free_triangle)
+          mesh.file.refuse("it has elements that are not hexahedra of first order: " +
+                               name_of(element.kind),
+                           "recombine the mesh (Gmsh: Transfinite or Extrude, with Recombine, in "
+                           "each volume) and do not raise its order");
       }
-      catch (const GridIn<3>::ExcInvalidGMSHInput &)
+      if (std::none_of(mesh.elements.begin(), mesh.elements.end(), is_volume))
+        mesh.file.refuse("it has no volume elements",
+                         "mark the volumes as physical volumes 1 (base), 2 (tooth), 3 "
+                         "(piezoceramic) and mesh in three dimensions");
+    }
+
+    void Body::check_ids() const
+    {
+      const std::set<long> of_volumes{ids::base, ids::tooth, ids::piezoceramic},
+          of_surfaces{ids::mirror, ids::cut, ids::cut_low, ids::cut_high, ids::tooth_top};
+      if (std::none_of(mesh.elements.begin(), mesh.elements.end(),
+                       [](const Element &element)
+                       { return is_volume(element) && element.id != 0; }))
+        mesh.file.refuse("its volumes have no physical ids",
+                         "mark them as physical volumes 1 (base), 2 (tooth) and 3 (piezoceramic), "
+                         "and surfaces as meshes/README.md says; do not set Mesh.SaveAll, with "
+                         "which Gmsh's format 2.2 loses the ids");
+      for (const Element &element : mesh.elements)
       {
-        throw damaged;
-      }
-      catch (const GridIn<3>::ExcInvalidVertexIndexGmsh &)
-      {
-        throw damaged;
-      }
-      catch (const GridIn<3>::ExcGmshUnsupportedGeometry &)
-      {
-        throw mesh_file_error(file, "it has elements that are not hexahedra of first order",
-                              "recombine the mesh and do not raise its order");
-      }
-      catch (const GridIn<3>::ExcGmshNoCellInformation &)
-      {
-        throw mesh_file_error(file, "it has no volume elements",
-                              "mark the volumes as physical volumes 1 (base), 2 (tooth), 3 "
-                              "(piezoceramic) and mesh in three dimensions");
-      }
-      catch (const ExceptionBase &)
-      {
-        throw mesh_file_error(file,
-                              "a physical surface lies inside the body, cells lie on one another, "
-                              "or a volume or surface has two physical ids",
-                              "mark outer surfaces only, each with one id, and do not set "
-                              "Mesh.SaveAll");
+        if (is_volume(element) && of_volumes.count(element.id) == 0)
+          mesh.file.refuse("a volume has the physical id " + std::to_string(element.id) +
+                               (element.id == 0 ? ", which is none" : "") + near(element.nodes),
+                           "allowed are 1 (base), 2 (tooth) and 3 (piezoceramic)");
+        if (is_marked_surface(element) && of_surfaces.count(element.id) == 0)
+          mesh.file.refuse("a surface has the physical id " + std::to_string(element.id) +
+                               near(element.nodes),
+                           "allowed are 11 (mirror plane), 12 (cut), 13 and 14 (cuts), 15 (tooth "
+                           "top), or none" +
+                               or_without_partitions());
       }
     }
 
-    void check_cells(const std::string &file, const Triangulation<3> &triangulation)
+    std::vector<unsigned int> sorted(std::vector<unsigned int> nodes)
     {
-      if (!triangulation.all_reference_cells_are_hyper_cube())
-        throw mesh_file_error(file, "it has tetrahedra, prisms or pyramids",
-                              "make hexahedra only (Gmsh: Transfinite and Recombine)");
-      const std::set<types::material_id> allowed{ids::base, ids::tooth, ids::piezoceramic};
+      std::sort(nodes.begin(), nodes.end());
+      return nodes;
+    }
+
+    void Body::add_cell(const Element &element)
+    {
+      Nodes nodes(8);
+      for (unsigned int i = 0; i < 8; ++i)
+        nodes[GeometryInfo<3>::ucd_to_deal[i]] = element.nodes[i];
+      const auto [known, is_new] = ids_of_cells.emplace(sorted(nodes), element.id);
+      if (!is_new && known->second != element.id)
+        mesh.file.refuse("a volume has the physical ids " + std::to_string(known->second) +
+                             " and " + std::to_string(element.id) + near(nodes),
+                         "give each volume one physical id only");
+      bool is_alone = is_new;
+      for (const unsigned int face : GeometryInfo<3>::face_indices())
+      {
+        Nodes of_face;
+        for (unsigned int i = 0; i < 4; ++i)
+          of_face.push_back(nodes[GeometryInfo<3>::face_to_cell_vertices(face, i)]);
+        is_alone = ++n_cells_at_face[sorted(of_face)] <= 2 && is_alone;
+      }
+      if (!is_alone)
+        mesh.file.refuse("cells lie on one another: more than two cells meet at one face" +
+                             near(nodes),
+                         "save each cell once, and give each volume one physical id only");
+
+      cells.emplace_back();
+      cells.back().material_id = element.id;
+      for (unsigned int i = 0; i < 8; ++i)
+      {
+        unsigned int &vertex = vertex_of_node[nodes[i]];
+        if (vertex == numbers::invalid_unsigned_int)
+        {
+          vertex = vertices.size();
+          vertices.push_back(mesh.nodes[nodes[i]]);
+        }
+        cells.back().vertices[i] = vertex;
+      }
+    }
+
+    void Body::create(Triangulation<3> &triangulation)
+    {
+      GridTools::invert_cells_with_negative_measure(vertices, cells);
+      GridTools::consistently_order_cells(cells);
+      triangulation.create_triangulation(vertices, cells, SubCellData());
+    }
+
+    void Body::mark(Triangulation<3> &triangulation) const
+    {
+      std::map<Nodes, Triangulation<3>::face_iterator> faces; // by ascending vertices
       for (const auto &cell : triangulation.active_cell_iterators())
-        if (allowed.count(cell->material_id()) == 0)
-          throw mesh_file_error(file,
-                                "a volume has the physical id " +
-                                    std::to_string(static_cast<int>(cell->material_id())),
-                                "allowed are 1 (base), 2 (tooth) and 3 (piezoceramic)");
+        for (const auto &face : cell->face_iterators())
+        {
+          Nodes of_face;
+          for (const unsigned int i : face->vertex_indices())
+            of_face.push_back(face->vertex_index(i));
+          faces[sorted(of_face)] = face;
+        }
+      for (const Element &element : mesh.elements)
+        if (is_marked_surface(element))
+        {
+          const std::string id = std::to_string(element.id);
+          Nodes of_face;
+          for (const unsigned int node : element.nodes)
+            of_face.push_back(vertex_of_node[node]);
+          const auto face = faces.find(sorted(of_face));
+          if (face == faces.end())
+            mesh.file.refuse("a surface with the physical id " + id + near(element.nodes) +
+                                 ", is not one of the marked volumes",
+                             "mark surfaces of these volumes only, and mesh both together");
+          if (!face->second->at_boundary())
+            mesh.file.refuse("a physical surface lies inside the body (physical id " + id + ")" +
+                                 near(element.nodes),
+                             "mark outer surfaces only" + or_without_partitions());
+          const types::boundary_id before = face->second->boundary_id();
+          if (before != ids::free && before != element.id)
+            mesh.file.refuse("a surface has the physical ids " + std::to_string(before) + " and " +
+                                 id + near(element.nodes),
+                             "give each surface one physical id at most");
+          face->second->set_boundary_id(element.id);
+        }
     }
 
-    SectorForm form_of(const std::string &file, const Triangulation<3> &triangulation)
+    SectorForm form_of(const MeshFile &file, const Triangulation<3> &triangulation)
     {
-      const std::set<types::boundary_id> allowed{ids::free,    ids::mirror,   ids::cut,
-                                                 ids::cut_low, ids::cut_high, ids::tooth_top};
       const std::vector<types::boundary_id> found = triangulation.get_boundary_ids();
-      for (const types::boundary_id id : found)
-        if (allowed.count(id) == 0)
-          throw mesh_file_error(file, "a surface has the physical id " + std::to_string(id),
-                                "allowed are 11 (mirror plane), 12 (cut), 13 and 14 (cuts), 15 "
-                                "(tooth top), or none");
-      const auto marked = [&](const types::boundary_id id)
+      const auto marked                           = [&](const types::boundary_id id)
       { return std::count(found.begin(), found.end(), id) > 0; };
       const bool half  = marked(ids::mirror) && marked(ids::cut);
       const bool whole = marked(ids::cut_low) && marked(ids::cut_high);
       const bool mixed = half ? marked(ids::cut_low) || marked(ids::cut_high)
                               : marked(ids::mirror) || marked(ids::cut);
       if ((!half && !whole) || mixed)
-        throw mesh_file_error(
-            file,
-            half || whole ? "it has the surfaces of a half and of a whole sector"
-                          : "the cuts are not marked",
-            "mark either 11 (mirror plane theta = 0) and 12 (cut), or 13 and 14 (the two cuts), as "
-            "physical surfaces");
+        file.refuse(half || whole ? "it has the surfaces of a half and of a whole sector"
+                                  : "the cuts are not marked",
+                    "mark either 11 (mirror plane theta = 0) and 12 (cut), or 13 and 14 (the two "
+                    "cuts), as physical surfaces");
       return half ? SectorForm::half : SectorForm::whole;
     }
   } // namespace
@@ -115,14 +245,18 @@ namespace ringmotor
   SectorMesh read_sector(const std::string &file, const unsigned int n_sectors,
                          MPI_Comm communicator)
   {
+    const GmshMesh gmsh = read_gmsh(file);
     SectorMesh mesh{empty_triangulation<3>(communicator), SectorForm::half, n_sectors};
     Triangulation<3> &triangulation = *mesh.triangulation;
-    read(file, triangulation);
-    check_cells(file, triangulation);
-    mesh.form = form_of(file, triangulation);
+    Body body(gmsh);
+    body.create(triangulation);
     triangulation.set_all_manifold_ids(0);
     triangulation.set_manifold(0, CylindricalManifold<3>(2));
-    check_sector(mesh, file);
+    check_cells(triangulation, gmsh.file);
+    body.mark(triangulation);
+    mesh.form = form_of(gmsh.file, triangulation);
+    check_sector(mesh, gmsh.file);
+    move_to_exact_places(mesh);
     return mesh;
   }
 } // namespace ringmotor

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/mesh/graded_lines.h>
 #include <ringmotor/mesh/ids.h>
+#include <ringmotor/mesh/places.h>
 #include <ringmotor/mesh/rotor_sector.h>
 
 #include <deal.II/grid/grid_generator.h>
@@ -80,7 +81,9 @@ namespace ringmotor
     void set_boundary_ids(Triangulation<3> &box, const RotorGeometry &rotor, const SectorForm form,
                           const std::vector<double> &angles)
     {
-      const auto at = [](const double a, const double b) { return std::abs(a - b) < 1e-10; };
+      const auto at = [&](const double a, const double b)
+      { return is_same_place(a, b, rotor.ring_outer_radius); };
+      const auto at_angle = [](const double a, const double b) { return is_same_place(a, b, 1.); };
       for (const auto &cell : box.active_cell_iterators())
         for (const auto &face : cell->face_iterators())
           if (face->at_boundary())
@@ -89,9 +92,9 @@ namespace ringmotor
             const bool level =
                 at(face->vertex(0)[2], face->vertex(3)[2]) && at(face->vertex(0)[2], center[2]);
             types::boundary_id id = ids::free;
-            if (at(center[1], angles.back()))
+            if (at_angle(center[1], angles.back()))
               id = form == SectorForm::half ? ids::cut : ids::cut_high;
-            else if (at(center[1], angles.front()))
+            else if (at_angle(center[1], angles.front()))
               id = form == SectorForm::half ? ids::mirror : ids::cut_low;
             else if (level && at(center[2], rotor.ring_upper_face))
               id = ids::ring_top;
@@ -147,9 +150,12 @@ namespace ringmotor
       add_shell(mesh, vertices, cells);
       for (const auto &cell : mesh.shell->active_cell_iterators())
         for (const auto &edge : cell->face_iterators())
-          if (edge->at_boundary() &&
-              std::hypot(edge->vertex(0)[0], edge->vertex(0)[1]) > root_radius(rotor) - 1e-9 &&
-              std::hypot(edge->vertex(1)[0], edge->vertex(1)[1]) > root_radius(rotor) - 1e-9)
+          if (const auto at_root =
+                  [&](const unsigned int i) {
+                    return is_same_place(cylindrical(edge->vertex(i))[0], root_radius(rotor),
+                                         root_radius(rotor));
+                  };
+              edge->at_boundary() && at_root(0) && at_root(1))
             edge->set_boundary_id(ids::shell_root);
       mesh.shell->set_all_manifold_ids(0);
       mesh.shell->set_manifold(0, CylindricalManifold<2, 3>(2));
@@ -198,7 +204,8 @@ namespace ringmotor
       z_lines = sorted(z_lines);
       // The flange was added from both sides.
       z_lines.erase(std::unique(z_lines.begin(), z_lines.end(),
-                                [](const double a, const double b) { return b - a < 1e-12; }),
+                                [&](const double a, const double b)
+                                { return is_same_place(a, b, rotor.ring_outer_radius); }),
                     z_lines.end());
       return z_lines;
     }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/mesh/ids.h>
+#include <ringmotor/mesh/places.h>
 #include <ringmotor/mesh/sector_mesh.h>
 
 #include <deal.II/grid/grid_tools.h>
 
-#include <cmath>
 #include <utility>
 
 namespace ringmotor
@@ -38,7 +38,7 @@ namespace ringmotor
             const auto lies_at = [&](const double angle)
             {
               for (const unsigned int i : edge->vertex_indices())
-                if (std::abs(std::atan2(edge->vertex(i)[1], edge->vertex(i)[0]) - angle) > 1e-9)
+                if (!is_same_place(cylindrical(edge->vertex(i))[1], angle, 1.))
                   return false;
               return true;
             };

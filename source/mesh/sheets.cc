@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/mesh/ids.h>
+#include <ringmotor/mesh/places.h>
 #include <ringmotor/mesh/sheets.h>
 
 #include <boost/pending/disjoint_sets.hpp>
@@ -35,7 +36,7 @@ namespace ringmotor
     {
       for (const PlacedLine &line : lines)
         for (const PlacedLine &other : others)
-          if (line.place.distance(other.place) < 1e-7 * line.place.norm())
+          if (is_same_place(line.place.distance(other.place), 0., line.place.norm()))
             classes.union_set(line.line, other.line);
     }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/mesh/graded_lines.h>
 #include <ringmotor/mesh/ids.h>
+#include <ringmotor/mesh/places.h>
 #include <ringmotor/mesh/sector_manifold.h>
 #include <ringmotor/mesh/stator_sector.h>
 
@@ -91,7 +92,8 @@ namespace ringmotor
       {
         SubCellData no_lines;
         std::vector<unsigned int> all_vertices;
-        GridTools::delete_duplicated_vertices(vertices, cells, no_lines, all_vertices, 1e-10);
+        GridTools::delete_duplicated_vertices(vertices, cells, no_lines, all_vertices,
+                                              places::rounding);
         GridTools::consistently_order_cells(cells);
         plane.create_triangulation(vertices, cells, no_lines);
         GridTools::transform(
@@ -181,9 +183,9 @@ namespace ringmotor
     {
       const double first_s = form == SectorForm::half ? 0. : -2.;
       const double top     = stator.base_thickness + stator.tooth_height;
-      const auto at        = [](const double a, const double b) { return std::abs(a - b) < 1e-10; };
+      const auto at        = [](const double a, const double b) { return is_same_place(a, b, 1.); };
       const auto at_height = [&](const double z, const double height)
-      { return std::abs(z - height) < 1e-10 * top; };
+      { return is_same_place(z, height, top); };
       for (const auto &cell : box.active_cell_iterators())
         for (const auto &face : cell->face_iterators())
           if (face->at_boundary())
@@ -363,11 +365,11 @@ namespace ringmotor
         {
           const Point<3> center = face->center();
           const double radius   = stator.tip_inner_radius + center[0] * tip;
-          if (center[1] < 1e-10)
+          if (is_same_place(center[1], 0., 1.))
             face->set_boundary_id(ids::mirror);
-          else if (center[2] > top - 1e-10 * top && radius > lip_inner && radius < lip_outer)
+          else if (is_same_place(center[2], top, top) && radius > lip_inner && radius < lip_outer)
             face->set_boundary_id(ids::tooth_top);
-          else if (center[2] < up.front() + 1e-10 * top)
+          else if (is_same_place(center[2], up.front(), top))
             face->set_boundary_id(ids::tooth_foot);
         }
     }

@@ -227,23 +227,27 @@ namespace ringmotor
     return find(load, start, dynamics, Fallback::none);
   }
 
-  OperatingState SteadyDriver::find_or_damp(const RotorLoad &load, const Start &from) const
+  OperatingState SteadyDriver::find_or_damp(const RotorLoad &load, const Start &from,
+                                            const Way first_way) const
   {
     if (!dynamics)
       return find(load, from);
     std::string tried;
-    for (const unsigned int n_stages : {0u, 2u}) // at once; if not, most often from the second
+    for (const Way way : {Way::at_once, Way::by_some_damping})
       try
       {
-        OperatingState state = find_through(load, from, n_stages);
-        if (n_stages > 0)
+        if (way < first_way)
+          continue;
+        // If not at once, it is most often found from the second stage.
+        OperatingState state = find_through(load, from, way == Way::at_once ? 0 : 2);
+        if (way != Way::at_once)
           state.solution.how =
               tried + "; with a little more damping that is reduced in stages it did";
         return state;
       }
       catch (const ComputationError &error)
       {
-        if (n_stages == 0)
+        if (way == Way::at_once)
           tried = error.what();
       }
     OperatingState state = find(load, by_damping(load, from));
@@ -251,10 +255,11 @@ namespace ringmotor
     return state;
   }
 
-  OperatingState SteadyDriver::at(const RotorLoad &load)
+  OperatingState SteadyDriver::at(const RotorLoad &load, const Way first_way)
   {
-    const OperatingState state = next ? find_or_damp(load, *next) : find(load, from_rest(load));
-    next                       = start_at(state);
+    const OperatingState state =
+        next ? find_or_damp(load, *next, first_way) : find(load, from_rest(load));
+    next = start_at(state);
     return state;
   }
 

@@ -17,6 +17,7 @@ namespace ringmotor
     std::vector<unsigned int> nearest(const CondensedMotor::Node &node,
                                       const std::vector<CondensedMotor::Node> &others)
     {
+      // Generous, for it only decides whether one of two meshes' nodes is shared by several.
       constexpr double rounding = 1e-6;
       std::vector<double> distance;
       for (const CondensedMotor::Node &other : others)

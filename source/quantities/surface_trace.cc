@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/mesh/ids.h>
+#include <ringmotor/mesh/places.h>
 #include <ringmotor/quantities/surface_trace.h>
 #include <ringmotor/structure/mirror.h>
 #include <ringmotor/structure/shell_trace.h>
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ringmotor
 {
@@ -33,7 +35,7 @@ namespace ringmotor
         return cell->at_boundary(face) &&
                (cell->face(face)->boundary_id() == ids::bottom ||
                 cell->face(face)->boundary_id() == ids::free) && // of a mesh that was read
-               std::abs(cell->face(face)->center()[2] - lowest) < 1e-6 * cell->diameter();
+               is_same_place(cell->face(face)->center()[2], lowest, cell->diameter());
       }
       return false;
     }
@@ -65,7 +67,7 @@ namespace ringmotor
       std::vector<Tensor<1, 3>> real(values.n_quadrature_points),
           imaginary(values.n_quadrature_points);
 
-      double lowest = 0.;
+      double lowest = std::numeric_limits<double>::max();
       for (const Point<3> &vertex : sector.sector_mesh().triangulation->get_vertices())
         lowest = std::min(lowest, vertex[2]);
       for (const auto &cell : sector.dofs().active_cell_iterators())

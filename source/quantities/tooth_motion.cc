@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/mesh/ids.h>
-#include <ringmotor/parameters/errors.h>
+#include <ringmotor/mesh/places.h>
 #include <ringmotor/quantities/tooth_motion.h>
 #include <ringmotor/structure/mirror.h>
 
@@ -62,7 +62,7 @@ namespace ringmotor
     std::vector<Candidate> on_edges(const CyclicSector &sector, const std::vector<Face> &faces,
                                     const double r)
     {
-      const double tolerance = 1e-9 * r;
+      const double tolerance = places::rounding * r;
       std::vector<Candidate> candidates;
       for (const Face &face : faces)
         for (unsigned int line = 0; line < 4; ++line)
@@ -98,32 +98,36 @@ namespace ringmotor
       return candidates;
     }
 
-    /** The point of @p faces at the tooth's centre line. */
-    Candidate at_center(const CyclicSector &sector, const std::vector<Face> &faces,
-                        const Point<3> &position)
+    /** The point of @p faces at theta = 0 and radius @p r; its height is near @p z. */
+    Candidate at_center(const CyclicSector &sector, const std::vector<Face> &faces, const double r,
+                        const double z)
     {
-      Candidate best{faces[0].cell, Point<3>(), position, 0.};
+      Candidate best{faces[0].cell, Point<3>(), Point<3>(), 0.};
       double least = std::numeric_limits<double>::max();
       for (const Face &face : faces)
         try
         {
-          const Point<3> unit  = sector.geometry().transform_real_to_unit_cell(face.cell, position);
+          const unsigned int across = GeometryInfo<3>::unit_normal_direction[face.number];
+          Point<3> position(r, 0., z), unit;
+          for (unsigned int step = 0; step < 5; ++step) // the foot need not be level
+          {
+            unit         = sector.geometry().transform_real_to_unit_cell(face.cell, position);
+            unit[across] = face.number % 2;
+            position[2]  = sector.geometry().transform_unit_to_real_cell(face.cell, unit)[2];
+          }
           const double outside = GeometryInfo<3>::distance_to_unit_cell(unit);
           if (outside < least)
           {
-            least     = outside;
-            best.cell = face.cell;
-            best.unit = GeometryInfo<3>::project_to_unit_cell(unit);
+            least = outside;
+            best  = {face.cell, GeometryInfo<3>::project_to_unit_cell(unit), position, 0.};
           }
         }
         catch (const Mapping<3>::ExcTransformationFailed &)
         {
           // far from this cell
         }
-      if (least > 1e-6)
-        throw UserError("Stator/Mesh file: the tooth's face has no point at theta = 0, r = " +
-                        std::to_string(1e3 * position[0]) +
-                        " mm; the tooth's centre must lie at theta = 0");
+      // Of the size of the cell; arcs of wide cells are not exact between their nodes.
+      AssertThrow(least < 1e-2, ExcMessage("The tooth has no point at its centre."));
       return best;
     }
 
@@ -147,7 +151,7 @@ namespace ringmotor
         const auto [low, high] =
             std::minmax_element(edges.begin(), edges.end(),
                                 [](const auto &a, const auto &b) { return a.theta < b.theta; });
-        const Candidate center = at_center(sector, faces, Point<3>(r, 0., high->position[2]));
+        const Candidate center = at_center(sector, faces, r, high->position[2]);
         const std::string name = level + "_" + place;
         if (half)
           points.push_back({name + "_L", mirrored(high->position), high->cell, high->unit, true});
@@ -170,13 +174,7 @@ namespace ringmotor
   {
     std::vector<ToothPoint> points;
     const std::vector<Face> top = tooth_top(sector), foot = tooth_foot(sector);
-    if (top.empty())
-      throw UserError("Stator/Mesh file: no face has the physical id 15 (tooth top); mark the "
-                      "faces that can touch the rotor");
-    if (foot.empty())
-      throw UserError(
-          "Stator/Mesh file: no tooth cell (physical id 2) stands on a base cell (physical id 1); "
-          "mark the volumes of tooth and base");
+    AssertThrow(!top.empty() && !foot.empty(), ExcMessage("The tooth has no top or no foot."));
     add_points(sector, top, "top", points);
     add_points(sector, foot, "foot", points);
     return points;

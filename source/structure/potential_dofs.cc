@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/mesh/places.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/structure/potential_dofs.h>
 
@@ -63,6 +64,26 @@ namespace ringmotor
     return cell->material_id() < is_piezoelectric.size() && is_piezoelectric[cell->material_id()];
   }
 
+  namespace
+  {
+    template <typename Face>
+    bool lies_at(const Face &face, const double height, const double thickness)
+    {
+      const auto vertices = face->vertex_indices();
+      return std::all_of(vertices.begin(), vertices.end(),
+                         [&](const unsigned int i)
+                         { return is_same_place(face->vertex(i)[2], height, thickness); });
+    }
+
+    template <typename Face>
+    bool looks_along_z(const Face &face)
+    {
+      const Tensor<1, 3> normal =
+          cross_product_3d(face->vertex(3) - face->vertex(0), face->vertex(2) - face->vertex(1));
+      return std::abs(normal[2]) > 0.5 * normal.norm();
+    }
+  } // namespace
+
   void PotentialDofs::find_electrodes()
   {
     double low = std::numeric_limits<double>::max(), high = -low;
@@ -75,30 +96,31 @@ namespace ringmotor
             high = std::max(high, cell->vertex(vertex)[2]);
           }
         });
-    const double tolerance = 1e-6 * (high - low);
+    const std::string needed = "; with Effects/Piezoelectric coupling it must be a flat layer "
+                               "between two electrodes: change the mesh, or set the effect to off";
     std::array<bool, 2> found{};
     for_each_cell(
         [&](const auto &cell)
         {
-          for (const unsigned int face : cell->face_indices())
-            for (const bool is_upper : {false, true})
-            {
-              bool lies_in_plane = true;
-              for (const unsigned int vertex : cell->face(face)->vertex_indices())
-                lies_in_plane = lies_in_plane && std::abs(cell->face(face)->vertex(vertex)[2] -
-                                                          (is_upper ? high : low)) < tolerance;
-              if (!lies_in_plane)
-                continue;
-              found[is_upper] = true;
-              for (const Dof dof : on_face(cell, face))
-                places[dof] = is_upper ? Place::upper_electrode : Place::lower_electrode;
-            }
+          for (const unsigned int number : cell->face_indices())
+          {
+            const auto &face   = cell->face(number);
+            const bool is_low  = lies_at(face, low, high - low),
+                       is_high = lies_at(face, high, high - low);
+            if (is_low || is_high)
+              for (const Dof dof : on_face(cell, number))
+                places[dof] = is_high ? Place::upper_electrode : Place::lower_electrode;
+            else if (cell->at_boundary(number) && looks_along_z(face))
+              throw UserError("Stator/Mesh file: the piezoceramic has a face at z = " +
+                              std::to_string(1e3 * face->center()[2]) +
+                              " mm, outside of its highest and lowest plane" + needed);
+            found[0] = found[0] || is_low;
+            found[1] = found[1] || is_high;
+          }
         });
     if (!found[0] || !found[1])
       throw UserError("Stator/Mesh file: the piezoceramic has no face in its " +
-                      std::string(found[0] ? "highest" : "lowest") +
-                      " plane; with Effects/Piezoelectric coupling it must be a flat layer "
-                      "between two electrodes: change the mesh, or set the effect to off");
+                      std::string(found[0] ? "highest" : "lowest") + " plane" + needed);
   }
 
   DoFHandler<3>::active_cell_iterator PotentialDofs::with_dofs(const Cell &cell) const

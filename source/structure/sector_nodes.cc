@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/mesh/ids.h>
+#include <ringmotor/mesh/places.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/structure/sector_nodes.h>
 
@@ -157,7 +158,7 @@ namespace ringmotor
       if (node.plane == boundary)
       {
         const double found = std::atan2(node.position[1], node.position[0]);
-        if (std::abs(found - angle) > 1e-6 * numbers::PI / 180. * 10.)
+        if (!is_same_place(found, angle, 1.))
           throw UserError("Stator/Mesh file: a node of the " + std::string(what) +
                           " (physical id " + std::to_string(boundary) +
                           ") lies at theta = " + std::to_string(found * 180. / numbers::PI) +
@@ -178,7 +179,7 @@ namespace ringmotor
     const double cosine = low.cosine * high.cosine + low.sine * high.sine;
     const double degree = numbers::PI / 180.;
     const double turn   = std::atan2(sine, cosine);
-    if (std::abs(turn - pitch) > 1e-6)
+    if (!is_same_place(turn, pitch, 1.))
       throw UserError("Stator/Mesh file: the high cut (physical id 14) is turned by " +
                       std::to_string(turn / degree) + " degrees against the low cut (13); " +
                       std::to_string(pitch / degree) +
@@ -207,7 +208,7 @@ namespace ringmotor
       return found;
     };
     const std::vector<OnCut> low = on_cut(ids::cut_low), high = on_cut(ids::cut_high);
-    const double tolerance = 1e-7 * (high.empty() ? 1. : high.back().radius);
+    const double tolerance = places::rounding * (high.empty() ? 1. : high.back().radius);
 
     std::vector<std::pair<Dof, Dof>> pairs;
     for (const OnCut &node : high)

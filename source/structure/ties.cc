@@ -72,8 +72,8 @@ namespace ringmotor
 
     using Weights = std::map<unsigned int, double>; ///< by node
 
-    /** The coordinate of a node that this one equals up to rounding errors of the search, if there
-     * is one: matching meshes must match exactly. */
+    /** The coordinate of a node that this one equals up to the errors of the search for the foot of
+     * a point, in units of the cell, if there is one: matching meshes must match exactly. */
     double snapped(const double coordinate, const std::vector<Point<3>> &nodes)
     {
       for (const Point<3> &node : nodes)
@@ -204,6 +204,7 @@ namespace ringmotor
         AssertThrow(foot, ExcMessage("A face is tied to the edge of a shell that is far from it."));
         const Point<3> on_shell =
             meshes.shell_mapping.transform_unit_to_real_cell(foot->cell, foot->unit);
+        // The feet were searched for: the same one is found up to the search's errors only.
         if (std::none_of(feet.begin(), feet.end(),
                          [&](const Point<3> &other)
                          { return on_shell.distance(other) < 1e-8 * x.norm(); }))

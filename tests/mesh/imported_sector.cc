@@ -6,9 +6,12 @@
 // plane, 34166.7 +- 3 Hz in plane. The two files are mirror images of each other, so the real form
 // on the half and the complex form on the whole sector must agree.
 
+#include "output/scratch.h"
+
 #include <ringmotor/mesh/ids.h>
 #include <ringmotor/mesh/read_sector.h>
 #include <ringmotor/quantities/mode_search.h>
+#include <ringmotor/quantities/tooth_motion.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_nothing.h>
@@ -18,11 +21,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <functional>
 #include <map>
+#include <sstream>
 #include <string>
 #include <vector>
 
 using namespace ringmotor;
+using namespace ringmotor::tests;
 
 namespace
 {
@@ -102,6 +109,76 @@ TEST(ImportedSector, HalfAndWholeSectorHaveTheSameFrequencies)
   ASSERT_EQ(frequencies.size(), 4u);
   EXPECT_NEAR(frequencies[2] / frequencies[0], 1., 1e-9);
   EXPECT_NEAR(frequencies[3] / frequencies[1], 1., 1e-9);
+}
+
+namespace
+{
+  /** A copy of a file in meshes/ whose coordinates are written otherwise. */
+  std::string copy_with(const std::function<std::string(double)> &written, const std::string &name,
+                        const Scratch &scratch)
+  {
+    std::ifstream in(RINGMOTOR_SOURCE_DIR "/meshes/" + name);
+    std::ofstream out(scratch.path("copy.msh"));
+    bool in_nodes = false;
+    for (std::string line; std::getline(in, line); out << line << '\n')
+    {
+      in_nodes = (in_nodes || line == "$Nodes") && line != "$EndNodes";
+      std::istringstream numbers(line);
+      double x, y, z, more;
+      if (in_nodes && numbers >> x >> y >> z && !(numbers >> more))
+        line = written(x) + ' ' + written(y) + ' ' + written(z);
+    }
+    return scratch.path("copy.msh");
+  }
+
+  std::string with_digits(const double number, const int n_digits)
+  {
+    std::ostringstream out;
+    out.precision(n_digits);
+    out << number;
+    return out.str();
+  }
+
+  /** The phase between normal and tangential motion at the corners of the tooth's top, and where
+   * they are. */
+  std::vector<double> corners(const SectorMesh &mesh)
+  {
+    ModeSearch search = search_of_wave(1);
+    search.compute(mesh, 2);
+    std::vector<double> values;
+    for (const ToothPoint &point : tooth_points(search.sector()))
+      if (point.name == "top_outer_R" || point.name == "top_inner_L")
+      {
+        values.push_back(std::atan2(point.position[1], point.position[0]));
+        values.push_back(elliptic_motion(point, search.modes().front().mode).phi);
+      }
+    return values;
+  }
+} // namespace
+
+TEST(ImportedSector, IsTheSameInFewDigitsAndInSinglePrecision)
+{
+  const Scratch scratch;
+  for (const std::string name : {"canon_half_sector.msh", "canon_sector.msh"})
+  {
+    const std::vector<double> exact = corners(read(name));
+    ASSERT_EQ(exact.size(), 4u);
+    const std::vector<std::function<std::string(double)>> ways{
+        [](const double x) { return with_digits(x, 8); },
+        [](const double x) { return with_digits(x, 9); },
+        [](const double x) { return with_digits(static_cast<float>(x), 17); },
+        [](const double x) { return with_digits(1e-3 * static_cast<float>(1e3 * x), 17); }};
+    for (const auto &way : ways)
+    {
+      if (name == "canon_sector.msh" && &way != &ways.back()) // it takes four times as long
+        continue;
+      const std::vector<double> found =
+          corners(read_sector(copy_with(way, name, scratch), 90, MPI_COMM_WORLD));
+      ASSERT_EQ(found.size(), 4u);
+      for (unsigned int i = 0; i < 4; ++i)
+        EXPECT_NEAR(found[i], exact[i], 1e-5 * std::abs(exact[i])) << name << ", number " << i;
+    }
+  }
 }
 
 TEST(ImportedSectorLong, ReachesTheReferenceFrequenciesWhenRefined)

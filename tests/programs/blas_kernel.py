@@ -5,8 +5,8 @@
 Usage: tests/programs/blas_kernel.py RATE OLD_BLAS TESTS STATOR CONTACT LOSSES [unittest arguments]
 
 RATE measures products of matrices, OLD_BLAS is a library that makes OpenBLAS take its oldest kernel, TESTS is a program of
-GoogleTest. What is compared: rates with the best among all kernels that the processor can run, each chosen by the user's
-variable (the oldest one left out); names with the instructions that the operating system lists.
+GoogleTest. What is compared: the names of kernels with the instructions that the operating system lists. Rates are printed
+beside those of all kernels that the processor can run, each chosen by the user's variable.
 """
 import os
 import pathlib
@@ -67,33 +67,22 @@ class Kernel(unittest.TestCase):
         if not told(RATE)[0].isalpha():
             raise unittest.SkipTest("the BLAS is not OpenBLAS")
 
-    def assert_as_fast_as_the_best(self, *launcher, **variables):
-        """Best of rounds in turns, as others use the machine: five, and more as long as it is too slow."""
-        ours = best = [0.0, 0.0]
-        for a_round in range(20):
-            ours = list(map(max, ours, rates(*launcher, RATE, **variables)))
-            for kernel in kernels()[1:] or kernels():
-                best = list(map(max, best, rates(*launcher, RATE, **{VARIABLE: kernel})))
-            if a_round >= 4 and all(rate >= 0.8 * limit for rate, limit in zip(ours, best)):
-                print(*(f"{rate / limit:.2f}" for rate, limit in zip(ours, best)), "of the best rate")
-                return
-        self.fail(f"{ours} GFlop/s, {best} with the best of {kernels()}")
+    def record_rates(self, *launcher, **variables):
+        """Times are no test on a machine that others use: they are printed, and the kernel's name is compared."""
+        self.assertEqual(told(*launcher, RATE, **variables).split()[0], kernels()[-1])
+        print(*(f"{rate:.0f}" for rate in rates(*launcher, RATE, **variables)), "GFlop/s;",
+              *(f"{kernel} " + " ".join(f"{rate:.0f}" for rate in rates(*launcher, RATE, **{VARIABLE: kernel}))
+                for kernel in kernels()))
 
-    def test_is_as_fast_as_the_best(self):
-        self.assert_as_fast_as_the_best()
+    def test_is_the_best_with_an_old_library(self):
+        self.record_rates(**with_old_blas())
 
-    def test_is_as_fast_as_the_best_with_an_old_library(self):
-        self.assert_as_fast_as_the_best(**with_old_blas())
+    def test_is_the_best_with_an_old_library_on_two_ranks(self):
+        self.record_rates(*TWO_RANKS, **with_old_blas())
 
-    def test_is_as_fast_as_the_best_on_two_ranks(self):
-        self.assert_as_fast_as_the_best(*TWO_RANKS, **with_old_blas())
-
-    def test_old_library_is_slow_by_itself(self):
+    def test_old_library_takes_the_oldest_by_itself(self):
         """Or nothing would be shown above."""
         self.assertEqual(told(RATE, **{VARIABLE: OLDEST}).split()[0], OLDEST)
-        if len(kernels()) > 1:
-            slow, fast = (rates(RATE, **{VARIABLE: kernel})[0] for kernel in (OLDEST, kernels()[-1]))
-            self.assertLess(slow, 0.8 * fast)
 
     def test_of_the_programs_is_named_and_follows_the_processor(self):
         for program in PROGRAMS:

@@ -384,7 +384,7 @@ class Study(WithContact):
             for column in before:
                 if column not in ("seconds", "pareto_front"):
                     self.assertEqual(after[column], before[column], column)
-        self.assertEqual(sum(a["seconds"] != b["seconds"] for a, b in zip(rows, resumed)), 3)
+        self.assertGreaterEqual(sum(a["seconds"] == b["seconds"] for a, b in zip(rows, resumed)), len(rows) - 3)
 
 
 if __name__ == "__main__":

@@ -96,7 +96,7 @@ TEST(InertiaScheme, StepsSettleAtTheResponse)
       add_force(scheme, force, dt, omega, loss_factor * omega, state);
       EXPECT_LT(std::abs(state.displacement - before -
                          scheme.response_in_step(dt, omega, loss_factor * omega) * force),
-                1e-14);
+                1e-12);
     }
     const Complex z            = std::polar(1., of_force * dt),
                   of_end       = std::polar(1., of_force * dt * n_steps),
@@ -321,22 +321,28 @@ TEST_F(VibratingMotor, PowerBalancesWhileItSettles)
   EXPECT_LT(begin.power_imbalance(), 2e-3);
 }
 
-TEST_F(VibratingMotor, IsFoundWhereNewtonsMethodFails)
+TEST_F(VibratingMotor, IsTheSameAtStallWhateverTheWayThere)
 {
-  // From no load to stall in one step. The path must not matter: the state is that found from rest.
-  // On these cells, at the top of the tooth thicker than those of the sequence, the step is too
-  // far.
+  // From no load to stall in one step, in all ways: where Newton's method at once does not
+  // converge, the others are taken. The state is that found from rest. These cells are, at the top
+  // of the tooth, thicker than those of the sequence, which makes the step hard.
   ContactDiscretisation discretisation = ContactDiscretisation::level(0);
   discretisation.tooth.ratio           = 0.25;
   const CondensedMotor motor = condense_motor(parameters, stator_wave(parameters), discretisation);
-  const PointRequest no_load{Control::torque, 0.}, stall{Control::speed, 0.};
-  OperatingPointFinder finder(parameters, motor);
-  finder.find(no_load);
-  const CurvePoint from_no_load = finder.find(stall),
-                   from_rest    = OperatingPointFinder(parameters, motor).find(stall);
-  EXPECT_NE(from_no_load.remark.find("damping"), std::string::npos) << from_no_load.remark;
-  EXPECT_NEAR(from_no_load.result.torque, from_rest.result.torque, 1e-8);
-  EXPECT_NEAR(from_no_load.result.friction_loss(), from_rest.result.friction_loss(), 1e-7);
+  const Friction friction    = motor_model(parameters).friction;
+  const SteadyStep step{motor.n_repeats(), 1};
+  const RotorLoad no_load{14., 0.}, stall{14., {}, 0.};
+  const OperatingPoint from_rest = evaluate(SteadyDriver(motor, friction, step).at(stall));
+  for (const auto way : {SteadyDriver::Way::at_once, SteadyDriver::Way::by_some_damping,
+                         SteadyDriver::Way::by_strong_damping})
+  {
+    SteadyDriver driver(motor, friction, step);
+    driver.at(no_load);
+    const OperatingPoint from_no_load = evaluate(driver.at(stall, way));
+    EXPECT_NEAR(from_no_load.torque, from_rest.torque, 1e-8) << static_cast<int>(way);
+    EXPECT_NEAR(from_no_load.friction_loss(), from_rest.friction_loss(), 1e-7)
+        << static_cast<int>(way);
+  }
 }
 
 TEST_F(VibratingMotor, TwiceAsManyTeethTouch)

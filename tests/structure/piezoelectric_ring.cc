@@ -5,16 +5,21 @@
 // for both faces at one potential and for an insulated face. Consistency: the modes of half and
 // whole sectors; the pole of the response at a mode against the charge of that mode.
 
+#include "output/scratch.h"
 #include "support/materials.h"
 #include "support/ring_sector.h"
 
+#include <ringmotor/parameters/errors.h>
 #include <ringmotor/structure/electric_response.h>
 #include <ringmotor/structure/modes.h>
 #include <ringmotor/structure/motion_products.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 
 using namespace ringmotor;
 using namespace ringmotor::tests;
@@ -282,4 +287,30 @@ TEST(PiezoelectricRanks, SameCharges)
   };
   const double alone = charge(MPI_COMM_SELF);
   EXPECT_NEAR(charge(MPI_COMM_WORLD), alone, 1e-9 * std::abs(alone));
+}
+
+TEST(PiezoelectricRing, MustBeAFlatLayer)
+{
+  // A step in the lower face, and a lower face that slopes everywhere
+  for (const bool has_step : {true, false})
+  {
+    const SectorMesh mesh =
+        rectangular_ring(0.1, std::vector<double>(4, 0.1), 0.02, 2, 24, SectorForm::half, 1);
+    double lowest = 0.;
+    for (const auto &x : mesh.triangulation->get_vertices())
+      lowest = std::min(lowest, x[2]);
+    std::set<unsigned int> moved;
+    for (const auto &cell : mesh.triangulation->active_cell_iterators())
+      for (const unsigned int i : cell->vertex_indices())
+      {
+        dealii::Point<3> &x = cell->vertex(i);
+        const double r      = std::hypot(x[0], x[1]);
+        if (x[2] < lowest + 1e-6 && moved.insert(cell->vertex_index(i)).second)
+          x[2] += has_step ? (r > 0.25 ? 1e-3 : 0.) : 1e-3 * r;
+      }
+    const std::string message =
+        message_of<UserError>([&]() { const CyclicSector sector(mesh, all_of(ceramic()), 1); });
+    EXPECT_NE(message.find("must be a flat layer between two electrodes"), std::string::npos)
+        << message;
+  }
 }

@@ -1,23 +1,42 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/mesh/mesh_file.h>
 #include <ringmotor/mesh/sector_mesh.h>
-#include <ringmotor/parameters/errors.h>
-
-#include <string>
 
 namespace ringmotor
 {
-  /** A mistake in a mesh file: the file, what was @p found in it, and @p what_to_do. */
-  UserError mesh_file_error(const std::string &file, const std::string &found,
-                            const std::string &what_to_do);
-
   /**
-   * Looks for mistakes in the shape of a sector that was read from @p file: lengths that are not in
-   * m, a body that touches the axis or is in pieces, cuts that do not match under a rotation by
-   * 2 pi/n_sectors or are not fully marked, cells beyond the cuts, and cells that are inverted.
+   * Looks for mistakes in the cells of a body that was read from @p file: lengths that are not in
+   * m, a body that touches the axis or is in pieces, and cells that are inverted.
    *
    * @throws UserError naming `Stator/Mesh file` and the place in the mesh.
    */
-  void check_sector(const SectorMesh &mesh, const std::string &file);
+  void check_cells(const dealii::Triangulation<3> &triangulation, const MeshFile &file);
+
+  /**
+   * Looks for mistakes in a sector that was read: cuts that do not match under a rotation by
+   * 2 pi/n_sectors or are not fully marked, cells beyond the cuts, and all that check_tooth()
+   * finds.
+   *
+   * @throws UserError naming `Stator/Mesh file` and the place in the mesh.
+   */
+  void check_sector(const SectorMesh &mesh, const MeshFile &file);
+
+  /**
+   * Looks for mistakes in what the ids of a sector say: a tooth's top that is not level, not at the
+   * highest z, not on the tooth, marked in part, or not a face between an inner and an outer side
+   * and two ends with its middle at theta = 0; a tooth that does not stand on the base at the
+   * slot's bottom; a ceramic ring that is not bonded at z = 0. The cuts have to be right.
+   *
+   * @throws UserError naming `Stator/Mesh file` and the place in the mesh.
+   */
+  void check_tooth(const SectorMesh &mesh, const MeshFile &file);
+
+  /**
+   * Moves the nodes of a sector that has passed check_sector() to where they are meant to be, by
+   * places::file_rounding at most: to the planes theta = 0 and of the cuts, to the heights and
+   * radii of the tooth's top and foot, and to both faces of the ceramic ring.
+   */
+  void move_to_exact_places(SectorMesh &mesh);
 } // namespace ringmotor

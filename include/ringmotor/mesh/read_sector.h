@@ -8,16 +8,17 @@
 namespace ringmotor
 {
   /**
-   * Reads a sector of hexahedra from a Gmsh file (ASCII, version 2.2 or 4.1, lengths in m) with the
-   * physical ids of mesh/ids.h, see meshes/README.md. Faces 11 and 12 make it a half sector, 13 and
-   * 14 a whole one. Cells are curved around the z axis: cylindrical coordinates are interpolated
+   * Reads a sector of hexahedra from a Gmsh file (see read_gmsh(), lengths in m) with the physical
+   * ids of mesh/ids.h, see meshes/README.md. Faces 11 and 12 make it a half sector, 13 and 14 a
+   * whole one. Cells are curved around the z axis: cylindrical coordinates are interpolated
    * linearly between the vertices of the file, also where the mesh is refined later. A plane that
    * contains neither r nor z, such as the wall of a slot, becomes slightly curved between these
-   * vertices.
+   * vertices. Vertices are where they are meant to be, see move_to_exact_places().
    *
    * @throws UserError naming `Stator/Mesh file` for a file that cannot be read, elements that are
-   *         not hexahedra of first order, unknown ids and cuts that are missing, and for all that
-   *         check_sector() finds.
+   *         not hexahedra of first order, unknown or several ids, marked surfaces that are not
+   *         outer ones and cuts that are missing, and for all that check_cells() and check_sector()
+   *         find.
    */
   SectorMesh read_sector(const std::string &file, const unsigned int n_sectors,
                          MPI_Comm communicator);

@@ -30,11 +30,20 @@ namespace ringmotor
     /** @p motor must outlive this object and all its states. */
     SteadyDriver(const CondensedMotor &motor, const Friction &friction, const SteadyStep &step);
 
+    /** Ways from one state with inertia to another one, in the order in which they are tried. */
+    enum class Way
+    {
+      at_once,
+      by_some_damping,  ///< that is reduced in stages
+      by_strong_damping ///< the same
+    };
+
     /**
      * The state under a load.
+     * @param first_way skips those before it; tests see with it that all lead to the same state
      * @throws ComputationError if no state is found; the message says what was tried
      */
-    OperatingState at(const RotorLoad &load);
+    OperatingState at(const RotorLoad &load, const Way first_way = Way::at_once);
 
     /** Whether there is a state from which the next search starts. */
     bool has_state() const { return next.has_value(); }
@@ -74,7 +83,8 @@ namespace ringmotor
                                 const unsigned int n_stages) const;
     /** From a nearby state; with inertia through as few such stages as lead to the state, because
      * there may be several, and strong damping may lead to another one; at last by_damping(). */
-    OperatingState find_or_damp(const RotorLoad &load, const Start &from) const;
+    OperatingState find_or_damp(const RotorLoad &load, const Start &from,
+                                const Way first_way) const;
     /** From another state, possibly without inertia, through states with inertia and decreasing
      * damping. */
     Start by_damping(const RotorLoad &load, Start start) const;

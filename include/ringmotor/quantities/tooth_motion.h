@@ -37,7 +37,6 @@ namespace ringmotor
   /**
    * The 18 points where the tooth's motion is reported: inner, middle and outer radius times two
    * edges and centre, of the tooth's top and of its foot.
-   * @throws UserError if the mesh has no tooth top or no foot.
    */
   std::vector<ToothPoint> tooth_points(const CyclicSector &sector);
 
