@@ -78,11 +78,13 @@ def _last_line(stream):
     return lines[-1] if lines else ""
 
 
-def limited_run(command, most_seconds=None, most_clock_seconds=None):
+def limited_run(command, most_seconds=None, most_clock_seconds=None, most_threads=1):
     """Runs a command to its end or up to a limit of processor time, of time on the clock, or both. The first
-    does not depend on what else the machine does, the second also ends a process that waits for ever."""
-    environment = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1",
-                       OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+    does not depend on what else the machine does, the second also ends a process that waits for ever.
+    @param most_threads None: as the command chooses"""
+    environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+    if most_threads:
+        environment.update(OMP_NUM_THREADS=str(most_threads), OPENBLAS_NUM_THREADS=str(most_threads))
     with tempfile.TemporaryFile() as output, tempfile.TemporaryFile() as errors:
         begin = time.perf_counter()
         process = subprocess.Popen(command, env=environment, stdout=output, stderr=errors,

@@ -142,12 +142,31 @@ namespace ringmotor
         }
         return *known;
       }
-    if (start && !is_marched(parameters))
-      begin(request, *start, start_before);
-    const auto since = std::chrono::steady_clock::now();
+    const auto since      = std::chrono::steady_clock::now();
+    const auto from_start = [&]
+    {
+      if (start)
+        begin(request, *start, start_before);
+      return find_steady(request);
+    };
+    // Impacts leave a motor with little damping several states close to each other. Other modes are
+    // to show how far these are apart: their points are not led to the state next to the start.
+    const auto anew = [&]
+    {
+      try
+      {
+        amplitude = start->result.amplitude;
+        return find_steady(request);
+      }
+      catch (const ComputationError &)
+      {
+        return from_start();
+      }
+    };
     CurvePoint point = is_marched(parameters) ? find_marched(parameters, motor, request,
                                                              setting.n_joined, setting.tells_window)
-                                              : find_steady(request);
+                       : start && setting.modes != ModesInUse::requested ? anew()
+                                                                         : from_start();
     point.request    = request;
     point.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
     if (memory)
