@@ -73,8 +73,9 @@ namespace ringmotor
       return least;
     }
 
-    /** What modes of a level were found to be off by where neither a coarser mesh nor other harmonics
-     * change the result, by chance, see effects.md; less where damping limits their resonances. */
+    /** What modes of a level were found to be off by where neither a coarser mesh nor other
+     * harmonics change the result, by chance, see effects.md; less where damping limits their
+     * resonances. */
     PointError least_modes_error(const CurvePoint &point, const CondensedMotor &motor,
                                  const double crest_speed)
     {

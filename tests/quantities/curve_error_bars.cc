@@ -234,8 +234,9 @@ TEST(CurveErrorBars, LeadToFinerModesWhereTheseMatterMost)
                          const CurveSetting &setting, const std::vector<PointRequest> &requests,
                          const std::vector<CurvePoint> &starts)
     {
-      std::vector<CurvePoint> points  = of_all(all, motor, setting, requests, starts);
-      const unsigned int modes_in_use = motor.modes_level - (setting.modes == ModesInUse::requested ? 0 : 1);
+      std::vector<CurvePoint> points = of_all(all, motor, setting, requests, starts);
+      const unsigned int modes_in_use =
+          motor.modes_level - (setting.modes == ModesInUse::requested ? 0 : 1);
       for (CurvePoint &point : points)
         if (point.request.control == Control::torque)
           point.result.speed += error / std::pow(3., modes_in_use);
