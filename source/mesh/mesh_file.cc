@@ -4,6 +4,7 @@
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/parameters/prm_file.h>
 
+#include <deal.II/base/exceptions.h>
 #include <deal.II/base/numbers.h>
 
 #include <sstream>
@@ -32,12 +33,13 @@ namespace ringmotor
   {
     // Two nodes, each off by half a unit of the last digit in two coordinates, that of 1.000 being
     // the coarsest.
-    const double by_rounding = 2. * std::pow(10., 1. - n_digits);
-    if (distance > by_rounding)
+    const auto by_rounding      = [](const double n) { return 2. * std::pow(10., 1. - n); };
+    const unsigned int n_needed = 8;
+    Assert(by_rounding(n_needed) < places::file_rounding, dealii::ExcInternalError());
+    if (n_digits >= n_needed || distance > by_rounding(n_digits))
       refuse(found, what_to_do);
-    const int n_needed = 1 + static_cast<int>(std::ceil(std::log10(2. / places::file_rounding)));
     refuse(found + ", but the coordinates have " + std::to_string(n_digits) +
-               " significant digits only",
+               (n_digits == 1 ? " significant digit only" : " significant digits only"),
            "save at least " + std::to_string(n_needed) + " digits (Gmsh saves 16)");
   }
 

@@ -9,7 +9,8 @@
 #include <deal.II/grid/manifold_lib.h>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -50,6 +51,7 @@ namespace ringmotor
       void check_kinds() const;
       void check_ids() const;
       void add_cell(const Element &element);
+      void expect_volume(const CellData<3> &cell) const;
       std::string near(const Nodes &nodes) const;
       /** Gmsh may mark what lies between partitions. */
       std::string or_without_partitions() const
@@ -149,7 +151,11 @@ namespace ringmotor
       Nodes nodes(8);
       for (unsigned int i = 0; i < 8; ++i)
         nodes[GeometryInfo<3>::ucd_to_deal[i]] = element.nodes[i];
-      const auto [known, is_new] = ids_of_cells.emplace(sorted(nodes), element.id);
+      const Nodes key = sorted(nodes);
+      if (std::adjacent_find(key.begin(), key.end()) != key.end())
+        mesh.file.refuse("a cell has a node twice, so that it has no volume" + near(nodes),
+                         "repair the mesh");
+      const auto [known, is_new] = ids_of_cells.emplace(key, element.id);
       if (!is_new && known->second != element.id)
         mesh.file.refuse("a volume has the physical ids " + std::to_string(known->second) +
                              " and " + std::to_string(element.id) + near(nodes),
@@ -181,8 +187,35 @@ namespace ringmotor
       }
     }
 
+    /** deal.II cannot turn round what has no volume. */
+    void Body::expect_volume(const CellData<3> &cell) const
+    {
+      constexpr double flat = 1e-12;
+      Point<3> center;
+      double shortest = std::numeric_limits<double>::max(), longest = 0., radius = 0.;
+      for (const unsigned int a : cell.vertices)
+      {
+        center += 0.125 * vertices[a];
+        radius = std::max(radius, cylindrical(vertices[a])[0]);
+        for (const unsigned int b : cell.vertices)
+          if (a != b)
+          {
+            shortest = std::min(shortest, vertices[a].distance(vertices[b]));
+            longest  = std::max(longest, vertices[a].distance(vertices[b]));
+          }
+      }
+      const double volume = GridTools::cell_measure<3>(vertices, cell.vertices);
+      if (!(std::abs(volume) > flat * std::pow(longest, 3)))
+        mesh.file.refuse_place(shortest / radius,
+                               "the cell at " + in_words(cylindrical(center)) +
+                                   " is inverted or has no volume",
+                               "repair the mesh");
+    }
+
     void Body::create(Triangulation<3> &triangulation)
     {
+      for (const CellData<3> &cell : cells)
+        expect_volume(cell);
       GridTools::invert_cells_with_negative_measure(vertices, cells);
       GridTools::consistently_order_cells(cells);
       triangulation.create_triangulation(vertices, cells, SubCellData());
@@ -208,9 +241,11 @@ namespace ringmotor
             of_face.push_back(vertex_of_node[node]);
           const auto face = faces.find(sorted(of_face));
           if (face == faces.end())
-            mesh.file.refuse("a surface with the physical id " + id + near(element.nodes) +
-                                 ", is not one of the marked volumes",
-                             "mark surfaces of these volumes only, and mesh both together");
+            mesh.file.refuse(
+                "a surface with the physical id " + id + near(element.nodes) +
+                    ", is not one of the marked volumes",
+                "mark the volume behind it as 1 (base), 2 (tooth) or 3 (piezoceramic), or not "
+                "its surface");
           if (!face->second->at_boundary())
             mesh.file.refuse("a physical surface lies inside the body (physical id " + id + ")" +
                                  near(element.nodes),
@@ -254,6 +289,7 @@ namespace ringmotor
     triangulation.set_manifold(0, CylindricalManifold<3>(2));
     check_cells(triangulation, gmsh.file);
     body.mark(triangulation);
+    check_connections(triangulation, gmsh.file);
     mesh.form = form_of(gmsh.file, triangulation);
     check_sector(mesh, gmsh.file);
     move_to_exact_places(mesh);

@@ -6,6 +6,7 @@
 
 #include "mesh/small_sector.h"
 
+#include <algorithm>
 #include <functional>
 
 using namespace ringmotor;
@@ -244,6 +245,16 @@ TEST(MeshFile, RefusesDamagedCells)
                        {"inverted or has no volume"});
   expect_refusal_after([](SmallSector &sector) { sector.nodes[sector.at(0, 1, 2)][2] = 4e-3; },
                        {"inverted or has no volume", "deg"});
+  expect_refusal_after(
+      [](SmallSector &sector)
+      {
+        for (auto &[r, theta, z] : sector.nodes)
+          z = std::min(z, 5e-3); // a tooth without height
+      },
+      {"inverted or has no volume", "z = 5 mm"});
+  expect_refusal_after([](SmallSector &sector)
+                       { sector.elements[3].nodes[0] = sector.elements[3].nodes[1]; },
+                       {"a node twice", "no volume", "theta = "});
   const auto repeat = [](const unsigned int element)
   { return [=](SmallSector &sector) { sector.elements.push_back(sector.elements[element]); }; };
   expect_refusal_after(repeat(0), {"cells lie on one another"});

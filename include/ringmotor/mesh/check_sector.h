@@ -8,11 +8,14 @@ namespace ringmotor
 {
   /**
    * Looks for mistakes in the cells of a body that was read from @p file: lengths that are not in
-   * m, a body that touches the axis or is in pieces, and cells that are inverted.
+   * m, a body that touches the axis, and cells that are inverted.
    *
    * @throws UserError naming `Stator/Mesh file` and the place in the mesh.
    */
   void check_cells(const dealii::Triangulation<3> &triangulation, const MeshFile &file);
+
+  /** Looks for a body in pieces, or in parts that touch without sharing nodes. @throws UserError */
+  void check_connections(const dealii::Triangulation<3> &triangulation, const MeshFile &file);
 
   /**
    * Looks for mistakes in a sector that was read: cuts that do not match under a rotation by

@@ -17,8 +17,8 @@ namespace ringmotor
    *
    * @throws UserError naming `Stator/Mesh file` for a file that cannot be read, elements that are
    *         not hexahedra of first order, unknown or several ids, marked surfaces that are not
-   *         outer ones and cuts that are missing, and for all that check_cells() and check_sector()
-   *         find.
+   *         outer ones and cuts that are missing, and for all that check_cells(),
+   * check_connections() and check_sector() find.
    */
   SectorMesh read_sector(const std::string &file, const unsigned int n_sectors,
                          MPI_Comm communicator);
