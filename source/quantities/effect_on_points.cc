@@ -39,9 +39,11 @@ namespace ringmotor
     constexpr unsigned int modes_level = 1;
     Parameters with = all_parameters, without = all_parameters;
     with.time.scheme = without.time.scheme = TimeScheme::steady;
-    with.effects.*effect.entry             = EffectChoice::on;
-    without.effects.*effect.entry          = EffectChoice::off;
-    const auto condensed                   = [&](const Parameters &parameters)
+    // It shall be cheap, and the same whatever the steps: long ones do.
+    with.time.n_snapshots = without.time.n_snapshots = 1;
+    with.effects.*effect.entry                       = EffectChoice::on;
+    without.effects.*effect.entry                    = EffectChoice::off;
+    const auto condensed                             = [&](const Parameters &parameters)
     {
       return condense_motor(parameters, wave, ContactDiscretisation::level(0), modes_level,
                             &vibration);

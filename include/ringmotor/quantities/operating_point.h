@@ -20,7 +20,7 @@ namespace ringmotor
     double modal_damping = 0.; ///< what its damping by a loss factor takes, over that factor
     double gross_power   = 0.; ///< exchanged by feet and forces: the input power, each node's part
                                ///< taken positive
-    double closing_work  = 0.; ///< of pressure on gaps closing or opening in a step; numerical
+    double closing_work = 0.;  ///< of pressure on gaps closing or opening in a step; numerical
 
     double amplitude = 0.; ///< m, of the wave, see StatorWave::amplitude
     /** The relative shift of the frequency of the stator's wave by the contact, see
