@@ -292,12 +292,14 @@ TEST_F(VibratingMotorLong, MarchingStaysInTheSteadyStateForTenPeriods)
 
 TEST_F(VibratingMotor, PowerGoesToLoadFrictionAndDamping)
 {
-  const CurvePoint point = OperatingPointFinder(with_parts_of_a_step(parameters, 8), motor)
+  // With a scheme whose own dissipation is small.
+  CondensedMotor other   = motor;
+  other.dynamics.scheme  = InertiaScheme::second_order(0.99);
+  const CurvePoint point = OperatingPointFinder(with_parts_of_a_step(parameters, 4), other)
                                .find({Control::torque, 0.05});
   EXPECT_LT(point.result.power_imbalance(), 1e-3);
   const double damping = parameters.materials.rotor_metal.loss_factor * point.result.modal_damping;
   EXPECT_GT(damping, 0.01);
-  // The own dissipation of the scheme is small with steps that resolve the 45th harmonic.
   EXPECT_NEAR(point.result.modal_power, damping, 0.02 * damping);
 }
 
