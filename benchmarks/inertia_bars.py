@@ -4,9 +4,9 @@
 
 usage: benchmarks/inertia_bars.py [--resume] [--csv FILE] [--markdown FILE] [MOTOR ...]
 
-Three motors, one coefficient of friction, at 50 and 100 mN m. From a common setting one thing at a time is made finer;
-no change of a speed or a friction loss may exceed its error bar in the common setting. Ten to twenty minutes for each motor;
-with --resume the rows of the CSV file are kept.
+Three motors, one coefficient of friction, at 50 and 100 mN m (the short spring at 100). From a common setting one thing at a
+time is made finer; no change of a speed or a friction loss may exceed its error bar in the common setting. Five to ten minutes for
+each motor; with --resume the rows of the CSV file are kept.
 """
 import argparse
 import pathlib
@@ -26,7 +26,7 @@ SHORT_SPRING = {
     "Rotor/Flange element": "solid", "Rotor/Lip inner radius": "0.03405"}
 MOTORS = {"reference": (CANON, {}, {"Accuracy/Rotor modes": "1"}, "0.8"),
           "stiff spring": (STIFF, {}, {}, "0.9"),
-          "short spring": (CANON, {**SHORT_SPRING, "Time/Spectral radius": "0.8"}, {}, "0.9")}
+          "short spring": (CANON, {**SHORT_SPRING, "Time/Spectral radius": "0.8", "Loading/Values": "0.1"}, {}, "0.9")}
 TORQUES = ("0.05", "0.1")  # N m
 BASE = {**OUTPUT_OFF, "Effects/Rotor inertia": "on", "Effects/Tooth inertia": "on", "Effects/Damping": "on",
         "Effects/Tooth shear": "on", "Effects/Rotor tangential compliance": "on", "Effects/Static friction excess": "off",
