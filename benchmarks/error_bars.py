@@ -16,7 +16,8 @@ import statistics
 import sys
 
 sys.dont_write_bytecode = True
-from motor_run import OUTPUT_OFF, RowFile, certified_run, operating_points, table, write_markdown  # noqa: E402
+from motor_run import (OUTPUT_OFF, RowFile, add_operating_points, certified_run, operating_points,  # noqa: E402
+                       table, write_markdown)
 from timed_run import PAPERS_MODEL, ROOT, entries_of  # noqa: E402
 
 CANON, STIFF, RING60 = (ROOT / "prm" / f"{name}.prm" for name in ("canon_ring", "canon_stiff_spring", "ring60"))
@@ -66,15 +67,7 @@ def compute(name, rows, scratch):
     loads = {"Loading/Values": ", ".join(f"{share * stall:.6g}" for share in SHARES)}
     for target in wanted:
         accuracy = truth_of(motor) if target == "truth" else {"Accuracy/Contact target": target}
-        try:
-            found, done = operating_points(motor, scratch, {**entries, **loads, **accuracy})
-        except RuntimeError as error:
-            print(f"{name}, {target}: {error}", file=sys.stderr, flush=True)
-            continue
-        for row in found:
-            rows.add({"motor": name, "target": target, "seconds": f"{done.processor_seconds:.1f}",
-                      **{key: row[key] for key in COLUMNS[3:]}})
-        print(f"{name}, {target}: {done.processor_seconds:.1f} s", flush=True)
+        add_operating_points(rows, {"motor": name, "target": target}, motor, scratch, {**entries, **loads, **accuracy})
     shutil.rmtree(scratch, ignore_errors=True)
 
 

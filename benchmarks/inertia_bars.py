@@ -14,7 +14,7 @@ import shutil
 import sys
 
 sys.dont_write_bytecode = True
-from motor_run import OUTPUT_OFF, RowFile, certified_run, operating_points, table, write_markdown  # noqa: E402
+from motor_run import OUTPUT_OFF, RowFile, add_operating_points, certified_run, table, write_markdown  # noqa: E402
 from timed_run import ROOT  # noqa: E402
 
 CANON, STIFF = (ROOT / "prm" / f"{name}.prm" for name in ("canon_ring", "canon_stiff_spring"))
@@ -54,15 +54,7 @@ def compute(name, rows, folder):
     if wanted:
         certified_run("stator", motor, folder, {**BASE, **entries})
     for setting, accuracy in wanted.items():
-        try:
-            found, done = operating_points(motor, folder, {**BASE, **entries, **accuracy})
-        except RuntimeError as error:
-            print(f"{name}, {setting}: {error}", file=sys.stderr, flush=True)
-            continue
-        for row in found:
-            rows.add({"motor": name, "setting": setting, "seconds": f"{done.processor_seconds:.0f}",
-                      **{key: row[key] for key in COLUMNS[3:]}})
-        print(f"{name}, {setting}: {done.processor_seconds:.0f} s", flush=True)
+        add_operating_points(rows, {"motor": name, "setting": setting}, motor, folder, {**BASE, **entries, **accuracy})
     shutil.rmtree(folder, ignore_errors=True)
 
 

@@ -5,6 +5,7 @@ import csv
 import pathlib
 import re
 import shlex
+import sys
 
 from contact_checks import ContactResults, check
 from timed_run import ROOT, arguments, limited_run, on_ranks, program
@@ -49,6 +50,21 @@ def operating_points(motor, folder, entries):
     with open(folder / "contact" / "torque_speed.csv") as file:
         return [{key: value if key == "control" else float(value) for key, value in row.items()}
                 for row in csv.DictReader(file)], run
+
+
+def add_operating_points(rows, labels, motor, folder, entries):
+    """Adds to a RowFile the operating points of a run of the program contact, with labels that name the run; says what
+    happened, also if it failed."""
+    name = ", ".join(labels.values())
+    try:
+        found, done = operating_points(motor, folder, entries)
+    except RuntimeError as error:
+        print(f"{name}: {error}", file=sys.stderr, flush=True)
+        return
+    for row in found:
+        rows.add({**{key: row[key] for key in rows.columns if key in row}, **labels,
+                  "seconds": f"{done.processor_seconds:.1f}"})
+    print(f"{name}: {done.processor_seconds:.1f} s", flush=True)
 
 
 def add_results(row, folder):
