@@ -157,7 +157,7 @@ class FromFileToPage(Installed):
         elsewhere = self.folder / "elsewhere"
         (elsewhere / "date").mkdir(parents=True)
         (elsewhere / "date" / "report.html").write_text("of somebody else")
-        for name in ("rotor", "up to date; $HOME 'x' \"y\" (1) > 2"):
+        for name in ("rotor", "up to date; 'x' \"y\" (1) > 2"):
             case = self.folder / "names" / name
             done = subprocess.run([self.prefix / "bin" / "ringmotor", self.quick, "--output", case, *NO_FIELDS], text=True,
                                   capture_output=True, cwd=elsewhere, check=False)
