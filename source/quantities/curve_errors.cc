@@ -137,7 +137,8 @@ namespace ringmotor
   {
     const CurveSetting own{reached_level, n_parts[request]}, other = compared_step(request),
                                                              plain = steps.plain(reached_level);
-    const CurvePoint &point                                        = point_of(own, request);
+    const CurvePoint &point                                        = point_of(own, request),
+                     &unchanged = point_of(unchanged_motor(), request);
     PointErrors errors;
     errors.mesh = mesh_error(request);
     // First order, C / n with n steps per pitch: C follows from two values of n.
@@ -150,7 +151,7 @@ namespace ringmotor
       // left out decrease with the square of their number, which is multiplied by one and a half.
       constexpr double of_mesh = 0.6, of_harmonics = 1.8;
       const CurvePoint &coarse = point_of(with_modes(ModesInUse::coarse), request);
-      errors.modes             = change(point_of(plain, request), coarse);
+      errors.modes             = change(unchanged, coarse);
       errors.modes *= of_mesh;
       PointError harmonics =
           change(coarse, point_of(with_modes(ModesInUse::of_other_harmonics), request));
@@ -162,13 +163,13 @@ namespace ringmotor
     if (has_inertia)
     {
       // The dissipation decreases with the third power of the step; quadratically, to be safe.
-      errors.scheme = change(point_of(plain, request), point_of(other_scheme(), request));
+      errors.scheme = change(unchanged, point_of(other_scheme(), request));
       errors.scheme *=
           share_of_change(motor().dynamics.scheme) * std::pow(plain.n_steps() / own.n_steps(), 2);
     }
-    errors.wave = change(point_of(plain, request), point_of(changed_wave(), request));
+    errors.wave = change(unchanged, point_of(changed_wave(), request));
     if (is_driven())
-      errors.drive = change(point_of(plain, request), point_of(other_drive(), request));
+      errors.drive = change(unchanged, point_of(other_drive(), request));
     // What a window given by the user misses does not depend on the steps.
     errors.window  = parameters.time.n_steps ? point_of(plain, request).window : point.window;
     errors.effects = left_out.of(point);
@@ -180,9 +181,16 @@ namespace ringmotor
     return errors;
   }
 
+  CurveSetting CurveSearch::unchanged_motor() const
+  {
+    // What another wave, scheme or other modes change depends little on the mesh.
+    const bool has_coarser = reached_level > 1;
+    return steps.plain(has_coarser ? compared_with(reached_level) : reached_level);
+  }
+
   CurveSetting CurveSearch::changed_wave() const
   {
-    CurveSetting setting = steps.plain(reached_level);
+    CurveSetting setting = unchanged_motor();
     setting.wave_factor  = 1. + wave_error;
     return setting;
   }
@@ -198,21 +206,21 @@ namespace ringmotor
 
   CurveSetting CurveSearch::with_modes(const ModesInUse modes) const
   {
-    CurveSetting setting = steps.plain(reached_level);
+    CurveSetting setting = unchanged_motor();
     setting.modes        = modes;
     return setting;
   }
 
   CurveSetting CurveSearch::other_scheme() const
   {
-    CurveSetting setting     = steps.plain(reached_level);
+    CurveSetting setting     = unchanged_motor();
     setting.has_other_scheme = true;
     return setting;
   }
 
   CurveSetting CurveSearch::other_drive() const
   {
-    CurveSetting setting    = steps.plain(reached_level);
+    CurveSetting setting    = unchanged_motor();
     setting.has_drive_error = true;
     return setting;
   }

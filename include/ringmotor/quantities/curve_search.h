@@ -180,6 +180,9 @@ namespace ringmotor
     bool stands_still(const CurvePoint &point) const;
     /** The setting with whose steps those of a point are compared. */
     CurveSetting compared_step(const unsigned int request) const;
+    /** The setting on which changes of the motor are made: on the last mesh but one, from mesh 2
+     * on. */
+    CurveSetting unchanged_motor() const;
     CurveSetting changed_wave() const;
     CurveSetting with_modes(const ModesInUse modes) const;
     CurveSetting other_scheme() const;
