@@ -101,7 +101,7 @@ namespace ringmotor
       : setting(setting), parameters(relevant_for_points(all_parameters)),
         model(motor_model(parameters)), motor(motor), drive(drive),
         wave(motor, model, {parameters.time.n_snapshots, setting.n_joined}),
-        amplitude(motor.amplitude), frequency(motor.angular_frequency), memory(memory)
+        amplitude(motor.amplitude), memory(memory)
   {
   }
 
@@ -118,14 +118,21 @@ namespace ringmotor
     {
       steady.start_from_rest();
       amplitude = motor.amplitude;
+      detuning  = 0.;
       return;
     }
     amplitude = start.result.amplitude;
     if (!neighbour_is_nearer)
+    {
+      detuning = start.result.detuning;
       steady.go_on_from(load, solution_of(start), start.result.speed);
+    }
     else if (start_before)
+    {
+      detuning += start.result.detuning - start_before->result.detuning;
       steady.go_on_by_change(load, solution_of(*start_before), start_before->result.speed,
                              solution_of(start), start.result.speed);
+    }
   }
 
   CurvePoint OperatingPointFinder::find(const PointRequest &request, const CurvePoint *start,
@@ -139,6 +146,7 @@ namespace ringmotor
           wave.driver().go_on_from(load_of(parameters.loading, request), solution_of(*known),
                                    known->result.speed);
           amplitude = known->result.amplitude;
+          detuning  = known->result.detuning;
         }
         return *known;
       }
@@ -156,6 +164,7 @@ namespace ringmotor
       try
       {
         amplitude = start->result.amplitude;
+        detuning  = start->result.detuning;
         return find_steady(request);
       }
       catch (const ComputationError &)
@@ -203,7 +212,6 @@ namespace ringmotor
 
   CurvePoint OperatingPointFinder::find_steady(const PointRequest &request)
   {
-    frequency = motor.angular_frequency;
     if (!drive)
       return at_amplitude(request, motor.amplitude);
     const StableRoot<CurvePoint> balanced = balanced_amplitude<CurvePoint>(
@@ -225,13 +233,13 @@ namespace ringmotor
   CurvePoint OperatingPointFinder::at_amplitude(const PointRequest &request, const double of_wave)
   {
     if (!model.wave_feels_contact)
-      return at_frequency(request, of_wave, frequency);
+      return at_frequency(request, of_wave, motor.angular_frequency);
     // The frequency at which the state found there has the detuning that this frequency requires.
     // With inertia the state depends on it, so that mere repetition converges slowly, beside a
     // resonance not at all.
     const double natural              = motor.angular_frequency;
     const StableRoot<CurvePoint> root = stable_root<CurvePoint>(
-        frequency / natural,
+        1. + detuning,
         [&](const double place)
         {
           CurvePoint point    = at_frequency(request, of_wave, place * natural);
@@ -246,8 +254,8 @@ namespace ringmotor
         },
         shifted_wave::limits);
     shifted_wave::require_settled(root.end, root.found.place, root.found.excess);
-    frequency        = root.found.place * natural;
     CurvePoint point = root.found.state;
+    detuning         = point.result.detuning;
     point.unsettled += unsettled(root);
     return point;
   }
@@ -269,7 +277,6 @@ namespace ringmotor
 
   CurvePoint OperatingPointFinder::find_at(const PointRequest &request, const double of_wave)
   {
-    frequency = motor.angular_frequency;
     return at_amplitude(request, of_wave);
   }
 

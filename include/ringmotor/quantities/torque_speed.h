@@ -176,7 +176,7 @@ namespace ringmotor
     void begin(const PointRequest &request, const CurvePoint &start,
                const CurvePoint *start_before);
     CurvePoint find_steady(const PointRequest &request);
-    /** The steady state with the wave at an amplitude (m), at the #frequency to which the contact
+    /** The steady state with the wave at an amplitude (m), at the frequency to which the contact
      * shifts it if the model has it so. */
     CurvePoint at_amplitude(const PointRequest &request, const double of_wave);
     /** The steady state with the wave at an amplitude (m) and a frequency (rad/s). */
@@ -188,8 +188,8 @@ namespace ringmotor
     const CondensedMotor &motor;
     const std::optional<VoltageDrive> drive;
     LoadedWave wave;
-    double amplitude; ///< m, at which the search for that of a driven wave begins
-    double frequency; ///< rad/s, at which the search for that of the wave begins
+    double amplitude;     ///< m, at which the search for that of a driven wave begins
+    double detuning = 0.; ///< see OperatingPoint, with which the search for the frequency begins
     PointMemory *const memory;
   };
 
