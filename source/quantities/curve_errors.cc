@@ -89,6 +89,16 @@ namespace ringmotor
                     sharpness * of_loss[motor.modes_level]);
     }
 
+    /** A wave gives about the same power to other modes: what less speed or torque leaves of it is
+     * lost in friction. */
+    PointError least_of_power(const CurvePoint &point, const PointError &error)
+    {
+      PointError least;
+      least.loss =
+          std::abs(point.result.torque) * error.speed + std::abs(point.result.speed) * error.torque;
+      return least;
+    }
+
     /** Raises each error to at least that of @p least. */
     void raise(PointError &error, const PointError &least)
     {
@@ -159,6 +169,7 @@ namespace ringmotor
       errors.modes += harmonics;
       if (motor().has_rotor_modes() && !motor().dynamics.is_hysteretic)
         raise(errors.modes, least_modes_error(point, motor(), crest_speed(point.result.amplitude)));
+      raise(errors.modes, least_of_power(point, errors.modes));
     }
     if (has_inertia)
     {

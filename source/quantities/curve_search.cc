@@ -137,41 +137,57 @@ namespace ringmotor
     n_parts[request] = parts;
   }
 
+  std::vector<CurveSearch::Cure> CurveSearch::cures_of(const unsigned int request) const
+  {
+    const PointErrors &errors = results[request].errors;
+    std::vector<Cure> cures;
+    const auto add = [&](const bool is_possible, const Cure &cure)
+    {
+      if (is_possible && cure.error > 0.)
+        cures.push_back(cure);
+    };
+    add(modes_level < RotorVibration::finest_level,
+        {Cure::Kind::modes, relative(errors.modes), 0.5});
+    // Where the state jumps with the frequency of the wave, it does so by one contact node and one
+    // step.
+    add(n_parts[request] < steps.most_parts(),
+        {Cure::Kind::step,
+         relative(errors.time) + relative(errors.scheme) + relative(errors.algebra), 0.5});
+    add(reached_level < finest_level, {Cure::Kind::mesh, relative(errors.mesh), 0.35});
+    std::sort(cures.begin(), cures.end(),
+              [](const Cure &one, const Cure &other) { return one.error > other.error; });
+    return cures;
+  }
+
   void CurveSearch::refine()
   {
     require_accurate_drive();
-    bool shortened = false, needs_mesh = false, needs_modes = false;
-    for (unsigned int i = 0; i < requests.size(); ++i)
+    const double target = parameters.accuracy.contact_target;
+    std::set<Cure::Kind> needed;
+    for (const unsigned int i : all_requests())
     {
-      const PointErrors &errors = results[i].errors;
-      // Where the state jumps with the frequency of the wave, it does so by one contact node and
-      // one step.
-      const double of_step =
-          std::max({relative(errors.time), relative(errors.scheme), relative(errors.algebra)});
-      if (relative(errors.total()) <= parameters.accuracy.contact_target)
+      double expected = relative(results[i].errors.total());
+      if (expected <= target)
         continue;
-      if (relative(errors.modes) > parameters.accuracy.contact_target &&
-          modes_level == RotorVibration::finest_level)
-        refuse(worst_error(), "with the most accurate modes of rotor and teeth");
-      if (relative(errors.modes) > std::max(of_step, relative(errors.mesh)) &&
-          modes_level < RotorVibration::finest_level)
-        needs_modes = true;
-      else if (of_step > relative(errors.mesh) && n_parts[i] < steps.most_parts())
-      {
-        shorten_step(i, 2 * n_parts[i]);
-        shortened = true;
-      }
-      else
-        needs_mesh = true;
+      const std::vector<Cure> cures = cures_of(i);
+      double incurable              = expected;
+      for (const Cure &cure : cures)
+        incurable -= cure.error;
+      if (cures.empty() || incurable > target)
+        refuse(worst_error(), "with the finest meshes, modes and steps that reduce it");
+      for (const Cure &cure : cures)
+        if (expected > target)
+        {
+          expected -= (1. - cure.remains) * cure.error;
+          needed.insert(cure.kind);
+          if (cure.kind == Cure::Kind::step)
+            shorten_step(i, 2 * n_parts[i]);
+        }
     }
-    if (needs_modes)
-      take_finer_modes();
-    if (!needs_mesh)
-      return;
-    if (reached_level < finest_level)
+    if (needed.count(Cure::Kind::mesh) > 0)
       take_finer_meshes();
-    else if (!shortened && !needs_modes)
-      refuse(worst_error());
+    if (needed.count(Cure::Kind::modes) > 0)
+      take_finer_modes();
   }
 
   void CurveSearch::refuse(const double error, const std::string &where) const

@@ -154,6 +154,22 @@ namespace ringmotor
     void foresee_balance(const unsigned int request, const double excess);
     /** Divides the step of a point into more parts. */
     void shorten_step(const unsigned int request, const unsigned int parts);
+    /** What reduces one cause of the error of a point. */
+    struct Cure
+    {
+      enum class Kind
+      {
+        modes,
+        step,
+        mesh
+      } kind;
+      double error;   ///< relative, of that cause now
+      double remains; ///< which share of it is expected to remain
+    };
+    /** Those that are possible, of the largest error first. */
+    std::vector<Cure> cures_of(const unsigned int request) const;
+    /** For each point that misses the target takes the fewest cures that are expected to suffice.
+     * @throws ComputationError if a point has none */
     void refine();
     /** @throws ComputationError if the errors of the drive alone exceed the target */
     void require_accurate_drive() const;
