@@ -24,12 +24,20 @@ namespace ringmotor
                       " (the entry Output/Directory or --output DIR)");
     }
 
+    enum class Kept
+    {
+      yes,
+      no ///< the file has no name from the beginning on: nothing is left, whatever ends the program
+    };
+
     /** Writes, flushes to the disk and closes. Returns 0 or the errno of the first failed step. */
-    int write_to_disk(const std::string &path, const std::string_view content)
+    int write_to_disk(const std::string &path, const std::string_view content, const Kept kept)
     {
       const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
       if (descriptor < 0)
         return errno;
+      if (kept == Kept::no)
+        std::remove(path.c_str());
 
       int reason = 0;
       for (std::size_t done = 0; done < content.size() && reason == 0;)
@@ -58,8 +66,7 @@ namespace ringmotor
 
     // Permission bits say little (read-only file systems, quotas, root): try it.
     const std::string trial_file = path + "/.ringmotor_write_test";
-    const int reason             = write_to_disk(trial_file, "a test file, may be deleted\n");
-    std::remove(trial_file.c_str());
+    const int reason = write_to_disk(trial_file, "a test file, may be deleted\n", Kept::no);
     if (reason != 0)
       refuse("write to the folder", path, reason);
   }
@@ -68,7 +75,7 @@ namespace ringmotor
   {
     const std::string part = path + ".part";
 
-    int reason = write_to_disk(part, content);
+    int reason = write_to_disk(part, content, Kept::yes);
     if (reason == 0 && std::rename(part.c_str(), path.c_str()) != 0)
       reason = errno;
     if (reason != 0)
