@@ -227,39 +227,46 @@ namespace ringmotor
     return find(load, start, dynamics, Fallback::none);
   }
 
-  OperatingState SteadyDriver::find_or_damp(const RotorLoad &load, const Start &from,
-                                            const Way first_way) const
+  OperatingState SteadyDriver::find_or_damp(const RotorLoad &load, const Way first_way) const
   {
     if (!dynamics)
-      return find(load, from);
+      return find(load, *next);
+    std::vector<const Start *> starts{&*next};
+    if (other)
+      starts.push_back(&*other);
     std::string tried;
+    const auto with_history = [&](OperatingState state, const std::string &how)
+    {
+      if (!tried.empty())
+        state.solution.how = tried + "; " + how + " it did";
+      return state;
+    };
     for (const Way way : {Way::at_once, Way::by_some_damping})
-      try
-      {
-        if (way < first_way)
-          continue;
-        // If not at once, it is most often found from the second stage.
-        OperatingState state = find_through(load, from, way == Way::at_once ? 0 : 2);
-        if (way != Way::at_once)
-          state.solution.how =
-              tried + "; with a little more damping that is reduced in stages it did";
-        return state;
-      }
-      catch (const ComputationError &error)
-      {
-        if (way == Way::at_once)
-          tried = error.what();
-      }
-    OperatingState state = find(load, by_damping(load, from));
-    state.solution.how   = tried + "; with strong damping that is reduced in stages it did";
-    return state;
+      for (const Start *const start : starts)
+        try
+        {
+          if (way < first_way)
+            continue;
+          // If not at once, it is most often found from the second stage.
+          return with_history(find_through(load, *start, way == Way::at_once ? 0 : 2),
+                              way == Way::at_once
+                                  ? "from the same point with other steps or another mesh"
+                                  : "with a little more damping that is reduced in stages");
+        }
+        catch (const ComputationError &error)
+        {
+          if (tried.empty())
+            tried = error.what();
+        }
+    return with_history(find(load, by_damping(load, *next)),
+                        "with strong damping that is reduced in stages");
   }
 
   OperatingState SteadyDriver::at(const RotorLoad &load, const Way first_way)
   {
-    const OperatingState state =
-        next ? find_or_damp(load, *next, first_way) : find(load, from_rest(load));
-    next = start_at(state);
+    const OperatingState state = next ? find_or_damp(load, first_way) : find(load, from_rest(load));
+    next                       = start_at(state);
+    other.reset();
     return state;
   }
 
@@ -316,6 +323,7 @@ namespace ringmotor
                                 const double speed)
   {
     next = start_from(RingContact(motor, load, step), load, solution, speed);
+    other.reset();
   }
 
   void SteadyDriver::go_on_by_change(const RotorLoad &load, const ContactSolution &from,
@@ -336,5 +344,6 @@ namespace ringmotor
       next->state.rigid[r] += after.state.rigid[r] - before.state.rigid[r];
     next->speed += to_speed - from_speed;
     next->memory = after.memory;
+    other        = after;
   }
 } // namespace ringmotor

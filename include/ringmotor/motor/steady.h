@@ -54,13 +54,21 @@ namespace ringmotor
     void go_on_from(const RotorLoad &load, const ContactSolution &solution, const double speed);
     /** Adds the change from one state to another to the known one, as the start of the next search:
      * both with other time samples or of a similar motor, in which the rotor turns with the given
-     * speeds (rad/s). */
+     * speeds (rad/s). Where the search fails from there, it starts from the latter. */
     void go_on_by_change(const RotorLoad &load, const ContactSolution &from,
                          const double from_speed, const ContactSolution &to, const double to_speed);
     /** Sets the same start as that of another driver, of the same motor with another wave. */
-    void go_on_as(const SteadyDriver &other) { next = other.next; }
+    void go_on_as(const SteadyDriver &same)
+    {
+      next  = same.next;
+      other = same.other;
+    }
     /** Forgets it. */
-    void start_from_rest() { next.reset(); }
+    void start_from_rest()
+    {
+      next.reset();
+      other.reset();
+    }
 
   private:
     /** The start of the search for a state. */
@@ -81,10 +89,9 @@ namespace ringmotor
      * times the loss factor. */
     OperatingState find_through(const RotorLoad &load, Start start,
                                 const unsigned int n_stages) const;
-    /** From a nearby state; with inertia through as few such stages as lead to the state, because
+    /** From #next or #other; with inertia through as few such stages as lead to the state, because
      * there may be several, and strong damping may lead to another one; at last by_damping(). */
-    OperatingState find_or_damp(const RotorLoad &load, const Start &from,
-                                const Way first_way) const;
+    OperatingState find_or_damp(const RotorLoad &load, const Way first_way) const;
     /** From another state, possibly without inertia, through states with inertia and decreasing
      * damping. */
     Start by_damping(const RotorLoad &load, Start start) const;
@@ -106,7 +113,7 @@ namespace ringmotor
     const Friction friction;
     const SteadyStep step;
     std::shared_ptr<const SteadyDynamics> dynamics; ///< of a motor with inertia
-    std::optional<Start> next;
+    std::optional<Start> next, other;               ///< to start from, and if that fails
   };
 
   /** The distance that each contact point has slipped (m) since it stuck or came into contact, at
