@@ -17,47 +17,46 @@ namespace ringmotor
     {
       return reinterpret_cast<fftw_complex *>(numbers);
     }
-
-    /** A plan of FFTW for a number of transforms over the sectors, whose numbers lie side by side.
-     */
-    class Plan
-    {
-    public:
-      enum class Direction
-      {
-        to_harmonics,
-        to_sectors
-      };
-
-      Plan(const int n_sectors, const int n_transforms, const Direction direction)
-      {
-        // Only an estimate: measuring would make results depend on the load of the machine.
-        constexpr unsigned int flags = FFTW_ESTIMATE | FFTW_UNALIGNED;
-        std::vector<double> real(static_cast<std::size_t>(n_sectors) * n_transforms);
-        std::vector<std::complex<double>> complex(static_cast<std::size_t>(n_sectors / 2 + 1) *
-                                                  n_transforms);
-        const int n = n_transforms;
-        plan        = direction == Direction::to_harmonics
-                          ? fftw_plan_many_dft_r2c(1, &n_sectors, n, real.data(), nullptr, n, 1,
-                                                   of_fftw(complex.data()), nullptr, n, 1, flags)
-                          : fftw_plan_many_dft_c2r(1, &n_sectors, n, of_fftw(complex.data()), nullptr, n,
-                                                   1, real.data(), nullptr, n, 1, flags);
-        AssertThrow(plan != nullptr, ExcMessage("FFTW made no plan"));
-      }
-      ~Plan() { fftw_destroy_plan(plan); }
-      Plan(const Plan &)            = delete;
-      Plan &operator=(const Plan &) = delete;
-
-      fftw_plan plan;
-    };
   } // namespace
 
+  /** A plan of FFTW for a number of transforms over the sectors, whose numbers lie side by side.
+   */
+  class FourierPlan
+  {
+  public:
+    enum class Direction
+    {
+      to_harmonics,
+      to_sectors
+    };
+
+    FourierPlan(const int n_sectors, const int n_transforms, const Direction direction)
+    {
+      // Only an estimate: measuring would make results depend on the load of the machine.
+      constexpr unsigned int flags = FFTW_ESTIMATE | FFTW_UNALIGNED;
+      std::vector<double> real(static_cast<std::size_t>(n_sectors) * n_transforms);
+      std::vector<std::complex<double>> complex(static_cast<std::size_t>(n_sectors / 2 + 1) *
+                                                n_transforms);
+      const int n = n_transforms;
+      plan        = direction == Direction::to_harmonics
+                        ? fftw_plan_many_dft_r2c(1, &n_sectors, n, real.data(), nullptr, n, 1,
+                                                 of_fftw(complex.data()), nullptr, n, 1, flags)
+                        : fftw_plan_many_dft_c2r(1, &n_sectors, n, of_fftw(complex.data()), nullptr, n, 1,
+                                                 real.data(), nullptr, n, 1, flags);
+      AssertThrow(plan != nullptr, ExcMessage("FFTW made no plan"));
+    }
+    ~FourierPlan() { fftw_destroy_plan(plan); }
+    FourierPlan(const FourierPlan &)            = delete;
+    FourierPlan &operator=(const FourierPlan &) = delete;
+
+    fftw_plan plan;
+  };
   class CirculantProduct::Transforms
   {
   public:
     Transforms(const int n_sectors, const int width)
-        : forward(n_sectors, width, Plan::Direction::to_harmonics),
-          backward(n_sectors, width, Plan::Direction::to_sectors)
+        : forward(n_sectors, width, FourierPlan::Direction::to_harmonics),
+          backward(n_sectors, width, FourierPlan::Direction::to_sectors)
     {
     }
 
@@ -73,7 +72,7 @@ namespace ringmotor
     }
 
   private:
-    const Plan forward, backward;
+    const FourierPlan forward, backward;
   };
 
   std::vector<FullMatrix<double>>
@@ -88,7 +87,7 @@ namespace ringmotor
     for (const std::vector<std::complex<double>> &wave : waves)
       by_wave.insert(by_wave.end(), wave.begin(), wave.end());
     std::vector<double> by_sector(n_sectors * block);
-    const Plan plan(n_sectors, block, Plan::Direction::to_sectors);
+    const FourierPlan plan(n_sectors, block, FourierPlan::Direction::to_sectors);
     fftw_execute_dft_c2r(plan.plan, of_fftw(by_wave.data()), by_sector.data());
     for (unsigned int distance = 0; distance < n_sectors; ++distance)
       for (unsigned int i = 0; i < width; ++i)
@@ -109,7 +108,7 @@ namespace ringmotor
       for (unsigned int i = 0; i < matrix.m(); ++i)
         entries.insert(entries.end(), matrix.begin(i), matrix.end(i));
     harmonics.resize((n_sectors / 2 + 1) * block);
-    const Plan plan(n_sectors, block, Plan::Direction::to_harmonics);
+    const FourierPlan plan(n_sectors, block, FourierPlan::Direction::to_harmonics);
     fftw_execute_dft_r2c(plan.plan, entries.data(), of_fftw(harmonics.data()));
     for (std::complex<double> &entry : harmonics) // a transform and its inverse multiply by n
       entry /= n_sectors;

@@ -196,7 +196,10 @@ namespace ringmotor
         "the relative error of " + parameters.accuracy.names_of_quantities() + " is still " +
         short_text(error) + " " + where +
         ", but Accuracy/Contact target = " + short_text(parameters.accuracy.contact_target) +
-        "; choose a larger one" + (is_marched(parameters) ? ", or a smaller Time/Time step" : ""));
+        "; choose a larger one" + (is_marched(parameters) ? ", or a smaller Time/Time step" : "") +
+        (parameters.loading.control == Control::speed
+             ? "; where the torque changes much with the speed, as near no load, prescribe torques"
+             : ""));
   }
 
   void CurveSearch::condense(const std::vector<unsigned int> &levels)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/quantities/lattice.h>
 #include <ringmotor/quantities/ring_body.h>
 #include <ringmotor/structure/mirror.h>
+#include <ringmotor/structure/no_index.h>
 
 #include <deal.II/base/quadrature.h>
 #include <deal.II/fe/fe_values.h>
@@ -13,18 +15,6 @@ namespace ringmotor
 
   namespace
   {
-    constexpr unsigned int none = numbers::invalid_unsigned_int;
-
-    /** (n + 1)^dim points of the unit cell, first index fastest. */
-    template <int dim>
-    std::vector<Point<dim>> lattice(const unsigned int n_subdivisions)
-    {
-      std::vector<Point<1>> line;
-      for (unsigned int i = 0; i <= n_subdivisions; ++i)
-        line.emplace_back(static_cast<double>(i) / n_subdivisions);
-      return Quadrature<dim>(Quadrature<1>(line)).get_points();
-    }
-
     Tensor<1, 3> unit_vector(const unsigned int direction)
     {
       Tensor<1, 3> vector;
@@ -62,9 +52,9 @@ namespace ringmotor
 
   void RingBody::sample_solids(const SectorElements &sector, const unsigned int n_subdivisions)
   {
-    const std::vector<Point<3>> unit_points = lattice<3>(n_subdivisions);
-    const FiniteElement<3> &element         = sector.dofs().get_fe();
-    FEValues<3> values(sector.geometry(), element, Quadrature<3>(unit_points),
+    const Quadrature<3> unit_points = lattice<3>(n_subdivisions);
+    const FiniteElement<3> &element = sector.dofs().get_fe();
+    FEValues<3> values(sector.geometry(), element, unit_points,
                        update_values | update_quadrature_points);
     std::vector<types::global_dof_index> dofs(element.n_dofs_per_cell());
     for (const auto &cell : sector.dofs().active_cell_iterators())
@@ -83,9 +73,9 @@ namespace ringmotor
 
   void RingBody::sample_shells(const SectorElements &sector, const unsigned int n_subdivisions)
   {
-    const std::vector<Point<2>> unit_points = lattice<2>(n_subdivisions);
-    const FiniteElement<2, 3> &element      = sector.shell_dofs().get_fe();
-    FEValues<2, 3> values(sector.shell_geometry(), element, Quadrature<2>(unit_points),
+    const Quadrature<2> unit_points    = lattice<2>(n_subdivisions);
+    const FiniteElement<2, 3> &element = sector.shell_dofs().get_fe();
+    FEValues<2, 3> values(sector.shell_geometry(), element, unit_points,
                           update_values | update_quadrature_points | update_normal_vectors);
     std::vector<types::global_dof_index> dofs(element.n_dofs_per_cell());
     for (const auto &cell : sector.shell_dofs().active_cell_iterators())

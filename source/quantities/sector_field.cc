@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/elements/shell.h>
 #include <ringmotor/elements/solid.h>
+#include <ringmotor/quantities/lattice.h>
 #include <ringmotor/quantities/sector_field.h>
 #include <ringmotor/structure/mirror.h>
 #include <ringmotor/structure/shell_trace.h>
@@ -15,16 +16,6 @@ namespace ringmotor
 
   namespace
   {
-    /** The lattice of (order + 1)^dim points on the unit cell, first index fastest. */
-    template <int dim>
-    Quadrature<dim> lattice(const unsigned int order)
-    {
-      std::vector<Point<1>> points;
-      for (unsigned int i = 0; i <= order; ++i)
-        points.emplace_back(static_cast<double>(i) / order);
-      return Quadrature<dim>(Quadrature<1>(points));
-    }
-
     SectorField::Cell image_of(const SectorField::Cell &cell, const unsigned int order)
     {
       SectorField::Cell image = cell;

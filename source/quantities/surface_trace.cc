@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/mesh/ids.h>
 #include <ringmotor/mesh/places.h>
+#include <ringmotor/quantities/lattice.h>
 #include <ringmotor/quantities/surface_trace.h>
 #include <ringmotor/structure/mirror.h>
 #include <ringmotor/structure/shell_trace.h>
@@ -40,15 +41,6 @@ namespace ringmotor
       return false;
     }
 
-    Quadrature<2> lattice(const unsigned int order)
-    {
-      std::vector<Point<2>> points;
-      for (unsigned int j = 0; j <= order; ++j)
-        for (unsigned int i = 0; i <= order; ++i)
-          points.emplace_back(static_cast<double>(i) / order, static_cast<double>(j) / order);
-      return Quadrature<2>(points);
-    }
-
     /** Adds a point that moves by @p u, Cartesian. */
     void add_point(const Point<3> &x, const std::array<Complex, 3> &u, SurfaceTrace &trace)
     {
@@ -61,7 +53,7 @@ namespace ringmotor
     void add_solids(const CyclicSector &sector, const Mode &mode, const Surface surface,
                     SurfaceTrace &trace)
     {
-      FEFaceValues<3> values(sector.geometry(), sector.dofs().get_fe(), lattice(trace.order),
+      FEFaceValues<3> values(sector.geometry(), sector.dofs().get_fe(), lattice<2>(trace.order),
                              update_values | update_quadrature_points);
       const FEValuesExtractors::Vector displacement(0);
       std::vector<Tensor<1, 3>> real(values.n_quadrature_points),
@@ -90,7 +82,7 @@ namespace ringmotor
     /** The lower faces of shells. */
     void add_lower_faces(const CyclicSector &sector, const Mode &mode, SurfaceTrace &trace)
     {
-      ShellTrace shell(sector, lattice(trace.order));
+      ShellTrace shell(sector, lattice<2>(trace.order));
       for (const auto &cell : sector.shell_dofs().active_cell_iterators())
       {
         shell.reinit(cell, mode.motion.shell);

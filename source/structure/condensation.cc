@@ -3,17 +3,13 @@
 #include <ringmotor/structure/blas.h>
 #include <ringmotor/structure/condensation_reduced.h>
 #include <ringmotor/structure/dense_ldlt.h>
+#include <ringmotor/structure/no_index.h>
 
 #include <algorithm>
 
 namespace ringmotor
 {
   using namespace dealii;
-
-  namespace
-  {
-    constexpr unsigned int none = numbers::invalid_unsigned_int;
-  }
 
   Condensation::Condensation(const CyclicSector &sector, const std::vector<LinearForm> &interface,
                              const std::vector<SectorNodes::Dof> &driven,

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/structure/condensation_reduced.h>
+#include <ringmotor/structure/no_index.h>
 
 #include <algorithm>
 
 namespace ringmotor
 {
   using namespace dealii;
-
-  namespace
-  {
-    constexpr unsigned int none = numbers::invalid_unsigned_int;
-  }
 
   SectorFactors::PerField<std::vector<double>>
   Condensation::field_solutions(const Reduced &reduced, const std::vector<double> &unknowns) const

@@ -2,6 +2,7 @@
 #include <ringmotor/structure/dense_ldlt.h>
 #include <ringmotor/structure/dense_product.h>
 #include <ringmotor/structure/electric_response.h>
+#include <ringmotor/structure/no_index.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -16,8 +17,6 @@ namespace ringmotor
   {
     using Complex = std::complex<double>;
     using Dofs    = std::vector<SectorNodes::Dof>;
-
-    constexpr unsigned int none = numbers::invalid_unsigned_int;
 
     double angle(const Point<3> &position)
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/structure/dense_ldlt.h>
 #include <ringmotor/structure/interface_compliance.h>
+#include <ringmotor/structure/no_index.h>
 #include <ringmotor/structure/rank_factors.h>
 
 #include <algorithm>
@@ -10,11 +11,6 @@
 namespace ringmotor
 {
   using namespace dealii;
-
-  namespace
-  {
-    constexpr unsigned int none = numbers::invalid_unsigned_int;
-  } // namespace
 
   InterfaceCompliance::InterfaceCompliance(const Condensation &condensation)
       : condensation(condensation), fields{{split(condensation, 0), split(condensation, 1)}}

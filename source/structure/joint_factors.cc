@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/structure/joint_factors.h>
+#include <ringmotor/structure/no_index.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -12,8 +13,6 @@ namespace ringmotor
 
   namespace
   {
-    constexpr unsigned int none = numbers::invalid_unsigned_int;
-
     /** The rows of the sparse matrix by unknown, none for those inside cells, which have one
      * unknown each. */
     std::vector<unsigned int> number_rows(const CyclicSector &sector,

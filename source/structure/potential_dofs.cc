@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/mesh/places.h>
 #include <ringmotor/parameters/errors.h>
+#include <ringmotor/structure/no_index.h>
 #include <ringmotor/structure/potential_dofs.h>
 
 #include <deal.II/dofs/dof_tools.h>
@@ -14,11 +15,6 @@
 namespace ringmotor
 {
   using namespace dealii;
-
-  namespace
-  {
-    constexpr unsigned int none = numbers::invalid_unsigned_int;
-  }
 
   void PotentialDofs::reinit(const Triangulation<3> &triangulation, const MaterialTable &materials,
                              const unsigned int degree)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/structure/dense_product.h>
+#include <ringmotor/structure/no_index.h>
 #include <ringmotor/structure/sector_factors.h>
 
 #include <deal.II/base/mpi.h>
@@ -12,8 +13,6 @@ namespace ringmotor
 
   namespace
   {
-    constexpr unsigned int none = numbers::invalid_unsigned_int;
-
     /** If more than this fraction of the degrees of freedom is on the mirror plane, eliminating it
      * by dense matrices takes longer than another sparse factorisation. */
     constexpr double largest_mirror = 0.1;
