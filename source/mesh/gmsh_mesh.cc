@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/mesh/gmsh_mesh.h>
+#include <ringmotor/mesh/mesh_lines.h>
 
-#include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <cstdlib>
-#include <fstream>
-#include <limits>
 #include <map>
 #include <set>
 #include <sstream>
-#include <string_view>
 #include <unordered_map>
 #include <utility>
 
@@ -34,15 +29,6 @@ namespace ringmotor
       return found == n_nodes.end() ? 0 : found->second;
     }
 
-    unsigned int n_significant_digits(const std::string_view number)
-    {
-      unsigned int n_digits = 0;
-      for (const char c : number.substr(0, number.find_first_of("eE")))
-        if (c >= '0' && c <= '9' && (c != '0' || n_digits > 0))
-          ++n_digits;
-      return n_digits;
-    }
-
     /** What stands in @p text between a word and the next @p end, or nothing. */
     std::string between(const std::string &text, const std::string &word, const char end)
     {
@@ -52,118 +38,6 @@ namespace ringmotor
       const std::size_t begin = at + word.size();
       return text.substr(begin, text.find(end, begin) - begin);
     }
-
-    /** A file, read line by line. */
-    class Lines
-    {
-    public:
-      Lines(MeshFile &file) : file(file), input(file.name)
-      {
-        if (!input)
-          file.refuse("it cannot be opened", "check the name and the permissions");
-      }
-
-      /** Goes to the next line that is not empty, if there is one. */
-      bool go_on()
-      {
-        constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF"; // of some editors
-        while (std::getline(input, line))
-        {
-          if (++number_of_line == 1 && line.rfind(byte_order_mark, 0) == 0)
-            line.erase(0, byte_order_mark.size());
-          split();
-          if (!words.empty())
-            return true;
-        }
-        words.clear();
-        return false;
-      }
-
-      /** Goes to the next line that is not empty. */
-      void next() { expect(go_on()); }
-
-      /** Reads on to this line. */
-      void skip_to(const std::string &title)
-      {
-        while (words.empty() || words[0] != title)
-          next();
-      }
-
-      std::size_t n_words() const { return words.size(); }
-
-      std::string word(const std::size_t place) const
-      {
-        expect(words.size() > place);
-        return std::string(words[place]);
-      }
-
-      /** A number of this line. */
-      template <typename Number>
-      Number number(const std::size_t place) const
-      {
-        expect(words.size() > place);
-        const char *const end = words[place].data() + words[place].size();
-        Number value{};
-        const auto read = std::from_chars(words[place].data(), end, value);
-        expect(read.ec == std::errc() && read.ptr == end);
-        return value;
-      }
-
-      long count(const std::size_t place) const
-      {
-        const long value = number<long>(place);
-        expect(value >= 0);
-        return value;
-      }
-
-      /** A physical id; it is negative where Gmsh turns elements round. */
-      long id(const std::size_t place) const
-      {
-        const long value = number<long>(place);
-        expect(value != std::numeric_limits<long>::min());
-        return std::abs(value);
-      }
-
-      Point<3> point(const std::size_t place)
-      {
-        Point<3> x;
-        for (unsigned int d = 0; d < 3; ++d)
-        {
-          x[d] = number<double>(place + d);
-          expect(std::isfinite(x[d]));
-          file.n_digits = std::max(file.n_digits, n_significant_digits(words[place + d]));
-        }
-        return x;
-      }
-
-      void expect(const bool condition) const
-      {
-        if (!condition)
-          file.refuse("it is damaged, or not a mesh in Gmsh's ASCII format of version 2.2 or 4.1 "
-                      "(line " +
-                          std::to_string(number_of_line) + ")",
-                      "save it again as such, with hexahedra of first order (meshes/README.md)");
-      }
-
-    private:
-      void split()
-      {
-        constexpr const char *blanks = " \t\r\v\f";
-        words.clear();
-        for (std::size_t begin = line.find_first_not_of(blanks); begin != std::string::npos;)
-        {
-          const std::size_t end = std::min(line.find_first_of(blanks, begin), line.size());
-          words.push_back(std::string_view(line).substr(begin, end - begin));
-          begin = line.find_first_not_of(blanks, end);
-        }
-      }
-
-      MeshFile &file;
-      std::ifstream input;
-      std::string line;
-      std::vector<std::string_view> words; ///< of the line
-      std::size_t number_of_line = 0;
-    };
 
     class GmshReader
     {
@@ -445,7 +319,7 @@ namespace ringmotor
       }
 
       GmshMesh mesh;
-      Lines lines;
+      MeshLines lines;
       double version     = 0.;
       bool is_parametric = false;
       std::unordered_map<long, unsigned int> node_of_tag;

@@ -242,11 +242,12 @@ namespace ringmotor
       return state;
     };
     for (const Way way : {Way::at_once, Way::by_some_damping})
+    {
+      if (way < first_way)
+        continue;
       for (const Start *const start : starts)
         try
         {
-          if (way < first_way)
-            continue;
           // If not at once, it is most often found from the second stage.
           return with_history(find_through(load, *start, way == Way::at_once ? 0 : 2),
                               way == Way::at_once
@@ -258,6 +259,7 @@ namespace ringmotor
           if (tried.empty())
             tried = error.what();
         }
+    }
     return with_history(find(load, by_damping(load, *next)),
                         "with strong damping that is reduced in stages");
   }

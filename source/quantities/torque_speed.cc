@@ -121,18 +121,25 @@ namespace ringmotor
       detuning  = 0.;
       return;
     }
-    amplitude = start.result.amplitude;
     if (!neighbour_is_nearer)
     {
-      detuning = start.result.detuning;
+      begin_with_wave_of(start);
       steady.go_on_from(load, solution_of(start), start.result.speed);
+      return;
     }
-    else if (start_before)
+    amplitude = start.result.amplitude;
+    if (start_before)
     {
       detuning += start.result.detuning - start_before->result.detuning;
       steady.go_on_by_change(load, solution_of(*start_before), start_before->result.speed,
                              solution_of(start), start.result.speed);
     }
+  }
+
+  void OperatingPointFinder::begin_with_wave_of(const CurvePoint &start)
+  {
+    amplitude = start.result.amplitude;
+    detuning  = start.result.detuning;
   }
 
   CurvePoint OperatingPointFinder::find(const PointRequest &request, const CurvePoint *start,
@@ -145,8 +152,7 @@ namespace ringmotor
         {
           wave.driver().go_on_from(load_of(parameters.loading, request), solution_of(*known),
                                    known->result.speed);
-          amplitude = known->result.amplitude;
-          detuning  = known->result.detuning;
+          begin_with_wave_of(*known);
         }
         return *known;
       }
@@ -163,8 +169,7 @@ namespace ringmotor
     {
       try
       {
-        amplitude = start->result.amplitude;
-        detuning  = start->result.detuning;
+        begin_with_wave_of(*start);
         return find_steady(request);
       }
       catch (const ComputationError &)
@@ -213,12 +218,12 @@ namespace ringmotor
   CurvePoint OperatingPointFinder::find_steady(const PointRequest &request)
   {
     if (!drive)
-      return at_amplitude(request, motor.amplitude);
+      return find_at(request, motor.amplitude);
     const StableRoot<CurvePoint> balanced = balanced_amplitude<CurvePoint>(
         amplitude,
         [&](const double of_wave)
         {
-          CurvePoint point    = at_amplitude(request, of_wave);
+          CurvePoint point    = find_at(request, of_wave);
           const double own    = drive->natural_frequency * (1. + point.result.detuning);
           const double excess = drive->excess(
               wave_load(point, *drive, drive->frequency.value_or(own)), setting.has_drive_error);
@@ -230,7 +235,7 @@ namespace ringmotor
     return point;
   }
 
-  CurvePoint OperatingPointFinder::at_amplitude(const PointRequest &request, const double of_wave)
+  CurvePoint OperatingPointFinder::find_at(const PointRequest &request, const double of_wave)
   {
     if (!model.wave_feels_contact)
       return at_frequency(request, of_wave, motor.angular_frequency);
@@ -273,11 +278,6 @@ namespace ringmotor
     point.rotor_power    = power_per_loss_factor(point.rotor_energies, motor.angular_frequency) +
                         point.result.modal_damping;
     return point;
-  }
-
-  CurvePoint OperatingPointFinder::find_at(const PointRequest &request, const double of_wave)
-  {
-    return at_amplitude(request, of_wave);
   }
 
   std::vector<PointRequest> listed_points(const Loading &loading)

@@ -167,18 +167,18 @@ namespace ringmotor
     CurvePoint find(const PointRequest &request, const CurvePoint *start = nullptr,
                     const CurvePoint *start_before = nullptr);
 
-    /** The steady state with a wave of a given amplitude (m), whatever drives it; starts from the
-     * previous point. @throws ComputationError if none is found */
+    /** The steady state with a wave of a given amplitude (m), whatever drives it, at the frequency
+     * to which the contact shifts it if the model has it so; starts from the previous point.
+     * @throws ComputationError if none is found */
     CurvePoint find_at(const PointRequest &request, const double of_wave);
 
   private:
     /** Sets the start of a steady state. */
     void begin(const PointRequest &request, const CurvePoint &start,
                const CurvePoint *start_before);
+    /** The searches for amplitude and frequency of the wave begin with those of a point. */
+    void begin_with_wave_of(const CurvePoint &start);
     CurvePoint find_steady(const PointRequest &request);
-    /** The steady state with the wave at an amplitude (m), at the frequency to which the contact
-     * shifts it if the model has it so. */
-    CurvePoint at_amplitude(const PointRequest &request, const double of_wave);
     /** The steady state with the wave at an amplitude (m) and a frequency (rad/s). */
     CurvePoint at_frequency(const PointRequest &request, const double of_wave, const double at);
 
