@@ -2,72 +2,28 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Many motors at once: sweeps, samples, optima, solutions, comparisons, as their user meets them.
 
-Usage: tests/programs/sweep.py Table|Search|Files|Mistakes STATOR CONTACT LOSSES
+Usage: tests/programs/sweep.py STATOR CONTACT LOSSES Table|Search|Mistakes
 
-What is compared: rows of the table with runs of the programs by hand; optima and solutions with what follows from monotony;
-fronts with comparison of all pairs.
+What is compared: rows of the table with runs of the programs by hand; optima and solutions with what follows from monotony.
 """
 import json
 import math
 import os
-import pathlib
-import random
 import shutil
 import signal
-import sqlite3
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 
 sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
-from program import QUICK, ROOT, rows_of, run, settings  # noqa: E402
-
-sys.path.insert(0, str(ROOT / "scripts"))
+from program import QUICK, rows_of, run, settings  # noqa: E402
+from sweep_folder import COARSE, COMPARE, PROGRAMS, SWEEP, TWO_BY_TWO, InAFolder, command  # noqa: E402  (finds the scripts)
 import h5py  # noqa: E402
-import motor_task  # noqa: E402
-from case import CaseError  # noqa: E402
 from goals import limit  # noqa: E402
-from many_motors import Family  # noqa: E402
-from motor_task import known_outcome, without_launcher  # noqa: E402
-from sweep import main  # noqa: E402
-from sweep_figures import pareto_front  # noqa: E402
-from sweep_table import short_names  # noqa: E402
-from uncertainty import motor_of, sample_of, uncertain_inputs  # noqa: E402
-from variation import combinations, latin_hypercube, varied  # noqa: E402
+from motor_task import without_launcher  # noqa: E402
 
-SUITE, PROGRAMS = sys.argv.pop(1), [pathlib.Path(sys.argv.pop(1)) for _ in range(3)]
-SWEEP, COMPARE = ROOT / "scripts" / "sweep.py", ROOT / "scripts" / "compare.py"
-# One operating point, coarse.
-COARSE = ("Accuracy/Contact target = 0.2", "Loading/Values = 0.05")
-TWO_BY_TWO = ("--vary", "Loading/Preload = 10, 14", "--vary", "Friction/Dynamic coefficient = 0.3:0.4:2")
-
-
-def command(*options):
-    return [SWEEP, QUICK, "--programs", PROGRAMS[0].parent, "--workers", "2", *settings(*COARSE), *options]
-
-
-class InAFolder(unittest.TestCase):
-    def setUp(self):
-        self.folder = pathlib.Path(tempfile.mkdtemp())
-        self.output = self.folder / "sweep"
-
-    def tearDown(self):
-        shutil.rmtree(self.folder, ignore_errors=True)
-
-    def sweep(self, *options):
-        done = run(*command("--output", self.output, *options))
-        self.assertEqual(done.returncode, 0, done.stderr)
-        return done.stdout
-
-    def refused(self, *options):
-        """The line with which a sweep refuses its options, before it has computed anything."""
-        with self.assertRaises(CaseError) as caught:
-            main([str(word) for word in command("--output", self.output, *options)[1:]])
-        self.assertFalse((self.output / "waves").exists())
-        self.assertNotIn("\n", str(caught.exception))
-        return str(caught.exception)
+SUITE = sys.argv.pop(1)
 
 
 @unittest.skipUnless(SUITE == "Table", "another suite")
@@ -224,144 +180,6 @@ class Search(InAFolder):
         self.assertNotIn(" open", same.stdout)
 
 
-@unittest.skipUnless(SUITE == "Files", "another suite")
-class Files(InAFolder):
-    """Parameter files, mesh files, and the small files that a sweep keeps."""
-
-    WAVES = ("--wave-only", "--vary", "Stator/Base thickness = 4.0e-3, 4.2e-3")
-
-    def family(self, prm):
-        return Family(prm, {}, self.output, PROGRAMS[0].parent, is_wave_only=True)
-
-    def test_are_read_as_the_programs_read_them(self):
-        text = QUICK.read_text()
-        plain = self.family(QUICK)
-        edits = {
-            "a comment behind end": text.replace("\nend\n", "\nend # of it\n"),
-            "blanks": text.replace("subsection ", "subsection   ").replace("set ", "   set   "),
-            "tabs": text.replace("subsection ", "subsection\t").replace("set ", "set\t").replace(" = ", "\t=\t"),
-            "comments behind values": text.replace("= 141e9", "= 141e9 # Invar"),
-            "a mark of the byte order": "\ufeff" + text,
-            "lines of DOS": text.replace("\n", "\r\n"),
-            "a line in two": text.replace("set Young modulus = 141e9", "set Young \\\n modulus = 141e9"),
-            "an empty comment": text.replace("= 141e9", "= 141e9#"),
-            "comments beyond ASCII": "# Ma\xdfe des L\xe4ufers\n" + text}
-        for name, edited in edits.items():
-            with self.subTest(name):
-                self.assertNotEqual(edited, text)
-                path = self.folder / "edited.prm"
-                path.write_bytes(edited.encode("utf-8"))
-                family = self.family(path)
-                self.assertEqual(family.identity, plain.identity)
-                self.assertEqual(family.motor({"Wave/Amplitude": "1e-6"}).key, plain.motor({"Wave/Amplitude": "1.0e-6"}).key)
-
-    def watched(self, script, *words):
-        """A script that is ended as soon as it, or what it imports, opens a parameter file."""
-        hook = ("import os, runpy, sys\n"
-                "def look(event, words):\n"
-                "    if event == 'open' and str(words[0]).endswith('.prm'):\n"
-                "        print('opened', words[0], file=sys.stderr, flush=True)\n"
-                "        os._exit(99)\n"
-                "sys.addaudithook(look)\n"
-                "sys.argv = sys.argv[1:]\n"
-                "sys.path.insert(0, os.path.dirname(sys.argv[0]))\n"
-                "runpy.run_path(sys.argv[0], run_name='__main__')\n")
-        return run("/usr/bin/python3", "-c", hook, script, *words)
-
-    def test_are_not_read_by_scripts(self):
-        (self.folder / "reader.py").write_text(f"open({str(QUICK)!r})")
-        self.assertEqual(self.watched(self.folder / "reader.py").returncode, 99)
-        scripts = ROOT / "scripts"
-        case = self.folder / "case"
-        for script, *words in ([scripts / "run.py", QUICK, "--output", case, *settings(*COARSE, "Output/VTU = false")],
-                               command("--output", self.output, *self.WAVES), [COMPARE, case, case]):
-            done = self.watched(script, *words)
-            self.assertEqual((done.returncode, done.stderr), (0, ""))
-        for name in ("figures", "report", "summary"):
-            self.assertEqual(self.watched(scripts / f"{name}.py", case).stderr, "")
-        # And none knows the words of such a file.
-        for path in [*scripts.iterdir(), *(ROOT / "benchmarks").glob("*.py")]:
-            if path.suffix in (".py", ".sh"):
-                for word in ("subsection", '["prm"]'):
-                    self.assertNotIn(word, path.read_text(encoding="utf-8"), path)
-
-    def mesh_family(self, mesh):
-        prm = self.folder / "mesh.prm"
-        shutil.copy(ROOT / "prm" / "canon_ring_mesh.prm", prm)
-        return Family(prm, {"Stator/Mesh file": str(mesh), "Accuracy/Mode": "fixed", "Accuracy/Polynomial degree": "2"},
-                      self.output, PROGRAMS[0].parent, is_wave_only=True)
-
-    def test_a_mesh_file_is_known_by_its_content(self):
-        meshes = [ROOT / "meshes" / f"canon_{name}sector.msh" for name in ("half_", "")]
-        mesh = self.folder / "sector.msh"
-        keys = []
-        for source in (meshes[0], meshes[1], meshes[0]):
-            shutil.copy(source, mesh)
-            motor = self.mesh_family(mesh).motor({"Wave/Amplitude": "1e-6"})
-            keys.append(motor.key)
-            self.assertEqual(motor.is_known(), len(keys) == 3)
-            self.assertEqual(motor_task.find_wave(motor.wave).outcome, "certified")
-        self.assertEqual(keys[0], keys[2])
-        self.assertNotEqual(keys[0], keys[1])
-
-    def test_one_that_changes_while_motors_are_computed(self):
-        mesh = self.folder / "sector.msh"
-        shutil.copy(ROOT / "meshes" / "canon_half_sector.msh", mesh)
-        family = self.mesh_family(mesh)
-        first, second = (family.motor({"Wave/Amplitude": text}) for text in ("1e-6", "2e-6"))
-        self.assertEqual(motor_task.find_wave(first.wave).outcome, "certified")
-        shutil.copy(ROOT / "meshes" / "canon_sector.msh", mesh)
-        self.assertEqual(motor_task.find_wave(second.wave).outcome, "changed")
-        self.assertFalse(second.is_known())
-        prm = self.folder / "edited.prm"
-        prm.write_text(QUICK.read_text().replace("= 141e9", "= 142e9"))
-        third = self.family(prm).motor({"Wave/Amplitude": "2e-6"})
-        prm.write_text(QUICK.read_text())
-        self.assertEqual(motor_task.find_wave(third.wave).outcome, "changed")
-
-    def test_damaged_ones_are_computed_again(self):
-        self.sweep(*self.WAVES)
-        note, other = sorted(self.output.glob("waves/*/wave.json"))
-        text, times = note.read_text(), other.stat().st_mtime_ns
-        rows = [(row["frequency_Hz"], row["outcome"]) for row in rows_of(self.output / "table.csv")]
-        self.assertIsNotNone(known_outcome(note))
-        fields = json.loads(text)
-        for content in ("", text[:30], "null", "[]", "3", "{}", json.dumps({**fields, "outcome": "x"}), "\x00" * len(text),
-                        json.dumps({**fields, "message": 3}), json.dumps({**fields, "seconds": "x"}), "\xff"):
-            note.write_bytes(content.encode("latin-1"))
-            self.assertIsNone(known_outcome(note), content)
-        self.assertIn("1 motors are known already", self.sweep(*self.WAVES))
-        for name in ("summary.json", "modes.h5", "frequencies.csv"):
-            path = note.parent / "stator" / name
-            path.write_bytes(path.read_bytes()[:-7] if name == "modes.h5" else b"")
-            self.assertIsNone(known_outcome(note), name)
-            self.assertIn("1 motors are known already", self.sweep(*self.WAVES))
-        self.assertEqual(other.stat().st_mtime_ns, times)
-        self.assertEqual([(row["frequency_Hz"], row["outcome"]) for row in rows_of(self.output / "table.csv")], rows)
-
-    def test_a_damaged_record_of_a_search_is_named(self):
-        self.output = self.folder / "what? {is} this%20&a=b"
-        options = ("--vary", "Stator/Base thickness = 4e-3:5e-3", "--maximise", "frequency", "--trials", "2")
-        self.sweep(*options)
-        record = self.output / "optuna.db"
-        self.assertEqual(list(self.folder.rglob("optuna.db")), [record])
-        content = record.read_bytes()
-        newer = sqlite3.connect(record)
-        newer.execute("update alembic_version set version_num = 'v99.0.0'")
-        newer.commit()
-        newer.close()
-        for damaged in (record.read_bytes(), b"nonsense" * 100, content[:5000], b"\x00" * 4096):
-            record.write_bytes(damaged)
-            done = run(*command("--output", self.output, *options))
-            self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
-            self.assertIn(f"{record} cannot be used", done.stderr)
-            self.assertIn("remove it", done.stderr)
-        record.unlink()
-        before = {path: path.stat().st_mtime_ns for path in self.output.glob("waves/*/wave.json")}
-        self.sweep(*options)
-        self.assertEqual({path: path.stat().st_mtime_ns for path in before}, before)
-
-
 @unittest.skipUnless(SUITE == "Mistakes", "another suite")
 class Workers(InAFolder):
     def test_of_a_scheduler_are_waited_for_with_a_word(self):
@@ -454,58 +272,6 @@ class Mistakes(InAFolder):
                             "--trials", "2"))
         self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
         self.assertIn("there are: frequency", done.stderr)
-
-
-@unittest.skipUnless(SUITE == "Mistakes", "another suite")
-class Values(unittest.TestCase):
-    def test_of_ranges(self):
-        self.assertEqual(varied("--vary", "a/b = 1:2:3").values, ("1", "1.5", "2"))
-        self.assertEqual(varied("--vary", "a/b = 1:100:3:log").values, ("1", "10", "100"))
-        self.assertEqual(varied("--vary", "a/b = solid, shell").values, ("solid", "shell"))
-        self.assertEqual(len(combinations([varied("--vary", "a/b = 1:2:3"), varied("--vary", "a/c = x, y")])), 6)
-
-    def test_of_a_latin_hypercube_fill_each_part_once(self):
-        ranges = [varied("--vary", "a/b = 1:2"), varied("--vary", "a/c = 1:1000:log"), varied("--vary", "a/d = x, y")]
-        sample = latin_hypercube(ranges, 50, seed=3)
-        self.assertEqual(sorted(int(50 * (float(row["a/b"]) - 1)) for row in sample), list(range(50)))
-        self.assertEqual(sorted(int(50 * math.log10(float(row["a/c"])) / 3) for row in sample), list(range(50)))
-        self.assertEqual(sum(row["a/d"] == "x" for row in sample), 25)
-        self.assertEqual(sample, latin_hypercube(ranges, 50, seed=3))
-        self.assertNotEqual(sample, latin_hypercube(ranges, 50, seed=4))
-
-    def test_of_uncertain_inputs(self):
-        entries = {"Uncertainty/Loss factors": "0.5", "Uncertainty/Friction": "0.1", "Uncertainty/Young moduli": "0",
-                   "Materials/Stator metal/Loss factor": "0.4", "Materials/Rotor metal/Loss factor": "0",
-                   "Materials/Stator metal/Young modulus": "2e11", "Friction/Dynamic coefficient": "0.2",
-                   "Friction/Static coefficient": "0.3"}
-        inputs = uncertain_inputs(entries)
-        self.assertEqual([one.name for one in inputs], ["Materials/Stator metal/Loss factor", "Friction"])
-        motor = motor_of(inputs, [1., -1.], entries)
-        self.assertAlmostEqual(float(motor["Materials/Stator metal/Loss factor"]), 0.4 * math.exp(0.5), 7)
-        self.assertAlmostEqual(float(motor["Friction/Dynamic coefficient"]), 0.2 * math.exp(-0.1), 7)
-        self.assertAlmostEqual(float(motor["Friction/Static coefficient"]), 0.3 * math.exp(-0.1), 7)
-        self.assertEqual(motor_of(inputs, [9., 0.], entries)["Materials/Stator metal/Loss factor"], "1")
-        sample = sample_of(inputs, 1000, 1)
-        self.assertAlmostEqual(float(sample.mean()), 0., 2)
-        self.assertAlmostEqual(float(sample.std()), 1., 1)
-
-    def test_in_words_tell_entries_apart(self):
-        self.assertEqual(short_names(["Wave/Amplitude", "Materials/A/Density", "Materials/B/Density"]),
-                         ["Amplitude", "A/Density", "B/Density"])
-
-    def test_of_limits(self):
-        self.assertEqual((limit("", "f = 1:2").low, limit("", "f = 1:2").high), (1, 2))
-        self.assertEqual((limit("", "f at 0.10 > 3").name, limit("", "f > 3").low), ("f at 0.1", 3))
-        for text in ("f = 1", "f = 2:1", "> 3", "f > x", "f >= 3"):
-            with self.assertRaises(CaseError):
-                limit("--subject-to", text)
-
-    def test_on_a_pareto_front_are_beaten_by_none(self):
-        dice = random.Random(7)
-        points = [(dice.randrange(20), dice.randrange(20)) for _ in range(100)]
-        beaten = {one for one in points for other in points
-                  if other != one and other[0] >= one[0] and other[1] >= one[1]}
-        self.assertEqual(pareto_front(points, lambda point: point), sorted(set(points) - beaten))
 
 
 if __name__ == "__main__":
