@@ -10,7 +10,7 @@ load to stall (scripts/sweep.py); polynomials through the shapes of their curves
 least squares and in a Markov chain, which also count the error bars of the motors and what the polynomials miss of them.
 Example:
 
-  scripts/calibrate.py prm/quick.prm prm/quick_measured.csv --set 'Friction/Law = coulomb' \\
+  scripts/calibrate.py prm/static_rotor.prm prm/static_rotor_measured.csv --set 'Friction/Law = coulomb' \\
       --fit 'Friction/Dynamic coefficient = 0.1:0.6' --fit 'Wave/Amplitude = 1e-6:2.5e-6'
 
 Says first how many motors it will compute, and after each how long the others will take. Writes calibration.json (values,

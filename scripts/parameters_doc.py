@@ -19,8 +19,8 @@ HEAD = """# Parameters
 
 <!-- Written by scripts/parameters_doc.py from `stator --help`; do not edit. -->
 
-All entries of a parameter file, the same for `stator`, `contact` and `losses`, in SI units. Defaults are those of the
-reference motor; `prm/canon_ring.prm` says where each comes from. "(required)": a file has to give the entry.
+All entries of a parameter file, the same for `stator`, `contact` and `losses`, in SI units. An entry
+without a default is required: a file has to give it, if its motor has the part.
 `--set 'Section/Entry = value'` changes an entry for one run.
 """
 
@@ -42,8 +42,7 @@ def row(name, default, documentation):
     if not found or not found["allowed"]:
         sys.exit(f"the entry {name} does not say what is allowed: {documentation}")
     units = "" if found["units"] in (None, "none") else found["units"]
-    allowed = found["allowed"] + (" (required)" if found["required"] else "")
-    cells = [name, f"`{default}`", units, allowed, found["sentence"]]
+    cells = [name, "required" if found["required"] else f"`{default}`", units, found["allowed"], found["sentence"]]
     return "| " + " | ".join(cell.replace("|", r"\|") for cell in cells) + " |"
 
 

@@ -7,19 +7,19 @@ usage: scripts/sweep.py FILE.prm --vary 'Section/Entry = VALUES'... [--sample lh
 VALUES are numbers or words separated by commas, low:high:count for equal steps, or low:high:count:log for equal ratios.
 With --sample lhs=200 a Latin hypercube of 200 motors is drawn from ranges low:high and lists. Example:
 
-  scripts/sweep.py prm/quick.prm --vary 'Stator/Base thickness = 4.0e-3:5.0e-3:11' --vary 'Wave/Amplitude = 1e-6, 2e-6'
+  scripts/sweep.py prm/static_rotor.prm --vary 'Stator/Base thickness = 4.0e-3:5.0e-3:11' --vary 'Wave/Amplitude = 1e-6, 2e-6'
 
 Other questions: --maximise (or --minimise) QUANTITY with --subject-to 'QUANTITY > NUMBER' looks for the best motor of
 ranges low:high; --solve 'Section/Entry = low:high' --for 'QUANTITY = NUMBER' for the value of an entry:
 
-  scripts/sweep.py prm/quick.prm --vary 'Stator/Tooth height = 1e-3:3e-3' --maximise 'efficiency at 0.1' \\
+  scripts/sweep.py prm/static_rotor.prm --vary 'Stator/Tooth height = 1e-3:3e-3' --maximise 'efficiency at 0.1' \\
       --subject-to 'frequency = 28e3:32e3' --subject-to 'no_load_speed > 60'
-  scripts/sweep.py prm/quick.prm --solve 'Stator/Base thickness = 4e-3:8e-3' --for 'frequency = 43e3'
+  scripts/sweep.py prm/static_rotor.prm --solve 'Stator/Base thickness = 4e-3:8e-3' --for 'frequency = 43e3'
 
 --uncertainty COUNT draws motors whose loss factors, friction and Young moduli deviate as the section Uncertainty of the
 parameter file says, and adds what follows for each quantity to its numerical error:
 
-  scripts/sweep.py prm/quick.prm --set 'Uncertainty/Friction = 0.1' --set 'Uncertainty/Young moduli = 0.02' --uncertainty 40
+  scripts/sweep.py prm/static_rotor.prm --set 'Uncertainty/Friction = 0.1' --set 'Uncertainty/Young moduli = 0.02' --uncertainty 40
 
 Results are in output/FILE_sweep (or --output DIR): table.csv and table.h5 with inputs, quantities, errors, seconds and the
 words of motors that were refused; figures of each quantity over the varied entries; one folder for each motor. A sweep

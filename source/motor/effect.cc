@@ -65,9 +65,9 @@ namespace ringmotor
       if (effect->stage <= last && effect->choice(parameters) != EffectChoice::off)
       {
         effect->check(parameters);
-        if (effect->choice(parameters) == EffectChoice::on && !effect->is_available(parameters))
-          throw UserError(effect->given(parameters) +
-                          " is not available in this version; allowed: off | auto");
+        const std::string obstacle = effect->obstacle(parameters);
+        if (effect->choice(parameters) == EffectChoice::on && !obstacle.empty())
+          throw UserError(effect->given(parameters) + obstacle);
       }
   }
 
@@ -96,11 +96,12 @@ namespace ringmotor
         const bool is_on                  = std::abs(*row.indicator) > whole.threshold;
         parameters.effects.*effect->entry = is_on ? EffectChoice::on : EffectChoice::off;
         row.choice                        = is_on ? "on" : "off";
-        if (is_on && !effect->is_available(parameters))
+        const std::string obstacle        = effect->obstacle(parameters);
+        if (is_on && !obstacle.empty())
           throw ComputationError(
               "Effects/" + effect->name + " = auto: it would change the results by " +
               per_cent(*row.indicator) + ", more than a third of the target, " + per_cent(target) +
-              ", but is not available in this version; choose a larger target, or off");
+              ", but " + effect->switched_on() + obstacle + ", or a larger target");
       }
       if (row.indicator && !std::isfinite(*row.indicator)) // needed, of unknown size
         row.indicator.reset();

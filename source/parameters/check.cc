@@ -3,6 +3,7 @@
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/parameters/parameters.h>
 #include <ringmotor/parameters/prm_file.h>
+#include <ringmotor/parameters/required.h>
 #include <ringmotor/parameters/short_text.h>
 
 #include <algorithm>
@@ -36,20 +37,6 @@ namespace ringmotor
                         std::to_string(motor.n_teeth / 2));
     }
 
-    /** @throws UserError if required entries whose paths start with one of these are missing */
-    void check_given(const Parameters &parameters, const std::string &whom,
-                     const std::vector<std::string> &sections)
-    {
-      std::vector<std::string> missing;
-      for (const std::string &entry : parameters.not_given)
-        for (const std::string &section : sections)
-          if (entry.compare(0, section.size(), section) == 0)
-            missing.push_back(entry);
-      if (!missing.empty())
-        throw UserError("missing " + some_of(missing) + "; " + whom +
-                        "; these entries have no default values, see --help");
-    }
-
     void check_mesh_file(const std::string &file)
     {
       std::error_code no_throw;
@@ -72,6 +59,7 @@ namespace ringmotor
     const StatorGeometry &stator = parameters.stator;
     check_wave(parameters.motor);
     check_modes(parameters);
+    parameters.support.check();
     if (parameters.modes.body == Body::rotor)
     {
       check_given(parameters, "Modes/Body = rotor needs a rotor",
@@ -183,7 +171,8 @@ namespace ringmotor
           contact.formulation == ContactFormulation::mortar &&
           parameters.effects.friction_lining != EffectChoice::on)
         throw UserError("Effects/Tooth shear = off and Effects/Rotor tangential compliance = off "
-                        "leave no tangential compliance; allowed: one of them off");
+                        "leave no tangential compliance; allowed: one of them on or auto, or "
+                        "Effects/Friction lining = on");
     }
 
     void check_time(const Parameters &parameters)
@@ -211,10 +200,11 @@ namespace ringmotor
   {
     check_given(
         parameters,
-        "contact and losses need a rotor and its preload; for the modes of the stator alone, run "
-        "the program stator",
-        {"Rotor/", "Materials/Rotor metal/", "Loading/"});
+        "contact and losses need a rotor, its preload and its friction; for the modes of the "
+        "stator alone, run the program stator",
+        {"Rotor/", "Materials/Rotor metal/", "Loading/", "Friction/"});
     check_wave(parameters.motor);
+    parameters.support.check();
     check_modes_for_contact(parameters);
     check_stator_geometry(parameters);
     check_rotor(parameters.rotor);
@@ -243,10 +233,14 @@ namespace ringmotor
   std::vector<std::string> check_for_losses(const Parameters &parameters)
   {
     std::vector<std::string> warnings = check_for_contact(parameters);
-    const Support &felt               = parameters.support;
-    const StatorGeometry &stator      = parameters.stator;
-    const double felt_inner_radius    = felt.felt_inner_radius.value_or(stator.base_inner_radius),
-                 felt_outer_radius    = felt.felt_outer_radius.value_or(stator.base_outer_radius);
+    check_given(parameters, "losses needs the loss factor of each material, 0 for one without loss",
+                {"Materials/Stator metal/Loss factor", "Materials/Piezoceramic/Loss factor"});
+    const Support &felt            = parameters.support;
+    const StatorGeometry &stator   = parameters.stator;
+    const double felt_inner_radius = felt.felt_inner_radius.value_or(stator.base_inner_radius),
+                 felt_outer_radius = felt.felt_outer_radius.value_or(stator.base_outer_radius);
+    if (!felt.has_felt())
+      return warnings;
     if (felt_inner_radius >= felt_outer_radius)
       throw UserError(entry("Support/Felt inner radius", felt_inner_radius) + " is not below " +
                       entry("Support/Felt outer radius", felt_outer_radius) +

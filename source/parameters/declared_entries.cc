@@ -113,7 +113,8 @@ namespace ringmotor
         {
           const std::string documentation = node["documentation"];
           entries[path] = {node["pattern_description"], told("Units: ", documentation),
-                           told("Plausible: ", documentation)};
+                           told("Plausible: ", documentation),
+                           documentation.find(" Required.") != std::string::npos};
         }
         else
         {

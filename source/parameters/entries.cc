@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/parameter_handler.h>
 
+#include <nlohmann/json.hpp>
+#include <ringmotor/parameters/declared_entries.h>
 #include <ringmotor/parameters/entries.h>
 #include <ringmotor/parameters/prm_file.h>
 
 #include <boost/algorithm/string/split.hpp>
 
 #include <algorithm>
+#include <functional>
+#include <set>
 #include <sstream>
 
 namespace ringmotor
@@ -53,11 +57,43 @@ namespace ringmotor
     return entries;
   }
 
-  void print_declarations(std::ostream &out)
+  void print_template(std::ostream &out)
   {
     Parameters defaults;
     ParameterHandler prm;
     defaults.declare(prm);
-    prm.print_parameters(out, ParameterHandler::JSON | ParameterHandler::KeepDeclarationOrder);
+    const DeclaredEntries declared(prm);
+    std::stringstream text;
+    prm.print_parameters(text, ParameterHandler::PRM | ParameterHandler::KeepDeclarationOrder);
+    std::set<unsigned int> required;
+    for (const PrmFile::Assignment &assignment : parse_prm(text.str(), "defaults").assignments)
+      if (declared.find(assignment.path)->is_required)
+        required.insert(assignment.line);
+    unsigned int number = 0;
+    for (std::string line; std::getline(text, line);)
+      out << (required.count(++number) == 0 ? line
+                                            : line.substr(0, line.find('=') + 1) + " # required")
+          << '\n';
+  }
+
+  void print_declarations(std::ostream &out)
+  {
+    using Json = nlohmann::ordered_json;
+    Parameters defaults;
+    ParameterHandler prm;
+    defaults.declare(prm);
+    std::stringstream text;
+    prm.print_parameters(text, ParameterHandler::JSON | ParameterHandler::KeepDeclarationOrder);
+    Json declared                            = Json::parse(text);
+    const std::function<void(Json &)> remove = [&](Json &tree)
+    {
+      for (Json &node : tree)
+        if (!node.contains("pattern_description"))
+          remove(node);
+        else if (node["documentation"].get<std::string>().find(" Required.") != std::string::npos)
+          node["default_value"] = node["value"] = "";
+    };
+    remove(declared);
+    out << declared.dump(4) << '\n';
   }
 } // namespace ringmotor

@@ -8,9 +8,9 @@ namespace ringmotor
 {
   using namespace dealii;
 
-  void Material::declare(ParameterHandler &prm, const bool required)
+  void Material::declare(ParameterHandler &prm)
   {
-    const Presence presence = required ? Presence::required : Presence::optional;
+    const Presence presence = Presence::required;
     add_entry(prm, "Young modulus", young_modulus, modulus(), "Modulus of elasticity. Units: Pa.",
               presence);
     add_entry(prm, "Poisson ratio", poisson_ratio,
@@ -21,21 +21,21 @@ namespace ringmotor
     add_entry(prm, "Density", density, plausible(positive_number(), 100., 25000.),
               "Mass per volume. Units: kg/m^3.", presence);
     add_entry(prm, "Loss factor", loss_factor, number_within(0., 1., "a number from 0 to 1"),
-              "Energy lost per radian of vibration over the largest stored energy. Units: none.");
+              "Energy lost per radian of vibration over the largest stored energy. Units: none.",
+              presence);
   }
 
   void Materials::declare(ParameterHandler &prm)
   {
-    const auto declare_material =
-        [&prm](const std::string &name, Material &material, const bool required)
+    const auto declare_material = [&prm](const std::string &name, Material &material)
     {
       prm.enter_subsection(name);
-      material.declare(prm, required);
+      material.declare(prm);
       prm.leave_subsection();
     };
-    declare_material("Stator metal", stator_metal, true);
-    declare_material("Piezoceramic", piezoceramic, true);
-    declare_material("Rotor metal", rotor_metal, true);
-    declare_material("Target plate", target_plate, false);
+    declare_material("Stator metal", stator_metal);
+    declare_material("Piezoceramic", piezoceramic);
+    declare_material("Rotor metal", rotor_metal);
+    declare_material("Target plate", target_plate);
   }
 } // namespace ringmotor

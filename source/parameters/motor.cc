@@ -66,7 +66,7 @@ namespace ringmotor
     add_entry(prm, "Piezoceramic element", piezoceramic_element, element_kind(),
               "Elements of the piezoceramic ring.");
     add_entry(prm, "Target plate cross-section", target_plate_area,
-              plausible(positive_number(), 1e-10, 1e-4),
+              number_or("none", plausible(positive_number(), 1e-10, 1e-4)),
               "Cross-section of the thin plates, targets of optical measurements, on the outer "
               "edges of the tooth tops; used if Effects/Target plates is on. Units: "
               "m^2.");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/parameters/declare.h>
+#include <ringmotor/parameters/errors.h>
 #include <ringmotor/parameters/operation.h>
 
 namespace ringmotor
@@ -35,10 +36,12 @@ namespace ringmotor
         "one, a decay with the sliding velocity, or a decay over a sliding length.");
     add_entry(prm, "Static coefficient", static_coefficient,
               plausible(non_negative_number(), 1e-3, 5.),
-              "Coefficient of friction of sticking contact nodes. Units: none.");
-    add_entry(prm, "Dynamic coefficient", dynamic_coefficient,
-              plausible(non_negative_number(), 1e-3, 5.),
-              "Coefficient of friction of slipping contact nodes. Units: none.");
+              "Coefficient of friction of sticking contact nodes; with the law \"coulomb\" it is "
+              "not used. Units: none.",
+              Presence::required);
+    add_entry(
+        prm, "Dynamic coefficient", dynamic_coefficient, plausible(non_negative_number(), 1e-3, 5.),
+        "Coefficient of friction of slipping contact nodes. Units: none.", Presence::required);
     add_entry(prm, "Decay velocity", decay_velocity,
               number_or("none", plausible(positive_number(), 1e-6, 1e3)),
               "Sliding velocity over which the law \"velocity\" decays. Units: m/s.");
@@ -63,14 +66,26 @@ namespace ringmotor
               "Number of waves m of the warp around the ring.");
   }
 
+  void Support::check() const
+  {
+    const bool is_whole = felt_thickness && felt_modulus && felt_loss_factor,
+               is_empty = !felt_thickness && !felt_modulus && !felt_loss_factor;
+    if (!is_whole && !is_empty)
+      throw UserError(
+          "Support/Felt thickness, Felt modulus and Felt loss factor are not all given; "
+          "allowed: all three, or none of them for a motor without felt");
+  }
+
   void Support::declare(ParameterHandler &prm)
   {
-    add_entry(prm, "Felt thickness", felt_thickness, thickness(),
-              "Thickness of the felt ring under the stator. Units: m.");
-    add_entry(prm, "Felt modulus", felt_modulus, plausible(positive_number(), 1e2, 1e11),
+    add_entry(prm, "Felt thickness", felt_thickness, number_or("none", thickness()),
+              "Thickness of the felt ring under the stator; \"none\" for a motor without felt. "
+              "Units: m.");
+    add_entry(prm, "Felt modulus", felt_modulus,
+              number_or("none", plausible(positive_number(), 1e2, 1e11)),
               "Modulus of elasticity of the felt in compression. Units: Pa.");
     add_entry(prm, "Felt loss factor", felt_loss_factor,
-              number_within(0., 10., "a number from 0 to 10"),
+              number_or("none", number_within(0., 10., "a number from 0 to 10")),
               "Energy lost per radian of vibration over the largest stored energy. Units: none.");
     add_entry(prm, "Felt inner radius", felt_inner_radius, number_or("base", radius()),
               "Inner radius of the felt ring; \"base\" takes that of the stator's base. Units: m.");

@@ -7,9 +7,7 @@
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/parameters/parameters.h>
 #include <ringmotor/parameters/prm_file.h>
-
-#include <boost/algorithm/string/predicate.hpp>
-#include <boost/algorithm/string/replace.hpp>
+#include <ringmotor/parameters/required.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -53,40 +51,6 @@ namespace ringmotor
 
   namespace
   {
-    bool starts_with(const std::string &path, const std::string &section)
-    {
-      return boost::algorithm::starts_with(path, section);
-    }
-
-    /** Rejects a file that does not define the motor itself, and records what is missing of the
-     * rotor and its load. */
-    void check_required(Parameters &parameters, const ParameterHandler &prm,
-                        const std::string &name)
-    {
-      std::vector<std::string> missing;
-      for (std::string path : prm.get_entries_wrongly_not_set())
-      {
-        // deal.II returns its internal names: points for slashes and _20 for blanks.
-        boost::algorithm::replace_all(path, ".", "/");
-        boost::algorithm::replace_all(path, "_20", " ");
-        const bool replaced_by_mesh =
-            !parameters.stator.mesh_file.empty() && starts_with(path, "Stator/");
-        const bool part_left_out =
-            (parameters.stator.piezoceramic_thickness == 0. &&
-             starts_with(path, "Materials/Piezoceramic/")) ||
-            (parameters.rotor.radial_bar_stiffness == 0. && path == "Rotor/Radial bar height");
-        const bool not_of_stator = starts_with(path, "Rotor/") || starts_with(path, "Loading/") ||
-                                   starts_with(path, "Materials/Rotor metal/");
-        if (not_of_stator && !part_left_out)
-          parameters.not_given.push_back(path);
-        else if (!replaced_by_mesh && !part_left_out)
-          missing.push_back(path);
-      }
-      if (!missing.empty())
-        throw UserError(name + ": missing " + some_of(missing) +
-                        "; the motor has no default values, see --help for the required entries");
-    }
-
     /** The path of a mesh file in a form that can be opened from any directory. */
     std::string resolve_mesh_file(const std::string &mesh_file, const std::filesystem::path &folder)
     {
@@ -148,7 +112,7 @@ namespace ringmotor
       check_plausible(assignments, declared);
     }
 
-    check_required(parameters, prm, name);
+    note_missing(parameters, prm, name);
     resolve(parameters, name);
     return parameters;
   }

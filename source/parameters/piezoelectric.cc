@@ -110,27 +110,34 @@ namespace ringmotor
     add_entry(prm, "Stiffness c11", c11, stiffness,
               "Elastic stiffness at constant electric field, along a face of the ceramic, which is "
               "poled along z; with Effects/Piezoelectric coupling the constants of this section "
-              "replace Young modulus and Poisson ratio of Materials/Piezoceramic. Units: Pa.");
+              "replace Young modulus and Poisson ratio of Materials/Piezoceramic. Units: Pa.",
+              Presence::required);
     add_entry(prm, "Stiffness c12", c12, plausible(any_number(), 1e9, 1e12),
-              "The same between two directions along a face; c66 = (c11 - c12)/2. Units: Pa.");
+              "The same between two directions along a face; c66 = (c11 - c12)/2. Units: Pa.",
+              Presence::required);
     add_entry(prm, "Stiffness c13", c13, plausible(any_number(), 1e9, 1e12),
-              "The same between the poling axis and a direction along a face. Units: Pa.");
-    add_entry(prm, "Stiffness c33", c33, stiffness, "The same along the poling axis. Units: Pa.");
+              "The same between the poling axis and a direction along a face. Units: Pa.",
+              Presence::required);
+    add_entry(prm, "Stiffness c33", c33, stiffness, "The same along the poling axis. Units: Pa.",
+              Presence::required);
     add_entry(prm, "Stiffness c44", c44, stiffness,
-              "The same in shear across the faces (yz and xz). Units: Pa.");
+              "The same in shear across the faces (yz and xz). Units: Pa.", Presence::required);
     add_entry(prm, "Coupling form", form,
               selection<CouplingForm>({{"e", CouplingForm::e}, {"d", CouplingForm::d}}),
               "Whether the next entries are e, the charge per area and strain (C/m^2), or d, the "
               "charge per force (C/N, the same as m/V), which are converted to e.");
     add_entry(prm, "Coupling 31", coupling31, any_number(),
               "Constant e31 or d31, of charge on the faces and extension along them; negative. "
-              "Units: C/m^2 for e and m/V for d.");
+              "Units: C/m^2 for e and m/V for d.",
+              Presence::required);
     add_entry(prm, "Coupling 33", coupling33, any_number(),
               "Constant e33 or d33, of charge on the faces and extension across them; positive. "
-              "Units: C/m^2 for e and m/V for d.");
+              "Units: C/m^2 for e and m/V for d.",
+              Presence::required);
     add_entry(prm, "Coupling 15", coupling15, any_number(),
               "Constant e15 or d15, of charge along the faces and shear across them. Units: C/m^2 "
-              "for e and m/V for d.");
+              "for e and m/V for d.",
+              Presence::required);
     add_entry(prm, "Permittivity at", permittivity_at,
               selection<PermittivityAt>(
                   {{"strain", PermittivityAt::strain}, {"stress", PermittivityAt::stress}}),
@@ -138,12 +145,13 @@ namespace ringmotor
               "(free, what data sheets give), from which they are converted.");
     const Notation<double> permittivity = plausible(positive_number(), 1e-10, 1e-6);
     add_entry(prm, "Permittivity 11", permittivity11, permittivity,
-              "Permittivity along the faces, 8.854e-12 F/m times the relative one. Units: F/m.");
+              "Permittivity along the faces, 8.854e-12 F/m times the relative one. Units: F/m.",
+              Presence::required);
     add_entry(prm, "Permittivity 33", permittivity33, permittivity,
-              "Permittivity along the poling axis. Units: F/m.");
+              "Permittivity along the poling axis. Units: F/m.", Presence::required);
     const Notation<double> loss = number_within(0., 1., "a number from 0 to 1");
     add_entry(prm, "Dielectric loss factor", dielectric_loss_factor, loss,
-              "Tangent of the loss angle of the permittivity. Units: none.");
+              "Tangent of the loss angle of the permittivity. Units: none.", Presence::required);
     add_entry(prm, "Piezoelectric loss factor", piezoelectric_loss_factor, loss,
               "Tangent of the loss angle of the coupling constants. Units: none.");
   }

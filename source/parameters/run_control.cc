@@ -196,16 +196,19 @@ namespace ringmotor
                "Change of the stator's wave by the contact forces.");
     add_effect("Spin convection", spin_convection,
                "Convection of the rotor's deformation by its own rotation.");
-    add_effect("Target plates", target_plates,
-               "Thin plates bonded to the tooth edges as targets of an optical measurement.");
+    add_entry(prm, "Target plates", target_plates,
+              selection<EffectChoice>({{"off", EffectChoice::off}, {"on", EffectChoice::on}}),
+              "Thin plates bonded to the tooth edges as targets of an optical measurement, given "
+              "by Stator/Target plate cross-section and Materials/Target plate.");
     add_effect(
         "Felt support", felt_support,
-        "Stiffness of the felt in the modes of the stator; the program losses includes its loss "
-        "in any case.");
+        "Stiffness of the felt, given in the section Support, in the modes of the stator; the "
+        "program losses includes its loss in any case.");
     add_effect(
         "Piezoelectric coupling", piezoelectric_coupling,
         "Electric potential of the ceramic, with the constants of the section "
-        "Piezoelectricity instead of an isotropic ceramic; needed for voltages and currents.");
+        "Piezoelectricity instead of an isotropic ceramic; needed for voltages and currents. "
+        "\"auto\" means off without these constants.");
     add_effect("Friction lining", friction_lining,
                "Finite stiffness of a friction lining, given in the section Friction.");
   }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/parameters/entries.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/programs/command_line.h>
 
@@ -205,7 +206,7 @@ namespace ringmotor
              "computed again.";
     if (has(process, &Program::clear))
       out << "\n# --clear removes the files kept for later runs, and computes nothing.";
-    out << "\n# A parameter file looks like this; the values are those of the reference motor.\n\n";
-    print_parameters(out, Parameters());
+    out << "\n# A parameter file looks like this; the values are the defaults.\n\n";
+    print_template(out);
   }
 } // namespace ringmotor

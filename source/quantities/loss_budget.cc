@@ -51,7 +51,7 @@ namespace ringmotor
       budget.piezoceramic = lost(materials.piezoceramic.loss_factor, wave.piezoceramic);
       budget.rotor =
           scaled(materials.rotor_metal.loss_factor, {point.rotor_power, error.rotor_power});
-      budget.support = lost(felt.felt_loss_factor, wave.felt);
+      budget.support = lost(felt.felt_loss_factor.value_or(0.), wave.felt);
       return budget;
     }
 
@@ -67,7 +67,7 @@ namespace ringmotor
     const double inner = std::max(felt.felt_inner_radius.value_or(0.), stator.base_inner_radius),
                  outer = std::min(felt.felt_outer_radius.value_or(stator.base_outer_radius),
                                   stator.base_outer_radius);
-    if (inner >= outer)
+    if (!felt.has_felt() || inner >= outer)
       return 0.;
     // The wave is a polynomial on each face of the mesh, smooth enough from face to face.
     const QIterated<1> points(QGauss<1>(3), 12);
@@ -83,7 +83,7 @@ namespace ringmotor
             points.weight(i) * points.weight(j) * (outer - inner) * pitch * r * std::norm(u[2]);
       }
     // The mean of Re(U exp(i omega t))^2 is |U|^2 / 2.
-    return 0.25 * n_teeth * square * felt.felt_modulus / felt.felt_thickness;
+    return 0.25 * n_teeth * square * felt.stiffness();
   }
 
   Estimate LossBudget::stator() const

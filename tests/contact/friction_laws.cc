@@ -6,6 +6,7 @@
 // law with a jump terminates: a point gets mu_s at most once and loses it at most once. Advice
 // names existing entries.
 
+#include "support/paper_motor.h"
 #include <deal.II/base/parameter_handler.h>
 
 #include <ringmotor/contact/friction_law.h>
@@ -19,6 +20,7 @@
 #include <set>
 
 using namespace ringmotor;
+using namespace ringmotor::tests;
 
 namespace
 {
@@ -224,7 +226,7 @@ TEST(FrictionLaws, ThatDependOnTheDistanceSlippedStartFromGivenCoefficients)
 TEST(FrictionLaws, AdviseEntriesThatThereAre)
 {
   // Laws with slip weakening may have no steady state; the others always have one.
-  Parameters parameters;
+  Parameters parameters = paper_motor();
   dealii::ParameterHandler prm;
   parameters.declare(prm);
   const DeclaredEntries entries(prm);

@@ -245,7 +245,7 @@ namespace
 
     static std::unique_ptr<StatorWave> wave;
     const Scratch scratch;
-    Parameters parameters;
+    Parameters parameters = paper_motor();
     std::ostringstream said;
     Log log{true, said, false};
     const std::vector<PointRequest> requests{

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "support/paper_motor.h"
+
 #include <gtest/gtest.h>
 #include <ringmotor/motor/relevant.h>
 #include <ringmotor/parameters/errors.h>
@@ -19,10 +21,10 @@ namespace ringmotor::sample
     return text.str();
   }
 
-  /** All entries with the values of the reference motor, as `--help` prints them. */
+  /** All entries with the values of the reference motor, effects as in the paper. */
   inline std::string complete_text()
   {
-    return printed(Parameters());
+    return printed(tests::paper_motor());
   }
 
   /** The parameters of complete_text() after `--set`. */

@@ -18,7 +18,7 @@ import unittest
 from types import SimpleNamespace
 
 sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
-from program import QUICK, ROOT, rows_of, run, settings  # noqa: E402
+from program import STATIC_ROTOR, ROOT, rows_of, run, settings  # noqa: E402
 
 sys.path.insert(0, str(ROOT / "scripts"))
 import numpy as np  # noqa: E402
@@ -50,12 +50,12 @@ class Calibration(unittest.TestCase):
         case, entries = cls.folder / "truth", {**COARSE, **TRUTH, "Accuracy/Contact target": "0.03", "Output/VTU": "false",
                                                "Loading/Number of curve points": "10"}
         for program in PROGRAMS[:2]:
-            done = run(program, QUICK, "--output", case, *settings(*(f"{entry} = {text}" for entry, text in
+            done = run(program, STATIC_ROTOR, "--output", case, *settings(*(f"{entry} = {text}" for entry, text in
                                                                      entries.items())))
             assert done.returncode == 0, done.stderr
         cls.truth = rows_of(case / "contact" / "torque_speed.csv")
         cls.fitted = [ranged("--fit", text) for text in RANGES]
-        family = Family(QUICK, {**COARSE, **CURVE, "Loading/Number of curve points": str(N_POINTS)}, cls.output,
+        family = Family(STATIC_ROTOR, {**COARSE, **CURVE, "Loading/Number of curve points": str(N_POINTS)}, cls.output,
                         PROGRAMS[0].parent)
         with Engine(2) as engine:
             cls.rows = sweep(engine, family, latin_hypercube(cls.fitted, N_MOTORS, 1))
@@ -94,12 +94,12 @@ class Calibration(unittest.TestCase):
         self.assertLess(np.mean(widths), 0.15)
 
     def command(self, measured, *options):
-        return run(ROOT / "scripts" / "calibrate.py", QUICK, measured, "--output", self.output, "--programs",
+        return run(ROOT / "scripts" / "calibrate.py", STATIC_ROTOR, measured, "--output", self.output, "--programs",
                    PROGRAMS[0].parent, *(word for text in RANGES for word in ("--fit", text)), "--motors", N_MOTORS,
                    "--points", N_POINTS, *settings(*(f"{entry} = {text}" for entry, text in COARSE.items())), *options)
 
     def test_by_one_command(self):
-        done = self.command(ROOT / "prm" / "quick_measured.csv")
+        done = self.command(ROOT / "prm" / "static_rotor_measured.csv")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertTrue(done.stdout.startswith(f"{N_MOTORS} motors will be computed at {N_POINTS} points each"), done.stdout)
         self.assertIn(f"{N_MOTORS} motors are known already", done.stdout)
@@ -121,7 +121,7 @@ class Calibration(unittest.TestCase):
             path = self.folder / "mistake.csv"
             path.write_text(text)
             with self.assertRaisesRegex(CaseError, words):
-                main([str(word) for word in (QUICK, path, "--fit", RANGES[0], "--fit", RANGES[1], "--programs",
+                main([str(word) for word in (STATIC_ROTOR, path, "--fit", RANGES[0], "--fit", RANGES[1], "--programs",
                                              PROGRAMS[0].parent)])
 
 

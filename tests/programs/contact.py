@@ -18,7 +18,7 @@ import h5py
 import numpy as np
 
 sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
-from program import QUICK, ROOT, WithWave, on_ranks, rows_of, run, settings, vtu_array  # noqa: E402
+from program import STATIC_ROTOR, ROOT, WithWave, on_ranks, rows_of, run, settings, vtu_array  # noqa: E402
 
 STATOR, CONTACT = sys.argv.pop(1), sys.argv.pop(1)
 PRELOAD = 14.0
@@ -30,14 +30,14 @@ class WithContact(WithWave):
     stator = STATOR
 
     def contact(self, *entries, ranks=1):
-        return run(*on_ranks(ranks), CONTACT, QUICK, "--output", self.case, *settings(*entries))
+        return run(*on_ranks(ranks), CONTACT, STATIC_ROTOR, "--output", self.case, *settings(*entries))
 
 
 class Results(WithContact):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        cls.done = run(CONTACT, QUICK, "--output", cls.case)
+        cls.done = run(CONTACT, STATIC_ROTOR, "--output", cls.case)
         cls.folder = cls.case / "contact"
 
     def test_all_files_are_there(self):
@@ -214,7 +214,7 @@ class OtherStators(unittest.TestCase):
                              "Stator/Piezoceramic element = shell there, solid here")):
             with self.subTest(entry), tempfile.TemporaryDirectory() as case:
                 def outcome(program, *options):
-                    return run(program, QUICK, "--output", case, *quickly, *options)
+                    return run(program, STATIC_ROTOR, "--output", case, *quickly, *options)
                 self.assertEqual(outcome(STATOR, "--set", entry).returncode, 0)
                 refused = outcome(CONTACT)
                 self.assertEqual(refused.returncode, 1, refused.stdout)
@@ -236,7 +236,7 @@ class Targets(unittest.TestCase):
     def relative_error(self, *entries):
         """Of the wave in modes.h5, and what the program says."""
         with tempfile.TemporaryDirectory() as case:
-            done = run(STATOR, QUICK, "--output", case, *settings("Output/VTU = false", *entries))
+            done = run(STATOR, STATIC_ROTOR, "--output", case, *settings("Output/VTU = false", *entries))
             self.assertEqual(done.returncode, 0, done.stderr)
             with h5py.File(pathlib.Path(case) / "stator" / "modes.h5") as file:
                 wave, shape = file["wave"].attrs, file["wave/shape"].attrs
@@ -261,12 +261,12 @@ class Targets(unittest.TestCase):
         entries = plain + settings("Accuracy/Contact target = 1e-2")
         with tempfile.TemporaryDirectory() as case:
             for program in (STATOR, CONTACT):
-                done = run(program, QUICK, "--output", case, *entries)
+                done = run(program, STATIC_ROTOR, "--output", case, *entries)
                 self.assertEqual(done.returncode, 0, done.stderr)
             # A wave from elsewhere may be.
             coarse = settings("Accuracy/Mode = fixed", "Accuracy/Polynomial degree = 2")
-            self.assertEqual(run(STATOR, QUICK, "--output", case, *coarse).returncode, 0)
-            done = run(CONTACT, QUICK, "--output", case, *plain, "--set", "Accuracy/Contact target = 1e-3")
+            self.assertEqual(run(STATOR, STATIC_ROTOR, "--output", case, *coarse).returncode, 0)
+            done = run(CONTACT, STATIC_ROTOR, "--output", case, *plain, "--set", "Accuracy/Contact target = 1e-3")
             self.assertEqual(done.returncode, 2, done.stdout)
             self.assertIn("run the program stator with these parameters", done.stderr)
 
@@ -340,7 +340,7 @@ class Paper(WithContact):
 
 class Study(WithContact):
     def study(self, *options):
-        done = run(CONTACT, QUICK, "--output", self.case, "--study", *options,
+        done = run(CONTACT, STATIC_ROTOR, "--output", self.case, "--study", *options,
                    *settings("Loading/Values = 0.05", "Friction/Law = coulomb", "Rotor/Flange element = shell",
                              "Accuracy/Mode = fixed", "Accuracy/Interface refinement = 0"))
         self.assertEqual(done.returncode, 0, done.stderr)

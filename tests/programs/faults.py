@@ -17,7 +17,7 @@ import unittest
 
 sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
 from complete_files import check_complete  # noqa: E402
-from program import QUICK, run  # noqa: E402
+from program import STATIC_ROTOR, run  # noqa: E402
 
 PROGRAMS = [pathlib.Path(sys.argv.pop(1)).resolve() for _ in range(3)]
 MOUNTS = ("unshare", "--mount") if os.geteuid() == 0 else ("unshare", "--user", "--map-root-user", "--mount")
@@ -45,7 +45,7 @@ class Faults(unittest.TestCase):
     def finish(self, case):
         """All programs, now that nothing is missing."""
         for program in PROGRAMS:
-            done = run(program, QUICK, "--output", case)
+            done = run(program, STATIC_ROTOR, "--output", case)
             self.assertEqual(done.returncode, 0, done.stderr)
 
     @unittest.skipUnless(can_mount(), "needs the right to mount file systems")
@@ -56,7 +56,7 @@ class Faults(unittest.TestCase):
             script = ('mount -t tmpfs -o size="$1"k tmpfs "$2" && cd / || exit 99\n'
                       'for program in "${@:5}"; do "$program" "$4" --output "$2/case" || { status=$?; break; }; done\n'
                       'cp -r "$2" "$3"; exit ${status:-0}')
-            done = in_shell(script, kilobytes, disk, copy, QUICK, *PROGRAMS, prefix=MOUNTS)
+            done = in_shell(script, kilobytes, disk, copy, STATIC_ROTOR, *PROGRAMS, prefix=MOUNTS)
             files = [path for path in copy.rglob("*") if path.is_file()]
             for path in files:
                 check_complete(path)
@@ -75,7 +75,7 @@ class Faults(unittest.TestCase):
         script = ('mount --bind "$1" "$1" && mount -o remount,bind,ro "$1" || exit 99\n'
                   'exec "$3" "$2" --output "$1"')
         for program in PROGRAMS:
-            self.expect_words(in_shell(script, case, QUICK, program, prefix=MOUNTS), 1, "Output/Directory",
+            self.expect_words(in_shell(script, case, STATIC_ROTOR, program, prefix=MOUNTS), 1, "Output/Directory",
                               "Read-only file system")
         self.assertEqual(sorted((path, path.stat().st_mtime) for path in case.rglob("*")), before)
 
@@ -86,7 +86,7 @@ class Faults(unittest.TestCase):
         n_short = 0
         for program in PROGRAMS:
             for megabytes in range(least, least + 200, 25):
-                done = in_shell('ulimit -v "$1"; exec "$2" "$3" --output "$4"', 1024 * megabytes, program, QUICK, case)
+                done = in_shell('ulimit -v "$1"; exec "$2" "$3" --output "$4"', 1024 * megabytes, program, STATIC_ROTOR, case)
                 if done.returncode != 0:
                     self.expect_words(done, 2, "out of memory")
                     n_short += 1

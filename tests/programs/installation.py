@@ -33,7 +33,7 @@ class Installed(unittest.TestCase):
         cls.prefix = cls.folder / "installed"
         done = run("cmake", "--install", BUILD, "--prefix", cls.prefix)
         assert done.returncode == 0, done.stderr
-        cls.quick = cls.prefix / "share" / "ringmotor" / "prm" / "quick.prm"
+        cls.quick = cls.prefix / "share" / "ringmotor" / "prm" / "static_rotor.prm"
 
     @classmethod
     def tearDownClass(cls):

@@ -19,14 +19,14 @@ import unittest
 
 sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
 from complete_files import check_complete  # noqa: E402
-from program import QUICK, rows_of  # noqa: E402
+from program import STATIC_ROTOR, rows_of  # noqa: E402
 
 PROGRAMS = [sys.argv.pop(1) for _ in range(3)]
 
 
 def start(folder, *options):
     """All programs, as long as none fails, in a process group of their own."""
-    commands = [f'"{program}" "{QUICK}" --output "{folder}"' for program in PROGRAMS]
+    commands = [f'"{program}" "{STATIC_ROTOR}" --output "{folder}"' for program in PROGRAMS]
     commands[1] += " " + " ".join(options)
     return subprocess.Popen(["bash", "-c", " && ".join(commands)], stdout=subprocess.DEVNULL, start_new_session=True)
 

@@ -18,7 +18,7 @@ import h5py
 import numpy as np
 
 sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
-from program import QUICK, WithWave, rows_of, run, settings, vtu_array  # noqa: E402
+from program import STATIC_ROTOR, WithWave, rows_of, run, settings, vtu_array  # noqa: E402
 
 STATOR, CONTACT, LOSSES = sys.argv.pop(1), sys.argv.pop(1), sys.argv.pop(1)
 PARTS = ("friction_loss", "internal_loss_stator_metal", "internal_loss_piezoceramic", "internal_loss_rotor",
@@ -34,7 +34,7 @@ class Losses(unittest.TestCase):
     def setUpClass(cls):
         cls.case = pathlib.Path(tempfile.mkdtemp())
         for program in (STATOR, CONTACT):
-            done = run(program, QUICK, "--output", cls.case, "--set", "Output/VTU = false")
+            done = run(program, STATIC_ROTOR, "--output", cls.case, "--set", "Output/VTU = false")
             assert done.returncode == 0, done.stderr
 
     @classmethod
@@ -42,7 +42,7 @@ class Losses(unittest.TestCase):
         shutil.rmtree(cls.case)
 
     def losses(self, *entries):
-        return run(LOSSES, QUICK, "--output", self.case, *settings(*entries))
+        return run(LOSSES, STATIC_ROTOR, "--output", self.case, *settings(*entries))
 
     def results(self, *entries):
         """losses.csv, efficiency.csv, summary.json"""
@@ -128,7 +128,7 @@ class Losses(unittest.TestCase):
         self.assertIn("Friction/Dynamic coefficient", self.refused("Friction/Dynamic coefficient = 0.35"))
         self.assertIn("Wave/Amplitude", self.refused("Wave/Amplitude = 1e-6"))
         self.assertIn("Support/Felt outer radius", self.refused("Support/Felt outer radius = 0.029"))
-        self.assertIn("--study", run(LOSSES, QUICK, "--output", self.case, "--study").stderr)
+        self.assertIn("--study", run(LOSSES, STATIC_ROTOR, "--output", self.case, "--study").stderr)
 
     def test_files_that_are_missing_or_damaged(self):
         for file in (self.case / "contact" / "contact.h5", self.case / "stator" / "modes.h5"):
@@ -221,7 +221,7 @@ class Powers(WithWave):
     def check(self, *entries, steps=None, case=None):
         """@param steps of which the point is the mean; all by default"""
         case = case or self.case
-        done = run(CONTACT, QUICK, "--output", case,
+        done = run(CONTACT, STATIC_ROTOR, "--output", case,
                    *settings("Output/VTU = false", "Accuracy/Mode = fixed", "Accuracy/Interface refinement = 1", *entries))
         self.assertEqual(done.returncode, 0, done.stderr)
         with h5py.File(case / "contact" / "contact.h5") as file:
@@ -255,7 +255,7 @@ class Powers(WithWave):
         nine = ("Motor/Number of waves = 9", "Modes/Nodal diameters = 9")
         with tempfile.TemporaryDirectory() as folder:
             case = pathlib.Path(folder)
-            done = run(STATOR, QUICK, "--output", case, *settings(*nine))
+            done = run(STATOR, STATIC_ROTOR, "--output", case, *settings(*nine))
             self.assertEqual(done.returncode, 0, done.stderr)
             for point in self.check("Loading/Values = 0.1", "Time/Snapshots = 12", *nine, case=case):
                 self.assertEqual(point["force"].shape[1], 10)

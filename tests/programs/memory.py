@@ -14,7 +14,7 @@ import tempfile
 import unittest
 
 sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
-from program import QUICK, settings  # noqa: E402
+from program import STATIC_ROTOR, settings  # noqa: E402
 
 SUITE, PROGRAMS = sys.argv.pop(1), [sys.argv.pop(1) for _ in range(3)]
 # Small: a program takes thirty times as long. Steps are as short as a certificate needs.
@@ -25,7 +25,7 @@ SMALLEST = settings("Accuracy/Mode = fixed", "Accuracy/Polynomial degree = 2", "
 def run_all(case, prefix=(), options=(), **environment):
     """Status and standard error of each program, one after the other."""
     for program in PROGRAMS:
-        done = subprocess.run([*prefix, program, QUICK, "--output", case, *options], capture_output=True, text=True,
+        done = subprocess.run([*prefix, program, STATIC_ROTOR, "--output", case, *options], capture_output=True, text=True,
                               env=dict(os.environ, **environment))
         yield done.returncode, done.stderr
 

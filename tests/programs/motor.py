@@ -14,7 +14,7 @@ import tempfile
 import unittest
 
 sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
-from program import QUICK, on_ranks, rows_of, run, settings  # noqa: E402
+from program import STATIC_ROTOR, on_ranks, rows_of, run, settings  # noqa: E402
 
 STATOR, CONTACT, LOSSES, MOTOR = (sys.argv.pop(1) for _ in range(4))
 QUIET = settings("Output/VTU = false", "Loading/Values = 0, 0.05")
@@ -28,7 +28,7 @@ class Motor(unittest.TestCase):
         cls.folder = pathlib.Path(tempfile.mkdtemp())
         cls.one_by_one = cls.folder / "one_by_one"
         for program in (STATOR, CONTACT, LOSSES):
-            done = run(program, QUICK, "--output", cls.one_by_one, *QUIET)
+            done = run(program, STATIC_ROTOR, "--output", cls.one_by_one, *QUIET)
             assert done.returncode == 0, done.stderr
 
     @classmethod
@@ -49,7 +49,7 @@ class Motor(unittest.TestCase):
                         self.assertEqual(row[name], same[name])
 
     def refused(self, *options):
-        done = run(MOTOR, QUICK, "--output", self.folder / "refused", *options)
+        done = run(MOTOR, STATIC_ROTOR, "--output", self.folder / "refused", *options)
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
         self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
         self.assertFalse((self.folder / "refused").exists())
@@ -57,7 +57,7 @@ class Motor(unittest.TestCase):
 
     def test_is_the_three_programs(self):
         case = self.folder / "motor"
-        done = run(MOTOR, QUICK, "--output", case, *QUIET)
+        done = run(MOTOR, STATIC_ROTOR, "--output", case, *QUIET)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assert_same_tables(case)
         files = [sorted(path.relative_to(folder) for path in folder.rglob("*") if path.is_file() and "kept" not in path.parts)
@@ -73,7 +73,7 @@ class Motor(unittest.TestCase):
 
     def test_two_ranks(self):
         case = self.folder / "two_ranks"
-        done = run(*on_ranks(2), MOTOR, QUICK, "--output", case, *QUIET)
+        done = run(*on_ranks(2), MOTOR, STATIC_ROTOR, "--output", case, *QUIET)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assert_same_tables(case, ("stator/frequencies.csv", "contact/torque_speed.csv"), 1e-6)
 
@@ -84,7 +84,7 @@ class Motor(unittest.TestCase):
         time = wave.stat().st_mtime_ns
         for table in ("contact/torque_speed.csv", "losses/losses.csv"):
             (case / table).unlink()
-        done = run(MOTOR, QUICK, "--output", case, "--from", "contact", *QUIET)
+        done = run(MOTOR, STATIC_ROTOR, "--output", case, "--from", "contact", *QUIET)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(wave.stat().st_mtime_ns, time)
         self.assert_same_tables(case)
@@ -92,14 +92,14 @@ class Motor(unittest.TestCase):
     def test_goes_on_after_an_interruption(self):
         case = self.folder / "resumed"
         shutil.copytree(self.one_by_one, case)
-        done = run(MOTOR, QUICK, "--output", case, "--resume", *QUIET)
+        done = run(MOTOR, STATIC_ROTOR, "--output", case, "--resume", *QUIET)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("resumed: ", done.stdout)
         self.assert_same_tables(case)
 
     def test_modes_of_a_rotor_have_no_motor(self):
         case = self.folder / "rotor"
-        done = run(MOTOR, QUICK, "--output", case, *QUIET, "--set", "Modes/Body = rotor")
+        done = run(MOTOR, STATIC_ROTOR, "--output", case, *QUIET, "--set", "Modes/Body = rotor")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual([path.name for path in case.iterdir()], ["rotor"])
 
@@ -110,13 +110,13 @@ class Motor(unittest.TestCase):
         self.assertIn("--from stator: expected contact or losses", self.refused("--from", "stator"))
         self.assertIn("needs a value", self.refused("--from"))
         self.assertIn("--study is not available for the program motor", self.refused("--study"))
-        done = run(CONTACT, QUICK, "--from", "losses")
+        done = run(CONTACT, STATIC_ROTOR, "--from", "losses")
         self.assertEqual(done.returncode, 1)
         self.assertIn("--from is not available for the program contact", done.stderr)
 
     def test_a_program_that_fails_is_named_and_the_last_one(self):
         case = self.folder / "fails"
-        done = run(MOTOR, QUICK, "--output", case, "--set", "Output/VTU = false", "--set", "Loading/Values = 9")
+        done = run(MOTOR, STATIC_ROTOR, "--output", case, "--set", "Output/VTU = false", "--set", "Loading/Values = 9")
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
         self.assertTrue(done.stderr.startswith("contact: Loading/Values = 9"), done.stderr)
         self.assertIn("Loading/Values = 9", (case / "contact_failed.txt").read_text())
@@ -139,18 +139,18 @@ class Questions(unittest.TestCase):
         return json.loads(done.stdout)
 
     def lines(self, asked, *words, program=MOTOR):
-        done = subprocess.run([program, QUICK, *words, "--check=lines"], input="".join(f"{line}\n" for line in asked),
+        done = subprocess.run([program, STATIC_ROTOR, *words, "--check=lines"], input="".join(f"{line}\n" for line in asked),
                               capture_output=True, text=True, check=True)
         return [json.loads(line) for line in done.stdout.splitlines()]
 
     def test_tell_what_the_results_will_tell(self):
         folder = self.folder / "up to rotor"
-        said = self.answer(QUICK, "--output", folder, *QUIET)
+        said = self.answer(STATIC_ROTOR, "--output", folder, *QUIET)
         self.assertEqual([said["folder"], said["files"], said["ranks"]], [str(folder), [], 1])
         self.assertEqual([(one["name"], one["folder"]) for one in said["programs"]],
                          [(name, f"{folder}/{name}/") for name in ("stator", "contact", "losses")])
         self.assertFalse(folder.exists())
-        done = run(STATOR, QUICK, "--output", folder, *QUIET)
+        done = run(STATOR, STATIC_ROTOR, "--output", folder, *QUIET)
         self.assertEqual(done.returncode, 0, done.stderr)
         summary = json.loads((folder / "stator" / "summary.json").read_text())
         self.assertEqual([summary["entries"], summary["identity"]], [said["entries"], said["identity"]])
@@ -159,7 +159,7 @@ class Questions(unittest.TestCase):
         self.assertEqual({**again["entries"], "Output/Directory": str(folder)}, said["entries"])
 
     def test_of_a_stator_alone(self):
-        mesh = QUICK.parent / "canon_ring_mesh.prm"
+        mesh = STATIC_ROTOR.parent / "canon_ring_mesh.prm"
         said = self.answer(mesh, program=STATOR)
         self.assertEqual([pathlib.Path(file).name for file in said["files"]], ["canon_half_sector.msh"])
         self.assertIn("Loading/Preload", said["missing"])
@@ -170,7 +170,7 @@ class Questions(unittest.TestCase):
         self.assertIn("for the modes of the stator alone, run the program stator", done.stderr)
 
     def test_of_the_modes_of_a_rotor(self):
-        said = self.answer(QUICK, *settings("Modes/Body = rotor"), "--output", "x")
+        said = self.answer(STATIC_ROTOR, *settings("Modes/Body = rotor"), "--output", "x")
         self.assertEqual(said["programs"], [{"name": "stator", "folder": "x/rotor/"}])
 
     def test_of_many_motors(self):
@@ -178,7 +178,7 @@ class Questions(unittest.TestCase):
                                     '["Loading/Preload = 14.0"]', '["Stator/Slot width = 3e-3"]', '["Friction/Dynamic coefficient = 0"]',
                                     '["Loading/Preloud = 3"]', '{"Loading/Preload": 3}', 'nonsense', ''])
         preload, amplitude, same, *mistakes = others
-        self.assertEqual(wave["identity"], self.answer(QUICK)["identity"])
+        self.assertEqual(wave["identity"], self.answer(STATIC_ROTOR)["identity"])
         self.assertEqual(same, wave)
         self.assertEqual(preload["identity"]["wave"], wave["identity"]["wave"])
         self.assertNotEqual(preload["identity"]["motor"], wave["identity"]["motor"])
@@ -201,17 +201,17 @@ class Questions(unittest.TestCase):
                             (["--ranks", "2"], "unknown option --ranks;"), (["--set"], "the option --set needs a value"),
                             (["--check=xml"], "--check=xml: expected --check or"), (["x.prm"], "more than one parameter file"),
                             (["--done", "x", "--check"], "--done is not available")):
-            for order in ([QUICK, *words], [*words, QUICK]):
-                if words == ["--set"] and order[-1] == QUICK:
+            for order in ([STATIC_ROTOR, *words], [*words, STATIC_ROTOR]):
+                if words == ["--set"] and order[-1] == STATIC_ROTOR:
                     continue
                 done = run(MOTOR, *order)
                 self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
                 self.assertIn(said, done.stderr)
-        self.assertEqual(run(MOTOR, "--", QUICK, "--check").returncode, 0)
+        self.assertEqual(run(MOTOR, "--", STATIC_ROTOR, "--check").returncode, 0)
 
     def test_programs_that_have_come_to_their_end(self):
         note = self.folder / "done.json"
-        done = run(MOTOR, QUICK, "--output", self.folder / "case", "--done", note, *settings("Output/VTU = false",
+        done = run(MOTOR, STATIC_ROTOR, "--output", self.folder / "case", "--done", note, *settings("Output/VTU = false",
                                                                                            "Loading/Values = 9"))
         self.assertEqual(done.returncode, 1)
         self.assertEqual(json.loads(note.read_text()), ["stator"])
@@ -221,7 +221,7 @@ class Launchers(unittest.TestCase):
     """Copies of a program that do not find each other, as they have an mpirun of another MPI."""
 
     def check(self, **environment):
-        done = subprocess.run([MOTOR, QUICK, "--check"], capture_output=True, text=True, env={**os.environ, **environment},
+        done = subprocess.run([MOTOR, STATIC_ROTOR, "--check"], capture_output=True, text=True, env={**os.environ, **environment},
                               check=False)
         return done.returncode, done.stderr
 

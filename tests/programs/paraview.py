@@ -20,7 +20,7 @@ import matplotlib.image
 import numpy as np
 
 sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
-from program import QUICK, ROOT, run  # noqa: E402
+from program import STATIC_ROTOR, ROOT, run  # noqa: E402
 
 STATOR, CONTACT, LOSSES = (sys.argv.pop(1) for _ in range(3))
 SCRIPT = ROOT / "scripts" / "paraview_view.py"
@@ -116,7 +116,7 @@ class Pictures(WithFolder):
         cls.case = pathlib.Path(tempfile.mkdtemp())
         cls.addClassCleanup(shutil.rmtree, cls.case)
         for program in (STATOR, CONTACT, LOSSES):
-            done = run(program, QUICK, "--output", cls.case, "--set", "Loading/Values = 0, 0.08", "--set",
+            done = run(program, STATIC_ROTOR, "--output", cls.case, "--set", "Loading/Values = 0, 0.08", "--set",
                        "Accuracy/Mode = fixed", "--set", "Time/Snapshots = 4")
             assert done.returncode == 0, done.stderr
 

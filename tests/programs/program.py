@@ -13,7 +13,7 @@ import zlib
 import numpy as np
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-QUICK = ROOT / "prm" / "quick.prm"
+STATIC_ROTOR = ROOT / "prm" / "static_rotor.prm"
 
 
 def run(*command, file_size_limit=None):
@@ -55,7 +55,7 @@ class WithWave(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.case = pathlib.Path(tempfile.mkdtemp())
-        done = run(cls.stator, QUICK, "--output", cls.case)
+        done = run(cls.stator, STATIC_ROTOR, "--output", cls.case)
         assert done.returncode == 0, done.stderr
 
     @classmethod

@@ -21,7 +21,7 @@ import urllib.parse
 import xml.etree.ElementTree
 
 sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
-from program import QUICK, ROOT, rows_of, run  # noqa: E402
+from program import STATIC_ROTOR, ROOT, rows_of, run  # noqa: E402
 
 STATOR, CONTACT, LOSSES = (sys.argv.pop(1) for _ in range(3))
 MOTOR = 'Ring <i>&amp; "7" $x'  # has to be escaped in HTML, in SVG and in a formula
@@ -71,7 +71,7 @@ class WithMotor(unittest.TestCase):
         if not hasattr(WithMotor, "kept"):
             WithMotor.kept = tempfile.TemporaryDirectory()
             for program in (STATOR, CONTACT, LOSSES):
-                done = run(program, QUICK, "--output", cls.kept.name, "--set", f"Motor/Name = {MOTOR}", "--set",
+                done = run(program, STATIC_ROTOR, "--output", cls.kept.name, "--set", f"Motor/Name = {MOTOR}", "--set",
                            "Output/VTU = false", "--set", "Accuracy/Mode = fixed", "--set", "Time/Snapshots = 4")
                 assert done.returncode == 0, done.stderr
         cls.case = pathlib.Path(tempfile.mkdtemp())

@@ -14,7 +14,7 @@ import unittest
 import h5py
 
 sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
-from program import QUICK, WithWave, on_ranks, rows_of, run  # noqa: E402
+from program import STATIC_ROTOR, WithWave, on_ranks, rows_of, run  # noqa: E402
 
 STATOR, CONTACT = sys.argv.pop(1), sys.argv.pop(1)
 
@@ -31,7 +31,7 @@ class Resume(WithWave):
         cls.points = cls.folder / "kept" / "points"
 
     def resume(self, *options, ranks=1):
-        done = run(*on_ranks(ranks), CONTACT, QUICK, "--output", self.case, *options)
+        done = run(*on_ranks(ranks), CONTACT, STATIC_ROTOR, "--output", self.case, *options)
         self.assertEqual(done.returncode, 0, done.stderr)
         return done.stdout
 
@@ -47,7 +47,7 @@ class Resume(WithWave):
 
     def kill_after(self, n_points, *options):
         """Kills a run as soon as it has kept so many points; returns how many it has left."""
-        process = subprocess.Popen([str(part) for part in (CONTACT, QUICK, "--output", self.case, *options)],
+        process = subprocess.Popen([str(part) for part in (CONTACT, STATIC_ROTOR, "--output", self.case, *options)],
                                    stdout=subprocess.DEVNULL)
         while process.poll() is None and len(self.finished()) < n_points:
             time.sleep(0.002)
@@ -99,7 +99,7 @@ class Resume(WithWave):
     def test_options_that_do_not_go_together(self):
         for program, options, said in ((STATOR, ["--resume"], "--resume is not available for the program stator"),
                                        (CONTACT, ["--resume", "--check"], "--resume cannot be combined with --check")):
-            done = run(program, QUICK, *options, "--output", self.case)
+            done = run(program, STATIC_ROTOR, *options, "--output", self.case)
             self.assertEqual(done.returncode, 1)
             self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
             self.assertIn(said, done.stderr)

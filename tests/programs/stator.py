@@ -17,7 +17,7 @@ import unittest
 import h5py
 
 sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
-from program import QUICK, ROOT, on_ranks, rows_of, run, settings  # noqa: E402
+from program import STATIC_ROTOR, ROOT, on_ranks, rows_of, run, settings  # noqa: E402
 
 PROGRAM = sys.argv.pop(1)
 REFERENCE, UNCERTAINTY = 30004.0, 3.0
@@ -27,7 +27,7 @@ class Results(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.case = pathlib.Path(tempfile.mkdtemp())
-        cls.done = run(PROGRAM, QUICK, "--output", cls.case)
+        cls.done = run(PROGRAM, STATIC_ROTOR, "--output", cls.case)
         cls.folder = cls.case / "stator"
 
     @classmethod
@@ -75,7 +75,7 @@ class Results(unittest.TestCase):
             rows = []
             for n_ranks in (1, 2):
                 with tempfile.TemporaryDirectory() as case:
-                    done = run(*on_ranks(n_ranks), PROGRAM, QUICK, "--output", case,
+                    done = run(*on_ranks(n_ranks), PROGRAM, STATIC_ROTOR, "--output", case,
                                *settings(f"Modes/Nodal diameters = {diameters}", "Output/VTU = false"))
                     self.assertEqual(done.returncode, 0, done.stderr)
                     rows.append(rows_of(pathlib.Path(case) / "stator" / "frequencies.csv"))
@@ -111,7 +111,7 @@ class Results(unittest.TestCase):
 
     def test_shares_no_folder_with_programs_that_run_at_the_same_time(self):
         """MPI would create one in TMPDIR, where this is impossible."""
-        done = run("env", "TMPDIR=/dev/null", PROGRAM, QUICK, "--check")
+        done = run("env", "TMPDIR=/dev/null", PROGRAM, STATIC_ROTOR, "--check")
         self.assertEqual(done.returncode, 0, done.stderr)
 
     def test_study_script_wants_a_study(self):
@@ -135,7 +135,7 @@ class Mistakes(unittest.TestCase):
 
     def test_command_line(self):
         self.refused(1, ["no parameter file"])
-        self.refused(1, ["--sett"], QUICK, "--sett", "x")
+        self.refused(1, ["--sett"], STATIC_ROTOR, "--sett", "x")
         self.refused(1, ["no_such.prm"], "no_such.prm")
 
     def test_entries(self):
@@ -150,20 +150,20 @@ class Mistakes(unittest.TestCase):
                                 ("Stator/Mesh file = nowhere.msh", "nowhere.msh"),
                                 ("Accuracy/Target = 1", "Accuracy/Target")):
             with self.subTest(entry):
-                self.refused(1, [expected], QUICK, "--set", entry)
+                self.refused(1, [expected], STATIC_ROTOR, "--set", entry)
 
     def test_a_rotor(self):
         rotor = ("--set", "Modes/Body = rotor")
         for entry in ("Lip outer radius = 0.0366", "Ring outer radius = 0.0365", "Flange thickness = 3.6e-3",
                       "Ring lower face = 0", "Lip inner radius = 0.0342", "Radial bar height = 0.0030"):
             with self.subTest(entry):
-                self.refused(1, ["Rotor/"], QUICK, *rotor, "--set", f"Rotor/{entry}")
+                self.refused(1, ["Rotor/"], STATIC_ROTOR, *rotor, "--set", f"Rotor/{entry}")
 
     def test_a_disk_that_is_full(self):
-        self.refused(1, ["Output/Directory"], QUICK, file_size_limit=4)
+        self.refused(1, ["Output/Directory"], STATIC_ROTOR, file_size_limit=4)
 
     def test_a_folder_that_cannot_be_made(self):
-        done = run(PROGRAM, QUICK, "--output", "/proc/ringmotor")
+        done = run(PROGRAM, STATIC_ROTOR, "--output", "/proc/ringmotor")
         self.assertEqual(done.returncode, 1)
         self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
         self.assertIn("Output/Directory", done.stderr)
@@ -172,7 +172,7 @@ class Mistakes(unittest.TestCase):
 class Rotor(unittest.TestCase):
     def test_has_modes_and_tells_how_much_inertia_matters(self):
         with tempfile.TemporaryDirectory() as case:
-            done = run(PROGRAM, QUICK, "--output", case, "--set", "Modes/Body = rotor", "--set",
+            done = run(PROGRAM, STATIC_ROTOR, "--output", case, "--set", "Modes/Body = rotor", "--set",
                        "Wave/Frequency = 30e3")
             self.assertEqual(done.returncode, 0, done.stderr)
             folder = pathlib.Path(case) / "rotor"
@@ -186,7 +186,7 @@ class Rotor(unittest.TestCase):
 class Tooth(unittest.TestCase):
     def test_has_modes_and_tells_how_much_inertia_matters(self):
         with tempfile.TemporaryDirectory() as case:
-            done = run(PROGRAM, QUICK, "--output", case, "--set", "Modes/Body = tooth", "--set",
+            done = run(PROGRAM, STATIC_ROTOR, "--output", case, "--set", "Modes/Body = tooth", "--set",
                        "Wave/Frequency = 30e3")
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertIn("inertia of the tooth", done.stdout)
@@ -201,7 +201,7 @@ class Study(unittest.TestCase):
             folder = pathlib.Path(case) / "stator"
 
             def study(*options):
-                done = run(PROGRAM, QUICK, "--study", *options, "--output", case, "--set", "Modes/Number of modes = 1",
+                done = run(PROGRAM, STATIC_ROTOR, "--study", *options, "--output", case, "--set", "Modes/Number of modes = 1",
                            "--set", "Accuracy/Mode = fixed", "--set", "Accuracy/Polynomial degree = 2",
                            "--set", "Accuracy/Refinement = 1")
                 self.assertEqual(done.returncode, 0, done.stderr)

@@ -17,7 +17,7 @@ import tempfile
 import unittest
 
 sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
-from program import QUICK, ROOT, run, settings  # noqa: E402
+from program import STATIC_ROTOR, ROOT, run, settings  # noqa: E402
 
 SCRIPTS = ROOT / "scripts"
 sys.path.insert(0, str(SCRIPTS))
@@ -66,7 +66,7 @@ class Typed(unittest.TestCase):
         for text, words in (("~/x", "whole path"), ("$HOME/x", "only a shell"), ("a/${B}", "only a shell"), ('"x"', "quotes"),
                             ("C:\\x", "backslash")):
             self.assertIn(words, problem_of_path(text), text)
-            done = run(SCRIPTS / "sweep.py", QUICK, "--vary", "Loading/Preload = 1, 2", f"--output={text}")
+            done = run(SCRIPTS / "sweep.py", STATIC_ROTOR, "--vary", "Loading/Preload = 1, 2", f"--output={text}")
             self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
             self.assertIn(words, done.stderr)
 
@@ -126,7 +126,7 @@ class WithCase(unittest.TestCase):
     def setUpClass(cls):
         cls.folder = pathlib.Path(tempfile.mkdtemp())
         cls.case = cls.folder / "case"
-        done = run(PROGRAMS[0], QUICK, "--output", cls.case, *settings(f"Motor/Name = {CHINESE}", "Output/VTU = false"))
+        done = run(PROGRAMS[0], STATIC_ROTOR, "--output", cls.case, *settings(f"Motor/Name = {CHINESE}", "Output/VTU = false"))
         assert done.returncode == 0, done.stderr
 
     @classmethod
@@ -225,8 +225,8 @@ class Surroundings(WithCase):
         self.assertIn(f"<title>{CHINESE}</title>", (self.case / "report.html").read_text(encoding="utf-8"))
 
     def test_other_encodings_are_refused_before_anything_is_computed(self):
-        for name, content in (("latin1", QUICK.read_text(encoding="utf-8").replace("Canon", "für").encode("latin-1")),
-                              ("utf16", QUICK.read_text(encoding="utf-8").encode("utf-16"))):
+        for name, content in (("latin1", STATIC_ROTOR.read_text(encoding="utf-8").replace("Canon", "für").encode("latin-1")),
+                              ("utf16", STATIC_ROTOR.read_text(encoding="utf-8").encode("utf-16"))):
             prm = self.folder / f"{name}.prm"
             prm.write_bytes(content)
             for program in PROGRAMS:
@@ -243,13 +243,13 @@ class Surroundings(WithCase):
         here = {"LD_PRELOAD": library, "HDF5_USE_FILE_LOCKING": "TRUE"}
         coarse = settings("Output/VTU = false", "Accuracy/Mode = fixed", "Time/Snapshots = 4", "Loading/Values = 0.05")
         for program in PROGRAMS:
-            done = run_with(here, program, QUICK, "--output", case, *coarse)
+            done = run_with(here, program, STATIC_ROTOR, "--output", case, *coarse)
             self.assertEqual((done.returncode, done.stderr.count("\n")), (0, 1), done.stderr)
             self.assertIn("cannot be locked", done.stderr)
         for script in ("figures.py", "report.py", "summary.py"):
             done = run_with(here, SCRIPTS / script, case)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
-        done = run_with(here, SCRIPTS / "sweep.py", QUICK, "--vary", "Stator/Base thickness = 4e-3, 5e-3", "--wave-only",
+        done = run_with(here, SCRIPTS / "sweep.py", STATIC_ROTOR, "--vary", "Stator/Base thickness = 4e-3, 5e-3", "--wave-only",
                         "--output", output, "--programs", pathlib.Path(PROGRAMS[0]).parent, *settings("Accuracy/Mode = fixed"))
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertTrue((output / "table.h5").exists())

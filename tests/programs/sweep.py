@@ -17,7 +17,7 @@ import time
 import unittest
 
 sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
-from program import QUICK, rows_of, run, settings  # noqa: E402
+from program import STATIC_ROTOR, rows_of, run, settings  # noqa: E402
 from sweep_folder import COARSE, COMPARE, PROGRAMS, SWEEP, TWO_BY_TWO, InAFolder, command  # noqa: E402  (finds the scripts)
 import h5py  # noqa: E402
 from goals import limit  # noqa: E402
@@ -39,7 +39,7 @@ class Table(InAFolder):
                          [("10", "0.3"), ("10", "0.4"), ("14", "0.3"), ("14", "0.4")])
         case = self.folder / "by_hand"
         for program in PROGRAMS:
-            done = run(program, QUICK, "--output", case, *settings(*COARSE, "Loading/Preload = 10", "Output/VTU = false",
+            done = run(program, STATIC_ROTOR, "--output", case, *settings(*COARSE, "Loading/Preload = 10", "Output/VTU = false",
                                                                    "Friction/Dynamic coefficient = 0.4"))
             self.assertEqual(done.returncode, 0, done.stderr)
         [curve], [efficiency] = rows_of(case / "contact" / "torque_speed.csv"), rows_of(case / "losses" / "efficiency.csv")
@@ -119,7 +119,7 @@ class Table(InAFolder):
 @unittest.skipUnless(SUITE == "Search", "another suite")
 class Search(InAFolder):
     def frequency(self, thickness):
-        done = run(PROGRAMS[0], QUICK, "--output", self.folder / "by_hand", *settings(
+        done = run(PROGRAMS[0], STATIC_ROTOR, "--output", self.folder / "by_hand", *settings(
             f"Stator/Base thickness = {thickness}", "Output/VTU = false"))
         self.assertEqual(done.returncode, 0, done.stderr)
         summary = json.loads((self.folder / "by_hand" / "stator" / "summary.json").read_text())
@@ -263,7 +263,7 @@ class Mistakes(InAFolder):
         done = run(SWEEP, self.folder / "pipe.prm", "--programs", PROGRAMS[0].parent, *TWO_BY_TWO)
         self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
         self.assertIn("is a pipe", done.stderr)
-        done = run(SWEEP, QUICK, "--programs", self.folder, *TWO_BY_TWO)
+        done = run(SWEEP, STATIC_ROTOR, "--programs", self.folder, *TWO_BY_TWO)
         self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
         self.assertIn("scripts/setup.sh", done.stderr)
 

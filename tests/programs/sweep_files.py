@@ -13,7 +13,7 @@ import sys
 import unittest
 
 sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
-from program import QUICK, ROOT, rows_of, run, settings  # noqa: E402
+from program import STATIC_ROTOR, ROOT, rows_of, run, settings  # noqa: E402
 from sweep_folder import COARSE, COMPARE, PROGRAMS, InAFolder, command  # noqa: E402  (finds the scripts)
 import motor_task  # noqa: E402
 from many_motors import Family  # noqa: E402
@@ -29,8 +29,8 @@ class Files(InAFolder):
         return Family(prm, {}, self.output, PROGRAMS[0].parent, is_wave_only=True)
 
     def test_are_read_as_the_programs_read_them(self):
-        text = QUICK.read_text()
-        plain = self.family(QUICK)
+        text = STATIC_ROTOR.read_text()
+        plain = self.family(STATIC_ROTOR)
         edits = {
             "a comment behind end": text.replace("\nend\n", "\nend # of it\n"),
             "blanks": text.replace("subsection ", "subsection   ").replace("set ", "   set   "),
@@ -64,11 +64,11 @@ class Files(InAFolder):
         return run("/usr/bin/python3", "-c", hook, script, *words)
 
     def test_are_not_read_by_scripts(self):
-        (self.folder / "reader.py").write_text(f"open({str(QUICK)!r})")
+        (self.folder / "reader.py").write_text(f"open({str(STATIC_ROTOR)!r})")
         self.assertEqual(self.watched(self.folder / "reader.py").returncode, 99)
         scripts = ROOT / "scripts"
         case = self.folder / "case"
-        for script, *words in ([scripts / "run.py", QUICK, "--output", case, *settings(*COARSE, "Output/VTU = false")],
+        for script, *words in ([scripts / "run.py", STATIC_ROTOR, "--output", case, *settings(*COARSE, "Output/VTU = false")],
                                command("--output", self.output, *self.WAVES), [COMPARE, case, case]):
             done = self.watched(script, *words)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
@@ -109,9 +109,9 @@ class Files(InAFolder):
         self.assertEqual(motor_task.find_wave(second.wave).outcome, "changed")
         self.assertFalse(second.is_known())
         prm = self.folder / "edited.prm"
-        prm.write_text(QUICK.read_text().replace("= 141e9", "= 142e9"))
+        prm.write_text(STATIC_ROTOR.read_text().replace("= 141e9", "= 142e9"))
         third = self.family(prm).motor({"Wave/Amplitude": "2e-6"})
-        prm.write_text(QUICK.read_text())
+        prm.write_text(STATIC_ROTOR.read_text())
         self.assertEqual(motor_task.find_wave(third.wave).outcome, "changed")
 
     def test_damaged_ones_are_computed_again(self):

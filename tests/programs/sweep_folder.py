@@ -8,7 +8,7 @@ import tempfile
 import unittest
 
 sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
-from program import QUICK, ROOT, run, settings  # noqa: E402
+from program import STATIC_ROTOR, ROOT, run, settings  # noqa: E402
 
 sys.path.insert(0, str(ROOT / "scripts"))
 from case import CaseError  # noqa: E402
@@ -22,7 +22,7 @@ TWO_BY_TWO = ("--vary", "Loading/Preload = 10, 14", "--vary", "Friction/Dynamic 
 
 
 def command(*options):
-    return [SWEEP, QUICK, "--programs", PROGRAMS[0].parent, "--workers", "2", *settings(*COARSE), *options]
+    return [SWEEP, STATIC_ROTOR, "--programs", PROGRAMS[0].parent, "--workers", "2", *settings(*COARSE), *options]
 
 
 class InAFolder(unittest.TestCase):

@@ -16,7 +16,7 @@ import tempfile
 import unittest
 
 sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
-from program import QUICK, rows_of, run, settings, vtu_array  # noqa: E402
+from program import STATIC_ROTOR, rows_of, run, settings, vtu_array  # noqa: E402
 
 STATOR, CONTACT, LOSSES = sys.argv.pop(1), sys.argv.pop(1), sys.argv.pop(1)
 USUAL_LOSSES = settings("Effects/Piezoelectric coupling = on", "Output/VTU = false")
@@ -41,7 +41,7 @@ class Volts(unittest.TestCase):
     def setUpClass(cls):
         cls.case = pathlib.Path(tempfile.mkdtemp())
         for program in (STATOR, CONTACT, LOSSES):
-            done = run(program, QUICK, "--output", cls.case, *COUPLED)
+            done = run(program, STATIC_ROTOR, "--output", cls.case, *COUPLED)
             assert done.returncode == 0, done.stderr
         cls.circuit = {row["phase"]: row for row in numbers(cls.case / "stator" / "circuits.csv")}
 
@@ -125,7 +125,7 @@ class Volts(unittest.TestCase):
         with tempfile.TemporaryDirectory() as scratch:
             frequency = f"Wave/Frequency = {1.01 * self.circuit['A']['short_circuit_frequency_Hz']}"
             for program in (STATOR, CONTACT, LOSSES):
-                done = run(program, QUICK, "--output", scratch, *COUPLED, *settings(frequency))
+                done = run(program, STATIC_ROTOR, "--output", scratch, *COUPLED, *settings(frequency))
                 self.assertEqual(done.returncode, 0, done.stderr)
             row = self.circuit["A"]
             mass = row["Lm_H"] * row["force_factor_N_per_V"]**2
@@ -171,7 +171,7 @@ class Volts(unittest.TestCase):
         common = ("Wave/Drive = voltage", "Wave/Voltage = 40", "Loading/Values = 0.1", *FIXED)
         with tempfile.TemporaryDirectory() as scratch:
             for program in (STATOR, CONTACT):
-                done = run(program, QUICK, "--output", scratch, *COUPLED,
+                done = run(program, STATIC_ROTOR, "--output", scratch, *COUPLED,
                            *settings("Wave/Response torques = 0.1", *common))
                 self.assertEqual(done.returncode, 0, done.stderr)
             rows = numbers(pathlib.Path(scratch) / "contact" / "response.csv")
@@ -187,18 +187,18 @@ class Volts(unittest.TestCase):
         for entries, words in ((("Wave/Drive = voltage",), ("Wave/Voltage", "none")),
                                (("Wave/Drive = voltage", "Wave/Voltage = 20", "Time/Scheme = marching"), ("steady",)),
                                (("Wave/Drive = voltage", "Wave/Voltage = 1e6"), ("Wave/Voltage", "plausible"))):
-            done = run(CONTACT, QUICK, "--output", self.case, *COUPLED, *settings(*entries))
+            done = run(CONTACT, STATIC_ROTOR, "--output", self.case, *COUPLED, *settings(*entries))
             self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
             for word in words:
                 self.assertIn(word, done.stderr)
         driven = settings("Wave/Drive = voltage", "Wave/Voltage = 20")
-        done = run(CONTACT, QUICK, "--output", self.case, *driven)
+        done = run(CONTACT, STATIC_ROTOR, "--output", self.case, *driven)
         self.assertEqual(done.returncode, 1)
         self.assertIn("Effects/Piezoelectric coupling = on, found off", done.stderr)
         with tempfile.TemporaryDirectory() as scratch:
             options = COUPLED + driven + settings("Electrodes/Distance of phases = 0.5")
-            self.assertEqual(run(STATOR, QUICK, "--output", scratch, *options).returncode, 0)
-            done = run(CONTACT, QUICK, "--output", scratch, *options)
+            self.assertEqual(run(STATOR, STATIC_ROTOR, "--output", scratch, *options).returncode, 0)
+            done = run(CONTACT, STATIC_ROTOR, "--output", scratch, *options)
             self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
             self.assertIn("standing", done.stderr)
 
@@ -208,7 +208,7 @@ class Volts(unittest.TestCase):
         rows, _ = self.drive_with("Loading/Values = 0.189", *common)
         self.assertGreater(rows[0]["speed_rpm"], 0)
         for entry in ("Loading/Values", "Wave/Response torques"):
-            done = run(CONTACT, QUICK, "--output", self.case, *COUPLED, *settings(f"{entry} = 0.3", *common))
+            done = run(CONTACT, STATIC_ROTOR, "--output", self.case, *COUPLED, *settings(f"{entry} = 0.3", *common))
             self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
             self.assertIn(f"{entry} = 0.3 N m is beyond the stall", done.stderr)
 
@@ -216,11 +216,11 @@ class Volts(unittest.TestCase):
         with tempfile.TemporaryDirectory() as scratch:
             options = COUPLED + settings("Wave/Drive = voltage", "Loading/Values = 0.1", *FIXED)
             for program, voltage, status in ((STATOR, 40, 0), (CONTACT, 40, 0), (LOSSES, 40, 0), (LOSSES, 41, 1)):
-                done = run(program, QUICK, "--output", scratch, *options, *settings(f"Wave/Voltage = {voltage}"))
+                done = run(program, STATIC_ROTOR, "--output", scratch, *options, *settings(f"Wave/Voltage = {voltage}"))
                 self.assertEqual(done.returncode, status, done.stderr)
             self.assertIn("Wave/Voltage = 40 there, 41 here", done.stderr)
             felt = settings("Wave/Voltage = 40", "Support/Felt loss factor = 0.2")  # changes the balance of the wave
-            done = run(LOSSES, QUICK, "--output", scratch, *options, *felt)
+            done = run(LOSSES, STATIC_ROTOR, "--output", scratch, *options, *felt)
             self.assertEqual(done.returncode, 1)
             self.assertIn("another drive", done.stderr)
 
@@ -228,7 +228,7 @@ class Volts(unittest.TestCase):
         """Rows of drive.csv, none if there is no such file, and the log of losses."""
         with tempfile.TemporaryDirectory() as scratch:
             for program in (STATOR, CONTACT, LOSSES):
-                done = run(program, QUICK, "--output", scratch, *options, *settings(*entries))
+                done = run(program, STATIC_ROTOR, "--output", scratch, *options, *settings(*entries))
                 self.assertEqual(done.returncode, 0, done.stderr)
             file = pathlib.Path(scratch) / "losses" / "drive.csv"
             return numbers(file) if file.exists() else None, done.stdout
@@ -253,7 +253,7 @@ class Volts(unittest.TestCase):
             self.assertAlmostEqual(with_felt["dielectric_loss_mW"] / without["dielectric_loss_mW"], 1, delta=0.03)
 
     def refused(self, *entries):
-        done = run(STATOR, QUICK, "--output", self.case, *COUPLED, *settings(*entries))
+        done = run(STATOR, STATIC_ROTOR, "--output", self.case, *COUPLED, *settings(*entries))
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
         self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
         return done.stderr
@@ -276,7 +276,7 @@ class Volts(unittest.TestCase):
     def test_potential_for_paraview(self):
         """Between two grounded electrodes a bent ceramic has a potential inside, which mirror images share."""
         with tempfile.TemporaryDirectory() as scratch:
-            done = run(STATOR, QUICK, "--output", scratch, *settings("Effects/Piezoelectric coupling = on"))
+            done = run(STATOR, STATIC_ROTOR, "--output", scratch, *settings("Effects/Piezoelectric coupling = on"))
             self.assertEqual(done.returncode, 0, done.stderr)
             file = pathlib.Path(scratch) / "stator" / "sector.vtu"
             points = vtu_array(file, "").reshape(-1, 3)
@@ -290,13 +290,13 @@ class Volts(unittest.TestCase):
     def test_off_leaves_nothing_behind(self):
         with tempfile.TemporaryDirectory() as scratch:
             for choice in ("on", "off"):
-                done = run(STATOR, QUICK, "--output", scratch, *settings(f"Effects/Piezoelectric coupling = {choice}",
+                done = run(STATOR, STATIC_ROTOR, "--output", scratch, *settings(f"Effects/Piezoelectric coupling = {choice}",
                                                                          "Output/VTU = false"))
                 self.assertEqual(done.returncode, 0, done.stderr)
                 self.assertEqual((pathlib.Path(scratch) / "stator" / "circuits.csv").exists(), choice == "on")
 
     def test_wave_of_another_ceramic_is_refused(self):
-        done = run(CONTACT, QUICK, "--output", self.case, *COUPLED, *settings("Piezoelectricity/Stiffness c11 = 140e9"))
+        done = run(CONTACT, STATIC_ROTOR, "--output", self.case, *COUPLED, *settings("Piezoelectricity/Stiffness c11 = 140e9"))
         self.assertEqual(done.returncode, 1)
         self.assertIn("Piezoelectricity/Stiffness c11", done.stderr)
 

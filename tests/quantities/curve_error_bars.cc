@@ -3,6 +3,7 @@
 // Error bars of operating points, and what they lead to: the search for meshes, steps and modes, on
 // synthetic motors whose errors are known.
 
+#include "support/paper_motor.h"
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/quantities/curve_search.h>
 
@@ -14,6 +15,7 @@
 #include <stdexcept>
 
 using namespace ringmotor;
+using namespace ringmotor::tests;
 
 namespace
 {
@@ -70,7 +72,7 @@ namespace
   CurvePoint point_at(const double torque, const std::vector<double> &asked_for, const double a,
                       const double b)
   {
-    Parameters parameters;
+    Parameters parameters              = paper_motor();
     parameters.loading.values          = asked_for;
     parameters.loading.control         = Control::torque;
     parameters.initial_deformation     = {};
@@ -113,7 +115,7 @@ TEST(CurveErrorBars, OfMeshesFollowTheLastChange)
   const auto mesh_bar =
       [](const std::array<double, 4> &errors, const double target, const unsigned int level)
   {
-    Parameters parameters;
+    Parameters parameters              = paper_motor();
     parameters.loading.values          = {0.}; // torque
     parameters.initial_deformation     = {};
     parameters.accuracy.contact_target = target;
@@ -148,7 +150,7 @@ TEST(CurveErrorBars, AreAtLeastWhatCountingResolves)
 {
   // Teeth and sticking nodes are counted, here alike on all meshes and with all steps: a contact of
   // a tooth is known to a step, the share of force on nodes that stick to that of one node.
-  Parameters parameters;
+  Parameters parameters              = paper_motor();
   parameters.loading.values          = {3.};
   parameters.loading.control         = Control::torque;
   parameters.initial_deformation     = {};
@@ -179,7 +181,7 @@ TEST(CurveErrorBars, AreAtLeastWhatCountingResolves)
 
 TEST(CurveErrorBars, HaveTheAveragingWindowOfTheMeshThatIsShown)
 {
-  Parameters parameters;
+  Parameters parameters             = paper_motor();
   parameters.loading.values         = {1., 2.};
   parameters.loading.control        = Control::torque;
   parameters.time.scheme            = TimeScheme::marching;
@@ -210,7 +212,7 @@ TEST(CurveErrorBars, HaveTheAveragingWindowOfTheMeshThatIsShown)
 TEST(CurveErrorBars, LeadToFinerModesWhereTheseMatterMost)
 {
   // Errors of c, c/3 and c/9 at three levels of modes.
-  Parameters parameters;
+  Parameters parameters              = paper_motor();
   parameters.loading.values          = {3.};
   parameters.loading.control         = Control::torque;
   parameters.initial_deformation     = {};
@@ -258,7 +260,7 @@ TEST(CurveErrorBars, AreNotSoughtWhereNoStepBalancesThePowers)
   // with it (order 1).
   const auto find = [](const double order)
   {
-    Parameters parameters;
+    Parameters parameters          = paper_motor();
     parameters.loading.values      = {0.}; // torque
     parameters.initial_deformation = {};
     CurveSearch::Sources sources   = made_up_sources(0., 0.);
@@ -294,7 +296,7 @@ TEST(CurveErrorBars, AreHeldForTheListedQuantities)
   const auto level_for =
       [](const std::vector<QuantityTarget> &quantities, const double contact_target)
   {
-    Parameters parameters;
+    Parameters parameters              = paper_motor();
     parameters.loading.values          = {0.}; // torque
     parameters.initial_deformation     = {};
     parameters.accuracy.contact_target = contact_target;
@@ -338,7 +340,7 @@ TEST(CurveErrorBars, AreHeldForTheListedQuantities)
 
 TEST(CurveErrorBars, LeadToSettingsThatCanBeFrozen)
 {
-  Parameters parameters;
+  Parameters parameters              = paper_motor();
   parameters.loading.values          = {1., 3.};
   parameters.loading.control         = Control::torque;
   parameters.initial_deformation     = {};
@@ -359,7 +361,7 @@ TEST(CurveErrorBars, LeadToSettingsThatCanBeFrozen)
 TEST(StepChoice, BeginsWithLongStepsAndComparesWithThoseOfTwiceTheLength)
 {
   // Ninety different teeth: ninety undivided steps in a period; a target of 1 % asks for 120.
-  Parameters parameters;
+  Parameters parameters          = paper_motor();
   parameters.initial_deformation = {};
   const auto choice              = [&](const double target)
   {

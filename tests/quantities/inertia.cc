@@ -207,7 +207,7 @@ namespace
       motor = condense_motor(parameters, stator_wave(parameters), ContactDiscretisation::level(0));
     }
 
-    static Parameters parameters;
+    static Parameters parameters = paper_motor();
     static CondensedMotor motor;
   };
   Parameters VibratingMotor::parameters;

@@ -120,8 +120,8 @@ TEST(RotorEnergy, AMomentOfAllTeethTellsThePeriodOfOne)
 
 TEST(LossBudget, FeltFollowsTheLowerSide)
 {
-  const Parameters parameters;
-  const WaveMotion wave = [](const dealii::Point<3> &x)
+  const Parameters parameters = paper_motor();
+  const WaveMotion wave       = [](const dealii::Point<3> &x)
   {
     return std::array<std::complex<double>, 3>{
         {1., 1., std::polar(1e-6, -7. * std::atan2(x[1], x[0]))}};

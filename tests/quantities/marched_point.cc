@@ -107,7 +107,7 @@ namespace
       coarse = condense_motor(parameters, wave, ContactDiscretisation::level(0));
     }
 
-    static Parameters parameters;
+    static Parameters parameters = paper_motor();
     static CondensedMotor motor, coarse; ///< interface meshes 1 and 0
   };
   Parameters WarpedMotor::parameters;

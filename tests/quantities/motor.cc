@@ -40,7 +40,7 @@ namespace
           .find({Control::torque, torque});
     }
 
-    static Parameters parameters;
+    static Parameters parameters = paper_motor();
     static CondensedMotor motor;
   };
   Parameters ReferenceMotor::parameters;

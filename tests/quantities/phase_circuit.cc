@@ -5,6 +5,7 @@
 // near the resonance; the losses of a stator of one loss factor.
 
 #include "support/materials.h"
+#include "support/paper_motor.h"
 
 #include <ringmotor/mesh/stator_sector.h>
 #include <ringmotor/parameters/errors.h>
@@ -100,7 +101,7 @@ namespace
         circuits[i] = {wave.frequency(), branches[i], parallel[i], 0.};
     }
 
-    const Parameters parameters;
+    const Parameters parameters = paper_motor();
     const SectorMesh mesh;
     const MaterialTable materials;
     const CyclicSector sector;

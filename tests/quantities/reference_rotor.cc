@@ -53,7 +53,7 @@ namespace
 
   Parameters parameters_of(const std::string &motor)
   {
-    Parameters parameters;
+    Parameters parameters                 = paper_motor();
     parameters.modes.body                 = Body::rotor;
     parameters.modes.nodal_diameters      = {7, 14};
     parameters.modes.n_modes              = 4;

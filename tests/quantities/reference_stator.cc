@@ -8,6 +8,7 @@
 // out-of-plane mode with 2 um normal amplitude at the outer centre of the tooth top.
 
 #include "support/materials.h"
+#include "support/paper_motor.h"
 #include "support/record.h"
 
 #include <ringmotor/mesh/stator_sector.h>
@@ -67,7 +68,7 @@ namespace
 
   Parameters with_target(const double target)
   {
-    Parameters parameters;
+    Parameters parameters      = paper_motor();
     parameters.accuracy.target = target;
     return parameters;
   }
@@ -245,7 +246,7 @@ TEST(ReferenceStatorForms, HalfAndWholeSectorMoveAlike)
 TEST(ReferenceStatorRanks, GiveTheSameWave)
 {
   ASSERT_GT(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD), 1u);
-  Parameters parameters;
+  Parameters parameters                 = paper_motor();
   parameters.accuracy.mode              = AccuracyMode::fixed;
   parameters.accuracy.polynomial_degree = 3;
   parameters.accuracy.refinement        = 1;

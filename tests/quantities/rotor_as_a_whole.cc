@@ -89,7 +89,7 @@ namespace
           condense_motor(parameters, stator_wave(parameters), ContactDiscretisation::level(0), 1);
     }
 
-    static Parameters parameters;
+    static Parameters parameters = paper_motor();
     static CondensedMotor motor;
   };
   Parameters RotorAsAWhole::parameters;

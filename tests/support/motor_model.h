@@ -2,6 +2,7 @@
 #pragma once
 
 #include "output/scratch.h"
+#include "support/paper_motor.h"
 
 #include <ringmotor/output/modes_file.h>
 #include <ringmotor/output/stator_files.h>
@@ -12,7 +13,7 @@ namespace ringmotor::tests
   /** The reference motor with one coefficient of friction and a solid flange. */
   inline Parameters reference_motor()
   {
-    Parameters parameters;
+    Parameters parameters                   = paper_motor();
     parameters.accuracy.target              = 1e-3;
     parameters.friction.law                 = FrictionLaw::coulomb;
     parameters.friction.static_coefficient  = 0.40;

@@ -55,6 +55,11 @@ namespace ringmotor
     /** Checks the entries that it needs; called unless it is off. @throws UserError */
     virtual void check(const Parameters &) const {}
 
+    /** Why this motor cannot have it, and what is allowed instead, as the end of a sentence: ` is
+     * not available with X; allowed: off`. Empty if it can. Such an effect is refused where it is
+     * asked for, and where `auto` finds that it would be needed. */
+    virtual std::string obstacle(const Parameters &) const { return ""; }
+
     /** Adds it to the model. */
     virtual void enter(const Parameters &parameters, MotorModel &model) const = 0;
 
@@ -65,12 +70,11 @@ namespace ringmotor
      * of every contact and `auto` always means `on`. */
     virtual std::optional<double> indicator(const Scene &) const { return {}; }
 
-    /** Whether it is available. One that is not is refused where it would be needed. */
-    virtual bool is_available(const Parameters &) const { return true; }
-
     EffectChoice choice(const Parameters &parameters) const { return parameters.effects.*entry; }
     /** `Effects/Rotor inertia = auto`, with the given choice. */
     std::string given(const Parameters &parameters) const;
+    /** The same with the choice `on`. */
+    std::string switched_on() const { return "Effects/" + name + " = on"; }
 
     const std::string name;
     EffectChoice Effects::*const entry;

@@ -21,6 +21,7 @@ namespace ringmotor
       std::string allowed;   ///< the allowed values in words
       std::string units;     ///< `m`, `Pa`, ...; `none` for a plain number, empty if not a number
       std::string plausible; ///< see Notation#plausible
+      bool is_required;      ///< see Presence
     };
 
     /** Collects all entries declared in @p prm with add_entry(). */

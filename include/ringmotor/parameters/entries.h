@@ -18,7 +18,12 @@ namespace ringmotor
   /** All entries, but without those of Parameters::not_given. */
   Entries entries_of(const Parameters &parameters);
 
+  /** Writes a commented parameter file with all entries and their default values, which those that
+   * a file has to give do not have. */
+  void print_template(std::ostream &out);
+
   /** Writes what is declared as JSON: nested objects for sections, and for each entry its default
-   * value, documentation and pattern in words, in the order of a parameter file. */
+   * value (empty if a file has to give it), documentation and pattern in words, in the order of a
+   * parameter file. */
   void print_declarations(std::ostream &out);
 } // namespace ringmotor

@@ -22,8 +22,8 @@ namespace ringmotor
     /** Of a piezoelectric solid, instead of modulus and Poisson ratio. */
     std::optional<PiezoelectricLaw> law{};
 
-    /** Declares the entries; those that have no sensible default may be marked as required. */
-    void declare(dealii::ParameterHandler &prm, bool required);
+    /** Declares the entries, all of them required where the part is in the motor. */
+    void declare(dealii::ParameterHandler &prm);
   };
 
   /** The materials of the parts. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 
 namespace dealii
@@ -46,7 +47,7 @@ namespace ringmotor
     double slot_width                = 0.6e-3;  ///< between the parallel walls
     double piezoceramic_thickness    = 0.5e-3;  ///< of the ring below z = 0; 0 means no ring
     ElementKind piezoceramic_element = ElementKind::solid;
-    double target_plate_area         = 1.e-7; ///< m^2, see Effects#target_plates
+    std::optional<double> target_plate_area; ///< m^2, see Effects#target_plates
     std::string mesh_file; ///< Gmsh file of one sector, absolute path after reading; empty: none
 
     /** Declares the entries; reading them changes the members. */

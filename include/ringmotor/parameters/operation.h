@@ -66,14 +66,21 @@ namespace ringmotor
     void declare(dealii::ParameterHandler &prm);
   };
 
-  /** The felt ring that carries the stator from below. */
+  /** The felt ring that carries the stator from below, if there is one. */
   struct Support
   {
-    double felt_thickness   = 1.e-3;         ///< m
-    double felt_modulus     = 5.e5;          ///< Pa, in compression
-    double felt_loss_factor = 0.3;           ///< energy lost per radian over the stored energy
+    std::optional<double> felt_thickness;    ///< m
+    std::optional<double> felt_modulus;      ///< Pa, in compression
+    std::optional<double> felt_loss_factor;  ///< energy lost per radian over the stored energy
     std::optional<double> felt_inner_radius; ///< m; without a value that of the stator's base
     std::optional<double> felt_outer_radius; ///< m, likewise
+
+    /** Whether there is one; only then it has a thickness, a modulus and a loss factor. */
+    bool has_felt() const { return felt_thickness.has_value(); }
+    /** Of the foundation that it is for the stator, N/m^3; 0 without a felt. */
+    double stiffness() const { return has_felt() ? *felt_modulus / *felt_thickness : 0.; }
+    /** @throws UserError for a felt of which only a part is given */
+    void check() const;
 
     /** Declares the entries; reading them changes the members. */
     void declare(dealii::ParameterHandler &prm);

@@ -81,22 +81,24 @@ namespace ringmotor
     automatic ///< on where its indicator exceeds the accuracy target
   };
 
-  /** Which physical effects are included. The choices follow the paper's model. */
+  /** Which physical effects are included. A file that does not mention them gets what its motor
+   * and targets call for. */
   struct Effects
   {
-    EffectChoice tooth_shear                 = EffectChoice::on;
-    EffectChoice rotor_tangential_compliance = EffectChoice::on;
+    EffectChoice tooth_shear                 = EffectChoice::automatic;
+    EffectChoice rotor_tangential_compliance = EffectChoice::automatic;
     EffectChoice initial_deformation         = EffectChoice::automatic;
-    EffectChoice static_friction_excess      = EffectChoice::on;
-    EffectChoice rotor_inertia               = EffectChoice::off;
-    EffectChoice tooth_inertia               = EffectChoice::off;
-    EffectChoice damping                     = EffectChoice::off;
-    EffectChoice stator_back_reaction        = EffectChoice::off;
-    EffectChoice spin_convection             = EffectChoice::off;
-    EffectChoice target_plates               = EffectChoice::off;
-    EffectChoice felt_support                = EffectChoice::off;
-    EffectChoice piezoelectric_coupling      = EffectChoice::off;
-    EffectChoice friction_lining             = EffectChoice::off;
+    EffectChoice static_friction_excess      = EffectChoice::automatic;
+    EffectChoice rotor_inertia               = EffectChoice::automatic;
+    EffectChoice tooth_inertia               = EffectChoice::automatic;
+    EffectChoice damping                     = EffectChoice::automatic;
+    EffectChoice stator_back_reaction        = EffectChoice::automatic;
+    EffectChoice spin_convection             = EffectChoice::automatic;
+    /** Plates of a measurement, which no motor has unless they are asked for. */
+    EffectChoice target_plates          = EffectChoice::off;
+    EffectChoice felt_support           = EffectChoice::automatic;
+    EffectChoice piezoelectric_coupling = EffectChoice::automatic;
+    EffectChoice friction_lining        = EffectChoice::automatic;
 
     /** Declares the entries; reading them changes the members. */
     void declare(dealii::ParameterHandler &prm);

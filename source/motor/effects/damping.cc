@@ -12,19 +12,13 @@ namespace ringmotor::effects
     public:
       Damping() : Effect("Damping", &Effects::damping, EffectStage::contact) {}
 
-      void check(const Parameters &parameters) const override
+      std::string obstacle(const Parameters &parameters) const override
       {
-        if (choice(parameters) == EffectChoice::on && is_marched(parameters) &&
-            parameters.effects.rotor_inertia == EffectChoice::off)
-          throw UserError(given(parameters) +
-                          " is not available with Effects/Rotor inertia = off when the motor is "
-                          "marched through time: hysteresis needs harmonics of a steady state; "
-                          "allowed: off | auto, or Effects/Rotor inertia = on | auto");
-      }
-
-      bool is_available(const Parameters &parameters) const override
-      {
-        return !is_marched(parameters) || parameters.effects.rotor_inertia != EffectChoice::off;
+        if (!is_marched(parameters) || parameters.effects.rotor_inertia != EffectChoice::off)
+          return "";
+        return " is not available with Effects/Rotor inertia = off when the motor is marched "
+               "through time: hysteresis needs harmonics of a steady state; allowed: off, or "
+               "Effects/Rotor inertia = on";
       }
 
       void enter(const Parameters &parameters, MotorModel &model) const override

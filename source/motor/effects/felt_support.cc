@@ -17,6 +17,13 @@ namespace ringmotor::effects
       {
         const Support &felt          = parameters.support;
         const StatorGeometry &stator = parameters.stator;
+        if (!felt.has_felt() && choice(parameters) == EffectChoice::on)
+          throw UserError(given(parameters) +
+                          " needs Support/Felt thickness, Felt modulus and Felt "
+                          "loss factor, found none; allowed: off | auto, or a "
+                          "felt");
+        if (!felt.has_felt())
+          return;
         if (!stator.mesh_file.empty())
           throw UserError(given(parameters) + " is incompatible with Stator/Mesh file = " +
                           in_quotes(stator.mesh_file) + "; allowed: off");
@@ -30,14 +37,15 @@ namespace ringmotor::effects
 
       void enter(const Parameters &parameters, MotorModel &model) const override
       {
-        model.felt_stiffness = parameters.support.felt_modulus / parameters.support.felt_thickness;
+        model.felt_stiffness = parameters.support.stiffness();
       }
 
       void forget(Parameters &parameters) const override { parameters.support = {}; }
 
+      /** Zero without a felt. */
       std::optional<double> indicator(const Scene &scene) const override
       {
-        return measured_in(scene);
+        return scene.parameters.support.has_felt() ? measured_in(scene) : 0.;
       }
     };
   } // namespace

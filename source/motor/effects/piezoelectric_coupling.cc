@@ -3,6 +3,7 @@
 #include <ringmotor/motor/electrode_layout.h>
 #include <ringmotor/parameters/check_geometry.h>
 #include <ringmotor/parameters/errors.h>
+#include <ringmotor/parameters/required.h>
 
 namespace ringmotor::effects
 {
@@ -27,6 +28,11 @@ namespace ringmotor::effects
           throw UserError(given(parameters) +
                           " needs a ceramic, but Stator/Piezoceramic thickness = 0; allowed: off, "
                           "or a thickness above 0");
+        check_given(parameters,
+                    given(parameters) + " needs the constants of the ceramic and the loss factors "
+                                        "of the stator",
+                    {"Piezoelectricity/", "Materials/Stator metal/Loss factor",
+                     "Materials/Piezoceramic/Loss factor"});
         parameters.piezoelectricity.check();
         const Materials &materials = parameters.materials;
         if (materials.stator_metal.loss_factor == 0. && materials.piezoceramic.loss_factor == 0. &&

@@ -14,30 +14,28 @@ namespace ringmotor::effects
     public:
       RotorInertia() : Effect("Rotor inertia", &Effects::rotor_inertia, EffectStage::contact) {}
 
-      void check(const Parameters &parameters) const override
+      std::string obstacle(const Parameters &parameters) const override
       {
         if (is_marched(parameters))
-        {
           // Tilt and shift would be one coupled motion with two inertias.
-          if (parameters.rotor.radial_bar_stiffness == 0.)
-            throw UserError(given(parameters) +
-                            " is not available with Rotor/Radial bar stiffness = 0 when the motor "
-                            "is marched through time: nothing centres the rotor; allowed: off, or "
-                            "radial bars");
-          return;
-        }
+          return parameters.rotor.radial_bar_stiffness == 0.
+                     ? " is not available with Rotor/Radial bar stiffness = 0 when the motor is "
+                       "marched through time: nothing centres the rotor; allowed: off, or radial "
+                       "bars"
+                     : "";
         // The motions as a whole are quasi-static, which is adequate only for slow loads and those
         // of high harmonics.
         constexpr unsigned int highest = 6; // harmonic that must not move the rotor as a whole
         const Motor &motor             = parameters.motor;
         for (unsigned int m = 1; m <= highest; ++m)
           if (nodal_diameter_of_harmonic(motor, m) <= 1)
-            throw UserError(
-                given(parameters) + " is not available with " +
-                ringmotor::entry("Motor/Number of waves", motor.n_waves) + " and " +
-                ringmotor::entry("Motor/Number of teeth", motor.n_teeth) +
-                " in this version: harmonic " + std::to_string(m) +
-                " of the wave moves the rotor as a whole; allowed: off, or Time/Scheme = marching");
+            return " is not available with " +
+                   ringmotor::entry("Motor/Number of waves", motor.n_waves) + " and " +
+                   ringmotor::entry("Motor/Number of teeth", motor.n_teeth) +
+                   " in this version: harmonic " + std::to_string(m) +
+                   " of the wave moves the rotor as a whole; allowed: off, or Time/Scheme = "
+                   "marching";
+        return "";
       }
 
       void enter(const Parameters &parameters, MotorModel &model) const override
@@ -46,15 +44,17 @@ namespace ringmotor::effects
         model.rotor_moves_as_whole = is_marched(parameters);
       }
 
-      /** Estimated by the amplification of the lip; by operating points where that is near the
-       * threshold. */
+      /** Estimated by the amplification of the lip; where `auto` decides, by operating points if
+       * that is near the threshold. */
       std::optional<double> indicator(const Scene &scene) const override
       {
         constexpr double roughly = 3.;
-        if (!scene.lip || !scene.wave || choice(scene.parameters) == EffectChoice::off)
+        if (!scene.lip || !scene.wave)
           return measured_in(scene);
         const double rough = scene.lip().rough_effect(scene.wave->angular_frequency);
-        const bool is_near = rough < roughly * scene.threshold && rough > scene.threshold / roughly;
+        const bool is_near = rough < roughly * scene.threshold &&
+                             rough > scene.threshold / roughly &&
+                             obstacle(scene.parameters).empty();
         const std::optional<double> measured = is_near ? measured_in(scene) : std::nullopt;
         return measured ? measured : rough;
       }

@@ -18,7 +18,10 @@ namespace ringmotor::effects
 
       void enter(const Parameters &, MotorModel &) const override {}
 
-      bool is_available(const Parameters &) const override { return false; }
+      std::string obstacle(const Parameters &) const override
+      {
+        return " is not available in this version; allowed: off";
+      }
 
       /** For a rotor as fast as the crests: number of waves passed by its rotation relative to
        * those that pass it. */

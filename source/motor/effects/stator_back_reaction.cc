@@ -16,11 +16,11 @@ namespace ringmotor::effects
       {
       }
 
-      void check(const Parameters &parameters) const override
+      std::string obstacle(const Parameters &parameters) const override
       {
-        if (is_marched(parameters))
-          throw UserError(given(parameters) + " is not available with Time/Scheme = marching or a "
-                                              "warped ring in this version; allowed: off");
+        return is_marched(parameters) ? " is not available with Time/Scheme = marching or a warped "
+                                        "ring in this version; allowed: off"
+                                      : "";
       }
 
       void enter(const Parameters &parameters, MotorModel &model) const override

@@ -3,6 +3,7 @@
 #include <ringmotor/parameters/check_geometry.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/parameters/prm_file.h>
+#include <ringmotor/parameters/required.h>
 
 #include <sstream>
 
@@ -23,11 +24,16 @@ namespace ringmotor::effects
           throw UserError(given(parameters) + " is incompatible with Stator/Mesh file = " +
                           in_quotes(stator.mesh_file) +
                           ", where the edges of the teeth are not known; allowed: off");
+        if (!stator.target_plate_area)
+          throw UserError(given(parameters) +
+                          " needs Stator/Target plate cross-section, found none; "
+                          "give it in m^2");
+        check_given(parameters, given(parameters) + " needs their material", {material});
         const double largest = 0.1 * stator.tooth_height * stator.tooth_height;
-        if (stator.target_plate_area <= largest)
+        if (*stator.target_plate_area <= largest)
           return;
         std::ostringstream text;
-        text << "Stator/Target plate cross-section = " << stator.target_plate_area
+        text << "Stator/Target plate cross-section = " << *stator.target_plate_area
              << " m^2 is too large for a thin plate on teeth of "
              << ringmotor::entry("Stator/Tooth height", stator.tooth_height)
              << "; allowed: up to a tenth of the height's square, " << largest << " m^2";
@@ -37,7 +43,7 @@ namespace ringmotor::effects
       void enter(const Parameters &parameters, MotorModel &model) const override
       {
         const Material &metal = parameters.materials.target_plate;
-        const double area     = parameters.stator.target_plate_area;
+        const double area     = *parameters.stator.target_plate_area;
         model.target_plates   = {area * metal.young_modulus, area * metal.density};
       }
 
@@ -48,10 +54,17 @@ namespace ringmotor::effects
         parameters.materials.target_plate   = defaults.materials.target_plate;
       }
 
+      /** None where they are not given. */
       std::optional<double> indicator(const Scene &scene) const override
       {
-        return measured_in(scene);
+        const Parameters &parameters = scene.parameters;
+        const bool are_given =
+            parameters.stator.target_plate_area && missing_entries(parameters, {material}).empty();
+        return are_given ? measured_in(scene) : std::nullopt;
       }
+
+    private:
+      const std::string material = "Materials/Target plate/";
     };
   } // namespace
 

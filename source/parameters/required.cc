@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/parameter_handler.h>
+
+#include <ringmotor/parameters/errors.h>
+#include <ringmotor/parameters/parameters.h>
+#include <ringmotor/parameters/prm_file.h>
+#include <ringmotor/parameters/required.h>
+
+#include <boost/algorithm/string/predicate.hpp>
+#include <boost/algorithm/string/replace.hpp>
+
+#include <algorithm>
+
+namespace ringmotor
+{
+  using namespace dealii;
+
+  namespace
+  {
+    const std::string constants_of_ceramic = "Piezoelectricity/";
+
+    bool starts_with_one_of(const std::string &path, const std::vector<std::string> &starts)
+    {
+      return std::any_of(starts.begin(), starts.end(),
+                         [&path](const std::string &start)
+                         { return boost::algorithm::starts_with(path, start); });
+    }
+
+    /** Whether the motor has no part that the entry describes. */
+    bool is_of_no_part(const std::string &path, const Parameters &parameters)
+    {
+      if (!parameters.stator.mesh_file.empty() && starts_with_one_of(path, {"Stator/"}))
+        return true;
+      if (parameters.stator.piezoceramic_thickness == 0. &&
+          starts_with_one_of(path, {"Materials/Piezoceramic/"}))
+        return true;
+      return parameters.rotor.radial_bar_stiffness == 0. && path == "Rotor/Radial bar height";
+    }
+
+    /** Whether stator, contact and losses need it, whatever the motor. */
+    bool is_always_needed(const std::string &path)
+    {
+      return !starts_with_one_of(path, {"Rotor/", "Loading/", "Friction/", "Materials/Rotor metal/",
+                                        "Materials/Target plate/", constants_of_ceramic}) &&
+             !boost::algorithm::ends_with(path, "/Loss factor");
+    }
+
+    /** Where the law has one coefficient, that of sticking nodes is the same. */
+    void derive_static_coefficient(Parameters &parameters)
+    {
+      std::vector<std::string> &not_given = parameters.not_given;
+      const auto missing =
+          std::find(not_given.begin(), not_given.end(), "Friction/Static coefficient");
+      if (parameters.friction.law != FrictionLaw::coulomb || missing == not_given.end())
+        return;
+      parameters.friction.static_coefficient = parameters.friction.dynamic_coefficient;
+      not_given.erase(missing);
+    }
+
+    /** Paths as users write them: deal.II's internal names have points for slashes and _20 for
+     * blanks. */
+    std::vector<std::string> required_but_not_set(const ParameterHandler &prm)
+    {
+      std::vector<std::string> paths;
+      for (std::string path : prm.get_entries_wrongly_not_set())
+      {
+        boost::algorithm::replace_all(path, ".", "/");
+        boost::algorithm::replace_all(path, "_20", " ");
+        paths.push_back(path);
+      }
+      return paths;
+    }
+
+    unsigned int n_constants_of_ceramic()
+    {
+      Parameters none;
+      ParameterHandler prm;
+      none.declare(prm);
+      none.not_given = required_but_not_set(prm);
+      return missing_entries(none, {constants_of_ceramic}).size();
+    }
+  } // namespace
+
+  void note_missing(Parameters &parameters, const ParameterHandler &prm, const std::string &name)
+  {
+    std::vector<std::string> missing;
+    for (const std::string &path : required_but_not_set(prm))
+      if (!is_of_no_part(path, parameters))
+        (is_always_needed(path) ? missing : parameters.not_given).push_back(path);
+    if (!missing.empty())
+      throw UserError(name + ": missing " + some_of(missing) +
+                      "; the motor has no default values, see --help for the required entries");
+    derive_static_coefficient(parameters);
+    static const unsigned int n_constants = n_constants_of_ceramic();
+    if (parameters.effects.piezoelectric_coupling == EffectChoice::automatic &&
+        missing_entries(parameters, {constants_of_ceramic}).size() == n_constants)
+      parameters.effects.piezoelectric_coupling = EffectChoice::off;
+  }
+
+  std::vector<std::string> missing_entries(const Parameters &parameters,
+                                           const std::vector<std::string> &starts)
+  {
+    std::vector<std::string> missing;
+    for (const std::string &path : parameters.not_given)
+      if (starts_with_one_of(path, starts))
+        missing.push_back(path);
+    return missing;
+  }
+
+  void check_given(const Parameters &parameters, const std::string &reason,
+                   const std::vector<std::string> &starts)
+  {
+    const std::vector<std::string> missing = missing_entries(parameters, starts);
+    if (!missing.empty())
+      throw UserError("missing " + some_of(missing) + "; " + reason +
+                      "; these entries have no default values, see --help");
+  }
+} // namespace ringmotor
