@@ -106,7 +106,7 @@ namespace ringmotor
 
   Notation<double> height()
   {
-    return plausible(any_number(), 0., 0.05);
+    return plausible(any_number(), -0.05, 0.05);
   }
 
   Notation<double> modulus()

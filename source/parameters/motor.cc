@@ -18,10 +18,6 @@ namespace ringmotor
     {
       add_entry(prm, name, variable, length, sentence, Presence::required);
     }
-
-    const std::string mesh_file_sentence =
-        "Gmsh file (.msh) of one sector, which replaces the dimensions above; a relative path is "
-        "searched in the folder of this parameter file first, then in the current directory.";
   } // namespace
 
   void Motor::declare(ParameterHandler &prm)
@@ -70,7 +66,12 @@ namespace ringmotor
               "Cross-section of the thin plates, targets of optical measurements, on the outer "
               "edges of the tooth tops; used if Effects/Target plates is on. Units: "
               "m^2.");
-    add_entry(prm, "Mesh file", mesh_file, file_or_none(), mesh_file_sentence);
+    add_entry(
+        prm, "Mesh file", mesh_file, file_or_none(),
+        "Gmsh file (.msh) of one sector of the stator, which replaces the dimensions above in "
+        "the program stator; the program contact, which builds its teeth from the "
+        "dimensions, refuses it. A relative path is searched in the folder of this parameter "
+        "file first, then in the current directory.");
   }
 
   void RotorGeometry::declare(ParameterHandler &prm)
@@ -103,6 +104,8 @@ namespace ringmotor
               "Height of the band below that edge over which the forces of the bars are "
               "distributed; displacements under a line force would diverge. Units: m.",
               Presence::required);
-    add_entry(prm, "Mesh file", mesh_file, file_or_none(), mesh_file_sentence);
+    add_entry(prm, "Mesh file", mesh_file, file_or_none(),
+              "Reserved for a Gmsh file (.msh) of one sector of the rotor; this version refuses "
+              "every value except none.");
   }
 } // namespace ringmotor

@@ -189,11 +189,14 @@ namespace ringmotor
                "A static coefficient of friction above the dynamic one.");
     add_effect("Rotor inertia", rotor_inertia, "Inertia of the rotor's vibration.");
     add_effect("Tooth inertia", tooth_inertia, "Inertia of the teeth under contact forces.");
-    add_effect("Damping", damping,
-               "Internal damping of the motion by the loss factors of the materials; the program "
-               "losses includes the loss in any case.");
-    add_effect("Stator back-reaction", stator_back_reaction,
-               "Change of the stator's wave by the contact forces.");
+    add_effect(
+        "Damping", damping,
+        "Internal damping of the rotor's motion by the loss factor of its metal; the program "
+        "losses includes the loss in any case.");
+    add_effect(
+        "Stator back-reaction", stator_back_reaction,
+        "Shift of the frequency of the stator's wave by the contact forces; the shape of the "
+        "wave does not change.");
     add_effect("Spin convection", spin_convection,
                "Convection of the rotor's deformation by its own rotation.");
     add_entry(prm, "Target plates", target_plates,
