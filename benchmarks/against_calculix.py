@@ -310,7 +310,7 @@ def main():
     parser.add_argument("--last", type=int, default=12, help="stator: the last of all nodal diameters")
     parser.add_argument("--repeat", type=int, default=3, help="stator: runs of each case with the wave alone")
     parser.add_argument("--programs", default=PROGRAMS, help="the folder of the programs")
-    parser.add_argument("--markdown", help="also write the tables to this file, or between its comments for them")
+    parser.add_argument("--markdown", help="also write the tables to this file")
     options = parser.parse_args()
     for name, values in (("--sizes", [-size for size in options.sizes]), ("--cells", options.cells)):
         if len(values) < 2 or sorted(set(values)) != values:
@@ -318,16 +318,15 @@ def main():
     if min(options.waves + options.cells) < 1:
         parser.error("--waves and --cells need numbers from 1")
     if options.markdown and options.body == "both":
-        parser.error("--markdown needs --body rotor or --body stator: their tables are in different documents")
+        parser.error("--markdown needs --body rotor or --body stator: their tables are in different pages")
     check_installed()
     path = program("stator", options.programs)
-    for body, comment, make_lines in (("rotor", "benchmarks/against_calculix.py", rotor_lines),
-                                      ("stator", "calculix", stator_lines)):
+    for body, make_lines in (("rotor", rotor_lines), ("stator", stator_lines)):
         if options.body in (body, "both"):
             lines = make_lines(options, path)
             print("\n".join(lines))
             if options.markdown:
-                write_markdown(options.markdown, comment, lines)
+                write_markdown(options.markdown, lines)
 
 
 if __name__ == "__main__":

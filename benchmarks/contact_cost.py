@@ -20,6 +20,7 @@ import sys
 import tempfile
 
 sys.dont_write_bytecode = True
+from motor_run import write_markdown  # noqa: E402
 from timed_run import program, teeth, timed_run  # noqa: E402
 
 PLAIN = {"Friction/Law": "coulomb", "Rotor/Flange element": "solid", "Accuracy/Mode": "fixed",
@@ -116,7 +117,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--repeat", type=int, default=3)
     parser.add_argument("--growth", action="store_true", help="with the interface's and the ring's size")
-    parser.add_argument("--markdown", help="also write the table to this file")
+    parser.add_argument("--markdown", help="also write the tables to this file")
     options = parser.parse_args()
     program("contact")
     if options.growth:
@@ -125,7 +126,7 @@ def main():
     else:
         lines = table(CASES, options.repeat)
     if options.markdown:
-        pathlib.Path(options.markdown).write_text("\n".join(lines) + "\n")
+        write_markdown(options.markdown, lines)
 
 
 if __name__ == "__main__":

@@ -93,7 +93,7 @@ def rows_of_stator(motor, folder):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("motors", nargs="*", type=pathlib.Path, default=MOTORS, metavar="FILE.prm")
-    parser.add_argument("--markdown", type=pathlib.Path, help="file between whose comments the table goes")
+    parser.add_argument("--markdown", type=pathlib.Path, help="also write the tables to this file")
     options = parser.parse_args()
     rows = []
     for motor in options.motors or MOTORS:
@@ -105,7 +105,7 @@ def main():
     lines = table(["motor", "effect", "indicator, %", "change, %", "seconds", "modes", "MB"], rows)
     print("\n".join(lines))
     if options.markdown:
-        write_markdown(options.markdown, "effects", lines)
+        write_markdown(options.markdown, lines)
 
 
 if __name__ == "__main__":

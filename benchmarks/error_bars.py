@@ -121,7 +121,7 @@ def main():
     parser.add_argument("motors", nargs="*", default=list(MOTORS), metavar="MOTOR", help=", ".join(MOTORS))
     parser.add_argument("--csv", type=pathlib.Path, default=ROOT / "output" / "error_bars.csv")
     parser.add_argument("--resume", action="store_true", help="keep the rows of that file, run what it lacks")
-    parser.add_argument("--markdown", type=pathlib.Path, help="file between whose comments the table goes")
+    parser.add_argument("--markdown", type=pathlib.Path, help="also write the tables to this file")
     parser.add_argument("--figure", type=pathlib.Path, help="file of the figure of the distribution")
     options = parser.parse_args()
     rows = RowFile(options.csv, COLUMNS, options.resume)
@@ -130,7 +130,7 @@ def main():
     lines, every = evaluate(rows)
     print("\n".join(lines))
     if options.markdown:
-        write_markdown(options.markdown, "error bars", lines)
+        write_markdown(options.markdown, lines)
     if options.figure:
         draw(every, options.figure)
 

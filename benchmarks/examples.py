@@ -71,7 +71,7 @@ def main():
     parser.add_argument("cases", nargs="*", metavar="CASE", help="names of the table; default: all")
     parser.add_argument("--csv", type=pathlib.Path, default=ROOT / "output" / "examples.csv")
     parser.add_argument("--resume", action="store_true", help="keep the rows of that file, run what it lacks")
-    parser.add_argument("--markdown", type=pathlib.Path, help="file between whose comments the table goes")
+    parser.add_argument("--markdown", type=pathlib.Path, help="also write the tables to this file")
     options = parser.parse_args()
     rows = RowFile(options.csv, COLUMNS, options.resume)
     for name, (command, entries) in cases().items():
@@ -82,7 +82,7 @@ def main():
                   [[row[key] for key in COLUMNS[:6]] for row in rows.rows])
     print("\n".join(lines))
     if options.markdown:
-        write_markdown(options.markdown, "examples", lines)
+        write_markdown(options.markdown, lines)
     return 0 if all(row["outcome"] == "certified" for row in rows.rows) else 1
 
 

@@ -15,6 +15,7 @@ import tempfile
 
 sys.dont_write_bytecode = True
 from contact_cost import PLAIN as COULOMB, points_on_a_tooth  # noqa: E402
+from motor_run import write_markdown  # noqa: E402
 from timed_run import program, timed_run  # noqa: E402
 
 LAWS = {"one coefficient, 0.40": {},
@@ -44,7 +45,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--seconds", type=float, default=300., help="the most that a run may take")
     parser.add_argument("--laws", nargs="+", choices=list(LAWS), default=list(LAWS))
-    parser.add_argument("--markdown", help="also write the table to this file")
+    parser.add_argument("--markdown", help="also write the tables to this file")
     options = parser.parse_args()
     program("contact")
     columns = [(level, moments) for level in LEVELS for moments in MOMENTS]
@@ -57,7 +58,7 @@ def main():
             lines.append(f"| {law} | " + " | ".join(cells) + " |")
             print(lines[-1], flush=True)
     if options.markdown:
-        pathlib.Path(options.markdown).write_text("\n".join(lines) + "\n")
+        write_markdown(options.markdown, lines)
 
 
 if __name__ == "__main__":

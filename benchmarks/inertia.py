@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Convergence with the inertia of the rotor, and the influence of friction, on the reference motor.
 
-usage: benchmarks/inertia.py [--markdown FILE] [--figure FILE.png]
+usage: benchmarks/inertia.py convergence | friction [--markdown FILE] [--figure FILE.png]
 
 One coefficient of friction, all other effects as in the paper. The first table varies steps, dissipation, modes and
 interface mesh one at a time from a common setting; each row quotes its own error bars, except those of the
@@ -110,16 +110,17 @@ def draw(folders, path):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--markdown", type=pathlib.Path, help="file between whose comments the tables go")
+    parser.add_argument("table", choices=("convergence", "friction"))
+    parser.add_argument("--markdown", type=pathlib.Path, help="also write the tables to this file")
     parser.add_argument("--figure", type=pathlib.Path, help="file of the figure of friction coefficients")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch) / "case"
         certified_run("stator", MOTOR, folder, {**BASE, "Accuracy/Target": "1e-4"})
-        for name, lines in (("convergence", convergence(folder)), ("friction", friction(folder, options.figure))):
-            print("\n".join(lines))
-            if options.markdown:
-                write_markdown(options.markdown, name, lines)
+        lines = convergence(folder) if options.table == "convergence" else friction(folder, options.figure)
+        print("\n".join(lines))
+        if options.markdown:
+            write_markdown(options.markdown, lines)
 
 
 if __name__ == "__main__":

@@ -85,7 +85,7 @@ def main():
     parser.add_argument("motors", nargs="*", default=list(MOTORS), metavar="MOTOR", help=", ".join(MOTORS))
     parser.add_argument("--csv", type=pathlib.Path, default=ROOT / "output" / "inertia_bars.csv")
     parser.add_argument("--resume", action="store_true", help="keep the rows of that file, run what it lacks")
-    parser.add_argument("--markdown", type=pathlib.Path, help="file between whose comments the table goes")
+    parser.add_argument("--markdown", type=pathlib.Path, help="also write the tables to this file")
     options = parser.parse_args()
     rows = RowFile(options.csv, COLUMNS, options.resume)
     for name in options.motors:
@@ -93,7 +93,7 @@ def main():
     lines = evaluate(rows)
     print("\n".join(lines))
     if options.markdown:
-        write_markdown(options.markdown, "inertia bars", lines)
+        write_markdown(options.markdown, lines)
 
 
 if __name__ == "__main__":

@@ -71,7 +71,7 @@ def main():
     lines = summary(rows) + [""] + table(HEADER, [[row[column] for column in SHOWN] for row in rows])
     print("\n" + "\n".join(lines))
     if options.markdown:
-        write_markdown(options.markdown, "benchmarks/loads.py", lines)
+        write_markdown(options.markdown, lines)
     sys.exit(0 if is_acceptable(rows) else 1)
 
 

@@ -159,16 +159,9 @@ def summary(rows):
     return lines
 
 
-def write_markdown(path, name, lines):
-    """Writes lines to a file; in one that has the comments `<!-- NAME -->` and `<!-- end of NAME -->` they
-    replace what stands between these."""
-    path = pathlib.Path(path)
-    begin, end = f"<!-- {name} -->\n", f"<!-- end of {name} -->"
-    text = path.read_text() if path.exists() else ""
-    body = "\n".join(lines) + "\n"
-    if begin in text and end in text:
-        body = text[:text.index(begin)] + begin + "\n" + body + "\n" + text[text.index(end):]
-    path.write_text(body)
+def write_markdown(path, lines):
+    """Writes tables to a file; scripts/documents.py puts them into the pages."""
+    pathlib.Path(path).write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
 def add_options(parser, default_csv):
@@ -177,4 +170,4 @@ def add_options(parser, default_csv):
     parser.add_argument("--csv", default=ROOT / "output" / default_csv, help="the file of all rows")
     parser.add_argument("--resume", action="store_true", help="keep the rows of that file, run what it lacks")
     parser.add_argument("--keep", help="folder for the results of the runs, which are removed otherwise")
-    parser.add_argument("--markdown", help="also write the tables to this file, or between its comments for them")
+    parser.add_argument("--markdown", help="also write the tables to this file")

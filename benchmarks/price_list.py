@@ -96,7 +96,7 @@ def main():
     parser.add_argument("--repeat", type=int, default=1, help="runs of which the median is quoted")
     parser.add_argument("--most-seconds", type=float, default=600., help="on the clock, for a run")
     parser.add_argument("--only", default="", help="rows whose description has this text")
-    parser.add_argument("--markdown", type=pathlib.Path, help="file between whose comments the table goes")
+    parser.add_argument("--markdown", type=pathlib.Path, help="also write the tables to this file")
     options = parser.parse_args()
     rows = []
     for row in (row for row in ROWS if options.only in row[2]):
@@ -105,7 +105,7 @@ def main():
     lines = table(["what", "asked", "reached", "s, one core", "s, two cores", "MB"], rows) + ["", f"{machine()}."]
     print("\n".join(lines))
     if options.markdown:
-        write_markdown(options.markdown, "price list", lines)
+        write_markdown(options.markdown, lines)
 
 
 if __name__ == "__main__":

@@ -91,7 +91,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--repeat", type=int, default=3)
     parser.add_argument("--only", default="", metavar="TEXT", help="only rows with these words")
-    parser.add_argument("--markdown", metavar="FILE", help="write the tables between the comments of this file")
+    parser.add_argument("--markdown", metavar="FILE", help="also write the tables to this file")
     options = parser.parse_args()
     lines = table(["what grows", "sizes", "seconds of the processor", "exponent"],
                   [growth(what, options.repeat) for what in GROWTH if options.only in what])
@@ -99,7 +99,7 @@ def main():
                          [second_rank(what, options.repeat) for what in RANKS if options.only in what])]
     print("\n".join(lines))
     if options.markdown:
-        write_markdown(ROOT / options.markdown, "benchmarks/scaling.py", lines)
+        write_markdown(options.markdown, lines)
 
 
 if __name__ == "__main__":

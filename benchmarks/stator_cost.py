@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What accuracy costs in the program stator: whole runs on the reference motor, timed from outside.
 
-usage: benchmarks/stator_cost.py [--repeat 3] [--quick | --thin-parts] [--markdown FILE]
+usage: benchmarks/stator_cost.py [--repeat 3] [--quick | --fixed | --thin-parts] [--markdown FILE]
 
 Each case is run `--repeat` times in a folder of its own that is removed afterwards; the table quotes
 medians. "whole" is the wall clock of the process, "modes" the time it gives itself for all passes (what
@@ -16,6 +16,7 @@ import sys
 import tempfile
 
 sys.dont_write_bytecode = True
+from motor_run import write_markdown  # noqa: E402
 from timed_run import program, timed_run  # noqa: E402
 
 # Frequency of the motor's wave: what our own meshes converge to from above (30 001.68 Hz computed with
@@ -72,15 +73,16 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--repeat", type=int, default=3)
     parser.add_argument("--quick", action="store_true", help="only the adaptive runs")
+    parser.add_argument("--fixed", action="store_true", help="only those of a fixed discretisation")
     parser.add_argument("--thin-parts", action="store_true",
                         help="flange and ceramic ring in solid cells and as shells")
-    parser.add_argument("--markdown", help="also write the table to this file")
+    parser.add_argument("--markdown", help="also write the tables to this file")
     options = parser.parse_args()
     program("stator")
 
     cases, converged = (THIN, None) if options.thin_parts else (ADAPTIVE, CONVERGED)
     if not (options.thin_parts or options.quick):
-        cases = ADAPTIVE + FIXED
+        cases = FIXED if options.fixed else ADAPTIVE + FIXED
     header = ["case", "dofs", "whole s", "modes s", "memory MB", "f(n = 7) Hz", "printed error"]
     header += ["true error"] if converged else []
     lines = ["| " + " | ".join(header) + " |", "|" + "---|" * len(header)]
@@ -89,7 +91,7 @@ def main():
         lines.append("| " + " | ".join(measure(*case, options.repeat, converged)) + " |")
         print(lines[-1], flush=True)
     if options.markdown:
-        pathlib.Path(options.markdown).write_text("\n".join(lines) + "\n")
+        write_markdown(options.markdown, lines)
 
 
 if __name__ == "__main__":

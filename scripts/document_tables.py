@@ -2,14 +2,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Tables of the pages, from the results of a run.
 
-Usage: scripts/document_tables.py points CASE [--every N] | best CASE | circuits CASE...
+Usage: scripts/document_tables.py points CASE [--every N] | circuits CASE...
 
 points: each N-th operating point and the last one: torque, speed, friction loss and its radial part, with error bars.
-best: the operating point of the highest efficiency. circuits: phase A of each case.
+circuits: phase A of each case, and the voltages that its amplitude takes.
 """
 import surroundings  # noqa: F401  (first: see there)
 import argparse
 import csv
+import json
 import math
 import pathlib
 import sys
@@ -47,21 +48,27 @@ def points(folder, every):
                   for row in shown])
 
 
-def best(folder):
-    row = max(rows_of(folder / "losses" / "efficiency.csv"), key=lambda row: row["efficiency"])
-    return table(["torque, mN m", "speed, rpm", "output, mW", "efficiency, %"],
-                 [[f"{row['torque_mNm']:.1f}", f"{row['speed_rpm']:.1f}",
-                   known(row["output_power_mW"], row["output_power_error_mW"]),
-                   known(100. * row["efficiency"], 100. * row["efficiency_error"])]])
+def circuits(folders):
+    rows = []
+    for folder in folders:
+        phase = rows_of(folder / "stator" / "circuits.csv")[0]
+        drive = rows_of(folder / "losses" / "drive.csv")
+        best = max(drive, key=lambda row: row["electrical_efficiency"])
+        rows.append([json.loads((folder / "stator" / "summary.json").read_text(encoding="utf-8"))["entries"]["Motor/Name"],
+                     f"{1e-3 * phase['short_circuit_frequency_Hz']:.2f}", f"{phase['k_eff^2']:.4f}", f"{phase['C0_nF']:.1f}",
+                     f"{phase['force_factor_N_per_V']:.3f}", f"{phase['Lm_H']:.3f}", f"{phase['Cm_pF']:.1f}",
+                     f"{drive[0]['voltage_V']:.1f}", f"{best['voltage_V']:.1f}", f"{drive[-1]['voltage_V']:.1f}"])
+    return table(["motor", "f, kHz", "k_eff^2", "C0, nF", "force factor, N/V", "Lm, H", "Cm, pF", "no load, V",
+                  "best efficiency, V", "stall, V"], rows)
 
 
 def main():
     parser = argparse.ArgumentParser(usage=__doc__.split("Usage: ")[1].split("\n")[0])
-    parser.add_argument("table", choices=("points", "best"))
-    parser.add_argument("case", type=pathlib.Path)
+    parser.add_argument("table", choices=("points", "circuits"))
+    parser.add_argument("cases", type=pathlib.Path, nargs="+")
     parser.add_argument("--every", type=int, default=1)
     options = parser.parse_args()
-    print(points(options.case, options.every) if options.table == "points" else best(options.case))
+    print(points(options.cases[0], options.every) if options.table == "points" else circuits(options.cases))
 
 
 if __name__ == "__main__":

@@ -10,11 +10,12 @@ Such a part stands between two comments in its page (page_blocks.py):
   ...
   <!-- made DATE by REVISION, of INPUTS, as CONTENT -->
 
-COMMAND runs in a shell in the root of the project. Its output becomes the part, or what it writes to the file $TABLE, or, if
-it writes $IMAGES/NAME.png, the figure: then its text is kept. These words are available in it:
+COMMAND runs in a shell in the root of the project. Its output becomes the part, or what it writes to the file $TABLE. A part
+that is a figure keeps its text; its command writes $IMAGES/NAME.png. These words are available in it:
 
   motor FILE.prm [OPTIONS]    runs the program, once for all parts, and prints what it says, without the times in front
   case_of FILE.prm [OPTIONS]  does the same and prints the folder of the results
+  figure NAME[:AS] FOLDER...  draws the figures of a folder of results, with others, and takes NAME as the image AS
   fenced                      puts what it reads between two lines of ```
 
 INPUTS stands for what a part depends on: the parameters of all motors that its command and the script in it name (as the
@@ -55,6 +56,11 @@ case_of() {
   echo "$folder"
 }
 motor() { cat "$(case_of "$@")/said"; }
+figure() {
+  local name=${1%%:*} as=${1##*:}
+  scripts/figures.py "${@:2}" > /dev/null
+  cp "$2/figures/$name.png" "$IMAGES/$as.png"
+}
 fenced() { echo '```'; cat; echo '```'; }
 """
 
@@ -88,7 +94,8 @@ class Documents:
     def inputs_of(self, block):
         scripts = [ROOT / name for name in re.findall(r"(?:scripts|benchmarks|tests)/[\w/]+\.py", block.command)]
         texts = [path.read_text(encoding="utf-8") for path in scripts]
-        motors = sorted(set(re.findall(r"prm/\w+\.prm", " ".join([block.command, *texts]))))
+        named = re.findall(r"\b(\w+\.prm)\b", " ".join([block.command, *texts]))
+        motors = sorted({f"prm/{name}" for name in named if (ROOT / "prm" / name).exists()} or {"prm/canon_ring.prm"})
         parts = [block.command, *map(without_comments, scripts), *map(self.identity, motors)]
         if block.price == "dear":
             parts += [one.content for one in blocks_of(REFERENCE) if "document_tables.py points" in one.command]
@@ -104,7 +111,7 @@ class Documents:
             if done.returncode != 0:
                 raise CaseError(f"{block.place}: the command ended with status {done.returncode}: "
                                 f"{done.stderr.strip().splitlines()[-1:] or ['no message']}")
-            if "$IMAGES" in block.command:
+            if block.images:
                 return block.text
             return table.read_text(encoding="utf-8") if table.exists() else done.stdout
 
@@ -117,7 +124,7 @@ class Documents:
 
     def check(self, block):
         found = list(self.problems(block))
-        if block.price == "cheap" and "$IMAGES" not in block.command:
+        if block.price == "cheap" and not block.images:
             apart = difference(block.text, self.made(block))
             found += [apart] if apart else []
         return found

@@ -211,7 +211,7 @@ def main():
     parser.add_argument("--first", type=int, default=1, help="number of the first input")
     parser.add_argument("--count", type=int, default=10000, help="of inputs")
     parser.add_argument("--found", help="folder for inputs that are not refused in words")
-    parser.add_argument("--markdown", help="also write the table to this file, or between its comments for it")
+    parser.add_argument("--markdown", help="also write the tables to this file")
     options = parser.parse_args()
 
     with tempfile.TemporaryDirectory() as folder:
@@ -238,7 +238,7 @@ def main():
         for kind in sorted({kind for kind, _ in counts})])
     print("\n".join(lines))
     if options.markdown:
-        write_markdown(options.markdown, "tests/fuzz/fuzz.py", lines)
+        write_markdown(options.markdown, lines)
     sys.exit(1 if wrong else 0)
 
 

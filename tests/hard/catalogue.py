@@ -19,8 +19,7 @@ one before.
   # After: CASE                                optional: continues (--resume) in the folder of that case
   # Within: processor seconds for each run; 60 without this line
 
-Certified results are also checked by benchmarks/contact_checks.py. With --markdown the table goes between the
-comments of that file for it. The exit status is 1 if a case does not end as it must.
+Certified results are also checked by benchmarks/contact_checks.py. The exit status is 1 if a case does not end as it must.
 """
 import argparse
 import os
@@ -178,7 +177,7 @@ def main():
     parser.add_argument("--slowness", type=float, default=1., help="of the programs, by which all limits are raised")
     parser.add_argument("--csv", help="the file of all rows")
     parser.add_argument("--resume", action="store_true", help="keep the rows of that file, run what it lacks")
-    parser.add_argument("--markdown", help="the file between whose comments the table goes")
+    parser.add_argument("--markdown", help="also write the tables to this file")
     options = parser.parse_args()
     cases = [Case(path) for path in options.cases]
     columns = ["case", "variant", "points", "wrong"] + COLUMNS
@@ -195,7 +194,7 @@ def main():
         for text in wrong:
             print(f"    WRONG: {text}", flush=True)
     if options.markdown:
-        write_markdown(options.markdown, "tests/hard", lines_of(cases, file.rows))
+        write_markdown(options.markdown, lines_of(cases, file.rows))
     sys.exit(1 if any(row["wrong"] for row in file.rows) else 0)
 
 

@@ -275,7 +275,7 @@ def main():
     lines = summary(file.rows)
     print("\n" + "\n".join(lines))
     if options.markdown:
-        write_markdown(options.markdown, "tests/hard/random_motors.py", lines)
+        write_markdown(options.markdown, lines)
     sys.exit(0 if is_acceptable(file.rows) else 1)
 
 

@@ -79,6 +79,13 @@ namespace
     EXPECT_FALSE(parameters.time.n_steps.has_value());
     EXPECT_FALSE(parameters.time.average_from_step.has_value());
     EXPECT_FALSE(parameters.time.average_to_step.has_value());
+    EXPECT_EQ(nodal_diameters_of(parameters), std::vector<unsigned int>{7});
+    EXPECT_EQ(parameters.modes.n_modes, 2u);
+  }
+
+  /** All but those that the file does not name. */
+  void expect_effects_on_auto(const Parameters &parameters)
+  {
     for (const auto &effect : all_effects())
     {
       const bool is_named =
@@ -86,8 +93,6 @@ namespace
       EXPECT_EQ(effect->choice(parameters), is_named ? EffectChoice::automatic : EffectChoice::off)
           << effect->name;
     }
-    EXPECT_EQ(nodal_diameters_of(parameters), std::vector<unsigned int>{7});
-    EXPECT_EQ(parameters.modes.n_modes, 2u);
   }
 } // namespace
 
@@ -101,6 +106,7 @@ TEST(Reading, CanonRingFileIsTheReferenceMotor)
 {
   const Parameters parameters = read_parameters(source_folder + "/prm/canon_ring.prm");
   expect_reference_motor(parameters);
+  expect_effects_on_auto(parameters);
   EXPECT_EQ(parameters.accuracy.target, 1e-4);
   EXPECT_EQ(parameters.accuracy.mode, AccuracyMode::adaptive);
   EXPECT_EQ(parameters.output.directory, "output/canon_ring");

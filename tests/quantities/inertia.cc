@@ -207,10 +207,10 @@ namespace
       motor = condense_motor(parameters, stator_wave(parameters), ContactDiscretisation::level(0));
     }
 
-    static Parameters parameters = paper_motor();
+    static Parameters parameters;
     static CondensedMotor motor;
   };
-  Parameters VibratingMotor::parameters;
+  Parameters VibratingMotor::parameters = paper_motor();
   CondensedMotor VibratingMotor::motor;
   class VibratingMotorLong : public VibratingMotor
   {

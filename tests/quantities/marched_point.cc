@@ -107,10 +107,10 @@ namespace
       coarse = condense_motor(parameters, wave, ContactDiscretisation::level(0));
     }
 
-    static Parameters parameters = paper_motor();
+    static Parameters parameters;
     static CondensedMotor motor, coarse; ///< interface meshes 1 and 0
   };
-  Parameters WarpedMotor::parameters;
+  Parameters WarpedMotor::parameters = paper_motor();
   CondensedMotor WarpedMotor::motor, WarpedMotor::coarse;
 } // namespace
 

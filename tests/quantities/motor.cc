@@ -40,10 +40,10 @@ namespace
           .find({Control::torque, torque});
     }
 
-    static Parameters parameters = paper_motor();
+    static Parameters parameters;
     static CondensedMotor motor;
   };
-  Parameters ReferenceMotor::parameters;
+  Parameters ReferenceMotor::parameters = paper_motor();
   CondensedMotor ReferenceMotor::motor;
 
   double force_sum(const ContactFields &fields, const unsigned int component, const double sign)

@@ -89,10 +89,10 @@ namespace
           condense_motor(parameters, stator_wave(parameters), ContactDiscretisation::level(0), 1);
     }
 
-    static Parameters parameters = paper_motor();
+    static Parameters parameters;
     static CondensedMotor motor;
   };
-  Parameters RotorAsAWhole::parameters;
+  Parameters RotorAsAWhole::parameters = paper_motor();
   CondensedMotor RotorAsAWhole::motor;
 } // namespace
 
