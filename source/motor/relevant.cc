@@ -6,6 +6,8 @@
 #include <ringmotor/parameters/fingerprint.h>
 #include <ringmotor/parameters/prm_file.h>
 
+#include <boost/algorithm/string/predicate.hpp>
+
 #include <algorithm>
 #include <sstream>
 
@@ -187,11 +189,18 @@ namespace ringmotor
     const std::vector<PrmFile::Assignment> there = parse_prm(text, "stored").assignments,
                                            here =
                                                parse_prm(text_of(parameters), "given").assignments;
+    std::string first, first_effect; // an effect explains the entries that it reads
     for (unsigned int i = 0; i < std::max(there.size(), here.size()); ++i)
+    {
       if (i >= there.size() || i >= here.size() || there[i].path != here[i].path)
         return "other entries there than here";
-      else if (there[i].value != here[i].value)
-        return here[i].path + " = " + there[i].value + " there, " + here[i].value + " here";
-    return "";
+      if (there[i].value == here[i].value)
+        continue;
+      std::string &found =
+          boost::algorithm::starts_with(here[i].path, "Effects/") ? first_effect : first;
+      if (found.empty())
+        found = here[i].path + " = " + there[i].value + " there, " + here[i].value + " here";
+    }
+    return first_effect.empty() ? first : first_effect;
   }
 } // namespace ringmotor
