@@ -48,8 +48,8 @@ TEST(LineContact, IsHertz)
     const LineContact line      = cylinders(n);
     const ContactSolution found = solve(line, line.shift(load, 0.));
     const double touching       = line.width * (line.n_strips - count(found, PointStatus::open));
-    record("half_width_" + std::to_string(n), 0.5 * touching);
-    record("peak_error_" + std::to_string(n),
+    record("half width over a, 20, 50, 100 strips", 0.5 * touching);
+    record("relative error of the peak pressure, 20, 50, 100 strips",
            found.state.force[line.n_strips / 2][0] * M_PI * half_width / (2. * load * line.width) -
                1.);
     EXPECT_NEAR(0.5 * touching, half_width, line.width);
@@ -73,7 +73,7 @@ TEST(LineContact, IsCattaneoMindlin)
     const LineContact line      = cylinders(100);
     const ContactSolution found = solve(line, line.shift(load, -part * mu * load));
     const double stuck          = half_width * std::sqrt(1. - part);
-    record("stuck_" + std::to_string(std::lround(100. * part)),
+    record("half width of the stick zone over a, Q/(mu P) = 0.1, 0.36, 0.64, 0.91, 0.99",
            0.5 * line.width * count(found, PointStatus::stick));
     EXPECT_NEAR(0.5 * line.width * count(found, PointStatus::stick), stuck, line.width) << part;
     EXPECT_NEAR(total(found.state, 1), part * mu * load, 1e-9 * load);

@@ -93,7 +93,7 @@ TEST(Wedge, Slides)
     const ContactSolution found = solve_contact(problem, coulomb(mu), of_block, problem.nothing());
     const double c = 1. / std::sqrt(1. + slope * slope), s = slope * c;
     const double pushed = (s * total(found.state, 0) - c * total(found.state, 1)) / weight;
-    record("error_" + std::to_string(std::lround(10. * mu)), pushed - force);
+    record("error of the force over the weight, mu = 0.1, 0.2", pushed - force);
     EXPECT_NEAR(pushed, force, 1e-8);
     EXPECT_EQ(count(found, PointStatus::slip), 3u);
   }

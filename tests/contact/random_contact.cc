@@ -38,7 +38,7 @@ TEST(ContactHard, ByNewtonsMethodAlone)
       EXPECT_LT(violation(problem, mu, found.state, constants_of(problem).normal), 1e-7);
     }
   }
-  record("share", share);
+  record("share of problems solved", share);
   EXPECT_GT(share, 0.66);
 }
 
@@ -62,7 +62,7 @@ TEST(ContactHard, OfAnyCompliance)
             ++n_solved;
             n_helped += !found.how.empty();
           }
-  record("share_not_by_newtons_method_alone", n_helped / n_solved);
+  record("share not solved by Newton's method alone", n_helped / n_solved);
 }
 
 TEST(ContactHard, IsRefusedRatherThanWrong)

@@ -96,14 +96,14 @@ TEST(Rolling, IsCarter)
     const double force = total(found.state, 1);
     coarser            = finer;
     finer              = force / (mu * load);
-    record("force_" + std::to_string(n), finer);
+    record("force over mu P, 50, 100, 200, 400 strips", finer);
     EXPECT_NEAR(finer, contact, 0.5e-4);
     EXPECT_EQ(count(found, PointStatus::stick), 3 * n / 5);
     for (unsigned int i = 2; i < 2 + 3 * n / 5; ++i)
       EXPECT_EQ(found.status[i], PointStatus::stick);
     EXPECT_NEAR(dissipation(found, true) / (-creep * line.width * force), 1., 1e-9);
   }
-  record("force_extrapolated", 2. * finer - coarser);
+  record("force over mu P, extrapolated", 2. * finer - coarser);
   EXPECT_NEAR(2. * finer - coarser, 0.64, 1e-4);
 }
 
@@ -140,7 +140,7 @@ TEST(Rolling, IsBentallAndJohnson)
     return found;
   };
   const double smooth = solve(1e-4, 0.).state.rigid[1];
-  record("creep_without_friction", smooth);
+  record("creep, mu = 1e-4, no force", smooth);
   EXPECT_NEAR(smooth / 5.260e-4, 1., 5e-4);
   double low = 0., high = 1.; // t
   for (unsigned int i = 0; i < 60; ++i)
@@ -150,7 +150,7 @@ TEST(Rolling, IsBentallAndJohnson)
   }
   EXPECT_NEAR(smooth / (beta() * half_width / radius * std::sqrt(1. - low * low)), 1., 1e-3);
   const double without_slip = solve(10., 0.).state.rigid[1];
-  record("creep_without_slip", without_slip);
+  record("creep, mu = 10, no force", without_slip);
   EXPECT_NEAR(without_slip / 3.591e-4, 1., 5e-4);
 
   struct Case
@@ -163,9 +163,9 @@ TEST(Rolling, IsBentallAndJohnson)
         Case{-0.75, 5.392e-4, 4.418e-5, 106}})
   {
     const ContactSolution found = solve(0.05, expected.part);
-    const std::string at        = "_at_" + std::to_string(std::lround(100. * expected.part));
-    record("creep" + at, found.state.rigid[1]);
-    record("power" + at, dissipation(found, false) / line.width);
+    record("creep, mu = 0.05, Fx/(mu P) = 0, 0.75, -0.75", found.state.rigid[1]);
+    record("friction power, the same (mW at 1 m width and 1 m/s)",
+           1e6 * dissipation(found, false) / line.width);
     EXPECT_NEAR(found.state.rigid[1] / expected.creep, 1., 5e-4);
     EXPECT_NEAR(dissipation(found, false) / line.width / expected.power, 1., 5e-4);
     EXPECT_NEAR(count(found, PointStatus::stick), expected.n_stuck, 1);
@@ -190,6 +190,6 @@ TEST(Rolling, HasTheCreepWithoutSlipInTheLimit)
   }
   const double step  = creep[2] - creep[1];
   const double limit = creep[2] + step * step / (creep[1] - creep[0] - step); // Aitken
-  record("limit", limit);
+  record("creep over its closed form, extrapolated", limit);
   EXPECT_NEAR(limit, 1., 2e-3);
 }

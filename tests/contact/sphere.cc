@@ -63,8 +63,8 @@ TEST(Sphere, IsHertzAndMindlinWithoutPoissonsRatio)
                       (1. - (1. - k) * left - 5. * k / 6. * (1. + left));
   const SphereOnPlane sphere{shear_modulus, 0., 50., 0.05, 1.15};
   const Shifted found = shifted(sphere, 1);
-  record("shift_error", found.shift / shift - 1.);
-  record("work_error", found.work / work - 1.);
+  record("relative error of the shift", found.shift / shift - 1.);
+  record("relative error of the friction work", found.work / work - 1.);
   EXPECT_NEAR(found.shift / shift, 1., 1e-3);
   EXPECT_NEAR(found.work / work, 1., 2e-3);
   const ContactSolution &solution = found.solution;
@@ -79,9 +79,10 @@ TEST(Sphere, IsThatOfContactWithPoissonsRatio)
 {
   const SphereOnPlane sphere{200., 0.42, 50., 0.05, 1.15};
   const Shifted found = shifted(sphere, 1);
-  record("shift", found.shift);
-  record("work", found.work);
-  record("stick_radius", radius_of(count(found.solution, PointStatus::stick), sphere));
+  record("shift (mm)", found.shift);
+  record("friction work (N mm)", found.work);
+  record("radius of the stick zone (mm)",
+         radius_of(count(found.solution, PointStatus::stick), sphere));
   EXPECT_NEAR(found.shift, 8.16e-3, 0.005e-3);
   EXPECT_NEAR(found.work / 2.733e-3, 1., 2e-3);
   EXPECT_NEAR(radius_of(count(found.solution, PointStatus::stick), sphere), 0.5, sphere.width);

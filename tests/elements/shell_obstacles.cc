@@ -142,11 +142,11 @@ namespace
     return u[shell.dof_at(Point<3>(length, width, 0.), 2)] / exact - 1.;
   }
 
-  std::string named(const char *what, const unsigned int degree, const unsigned int n,
-                    const double t)
+  /** Of errors for several thicknesses. */
+  std::string named(const char *what, const unsigned int degree, const unsigned int n)
   {
-    return std::string(what) + "_degree_" + std::to_string(degree) + "_n_" + std::to_string(n) +
-           "_thickness_1e" + std::to_string(std::lround(std::log10(t)));
+    return std::string("relative error, ") + what + ", degree " + std::to_string(degree) + ", " +
+           std::to_string(n) + " cells";
   }
 
   struct Sweep
@@ -162,7 +162,7 @@ namespace
     for (unsigned int i = 0; i < errors.size(); ++i)
     {
       errors[i] = -ring_error(sweep.n[i], sweep.degree, t);
-      record(named("ring", sweep.degree, sweep.n[i], t), errors[i]);
+      record(named("t/R = 1e-2, 1e-3, 1e-4", sweep.degree, sweep.n[i]), errors[i]);
     }
     return errors;
   }
@@ -173,7 +173,7 @@ TEST(ShellObstacles, ScordelisLoRoof)
   for (const unsigned int degree : {3u, 4u})
   {
     const double found = roof({{8, 8}}, degree, 0.25).deflection;
-    record("deflection_degree_" + std::to_string(degree), found);
+    record("deflection, degrees 3, 4", found);
     EXPECT_NEAR(found / 0.301, 1., 0.003) << degree;
   }
 }
@@ -183,7 +183,7 @@ TEST(ShellObstacles, PinchedCylinder)
   for (const auto &[n, degree] : {std::pair{16u, 3u}, std::pair{8u, 4u}})
   {
     const double found = pinched_cylinder(n, degree);
-    record("deflection_degree_" + std::to_string(degree), found);
+    record("deflection, degrees 3, 4", found);
     EXPECT_NEAR(found / 1.8248e-5, 1., 0.012) << degree;
   }
 }
@@ -193,7 +193,7 @@ TEST(ShellObstacles, PinchedHemisphere)
   for (const auto &[n, degree] : {std::pair{16u, 1u}, std::pair{8u, 3u}, std::pair{8u, 4u}})
   {
     const double found = pinched_hemisphere(n, degree);
-    record("deflection_degree_" + std::to_string(degree), found);
+    record("deflection, degrees 1, 3, 4", found);
     EXPECT_GT(found, 0.0924) << degree;
     EXPECT_LT(found, 0.0940) << degree;
   }
@@ -204,8 +204,8 @@ TEST(ShellObstacles, DegreeOneIsMitc4)
   // Published values for MITC4 with 16 cells per side: 0.989 of 0.3024, 0.930 of 1.8248e-5.
   const double of_roof     = roof({{16, 16}}, 1, 0.25).deflection / 0.3024,
                of_cylinder = pinched_cylinder(16, 1) / 1.8248e-5;
-  record("roof", of_roof);
-  record("cylinder", of_cylinder);
+  record("deflection over 0.3024, roof", of_roof);
+  record("deflection over 1.8248e-5, cylinder", of_cylinder);
   EXPECT_NEAR(of_roof, 0.989, 0.002);
   EXPECT_NEAR(of_cylinder, 0.930, 0.002);
 }
@@ -248,13 +248,13 @@ TEST(ShellObstaclesHard, RingsOfDistortedCells)
     for (const auto &[degree, n] : {std::pair{1u, 32u}, std::pair{3u, 8u}, std::pair{4u, 8u}})
     {
       const double error = ring_error(n, degree, t, 0.1);
-      record(named("distorted_ring", degree, n, t), error);
+      record(named("t/R = 1e-2, 1e-3, 1e-4", degree, n), error);
       if (degree == 4)
       {
         EXPECT_LT(std::abs(error), 2e-3) << t;
       }
     }
-    record(named("distorted_ring", 4, 4, t), ring_error(4, 4, t, 0.1));
+    record(named("t/R = 1e-2, 1e-3, 1e-4", 4, 4), ring_error(4, 4, t, 0.1));
   }
 }
 
@@ -278,8 +278,8 @@ TEST(ShellObstaclesHard, ThinRoofsDoNotLock)
           std::tuple{4u, 8u, limit.degree_4}})
     {
       const double error = roof({{n, n}}, degree, t).deflection / best - 1.;
-      record(named("roof", degree, n, t / 25.), error);
-      EXPECT_LT(std::abs(error), largest) << named("roof", degree, n, t / 25.);
+      record(named("t/R = 1e-2, 1e-3, 1e-4", degree, n), error);
+      EXPECT_LT(std::abs(error), largest) << degree << " " << t;
     }
   }
 }
@@ -294,12 +294,12 @@ TEST(ShellObstaclesHard, StretchedStrips)
   {
     const double tolerance = 1e-14 * std::pow(length / t * aspect, 2);
     const double slim      = strip_error(length, length / aspect, {{1, 1}}, 4, t);
-    record(named("long_strip", 4, 1, t), slim);
+    record(named("long strip, t = 0.1, 0.01 m", 4, 1), slim);
     EXPECT_LT(std::abs(slim), tolerance) << t;
     for (const unsigned int degree : {1u, 4u})
     {
       const double wide = strip_error(length, length, {{100, 1}}, degree, t);
-      record(named("wide_strip", degree, 100, t), wide);
+      record(named("wide strip, t = 0.1, 0.01 m", degree, 100), wide);
       EXPECT_LT(std::abs(wide), tolerance) << t;
     }
   }
@@ -315,10 +315,10 @@ TEST(ShellObstaclesHard, StretchedCellsOnARoof)
   {
     const double usual_error     = roof(usual, 4, 0.25).deflection / best - 1.,
                  stretched_error = roof(stretched, 4, 0.25).deflection / best - 1.;
-    const std::string name =
-        "roof_" + std::to_string(stretched[0]) + "_by_" + std::to_string(stretched[1]);
-    record(name, stretched_error);
-    record(name + "_unstretched", usual_error);
-    EXPECT_LT(std::abs(stretched_error), std::abs(usual_error)) << name;
+    const auto name              = [](const Cells &cells)
+    { return std::to_string(cells[0]) + " by " + std::to_string(cells[1]) + " cells"; };
+    record("relative error, " + name(stretched), stretched_error);
+    record("relative error, " + name(usual), usual_error);
+    EXPECT_LT(std::abs(stretched_error), std::abs(usual_error)) << name(stretched);
   }
 }

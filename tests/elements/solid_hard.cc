@@ -71,8 +71,8 @@ namespace
 
   std::string named(const unsigned int degree, const unsigned int n, const double nu)
   {
-    return "ring_degree_" + std::to_string(degree) + "_n_" + std::to_string(n) + "_poisson_0_" +
-           std::to_string(std::lround(1000. * nu));
+    return "degree " + std::to_string(degree) + ", " + std::to_string(n) +
+           " cells across, nu = 0." + std::to_string(std::lround(1000. * nu));
   }
 
   /** Two cubes of 1 m along x, fixed at x = 0, pulled with 1 Pa at x = 2 m. */
@@ -111,8 +111,8 @@ TEST(SolidMaterialsHard, AlmostIncompressibleRing)
         const Errors errors      = lame_ring(n, limit.degree, nu);
         const std::string name   = named(limit.degree, n, nu);
         const double limit_at_nu = largest * std::min(1., 1.6 * (1. - 2. * 0.499) / (1. - 2. * nu));
-        record(name + "_widening", errors.widening);
-        record(name + "_work", errors.work);
+        record("relative errors of widening, work: " + name, errors.widening);
+        record("relative errors of widening, work: " + name, errors.work);
         EXPECT_LT(std::abs(errors.widening), limit_at_nu) << name;
         EXPECT_LT(std::abs(errors.work), limit_at_nu) << name;
       }
@@ -131,9 +131,11 @@ TEST(SolidMaterialsHard, BarsInSeriesOfVeryDifferentStiffness)
       // lost.
       EXPECT_NEAR(middle * first, 1., first < second ? 1e-8 : 1e-11) << degree;
       EXPECT_NEAR((end - middle) * second, 1., first < second ? 1e-7 : 1e-11) << degree;
-      record("middle_" + std::to_string(degree) + (first < second ? "_soft_first" : "_stiff_first"),
+      record("relative errors of both bars, degree " + std::to_string(degree) +
+                 (first < second ? ", soft one first" : ", stiff one first"),
              middle * first - 1.);
-      record("second_" + std::to_string(degree) + (first < second ? "_soft_first" : "_stiff_first"),
+      record("relative errors of both bars, degree " + std::to_string(degree) +
+                 (first < second ? ", soft one first" : ", stiff one first"),
              (end - middle) * second - 1.);
     }
 }

@@ -80,7 +80,7 @@ TEST_P(AnnularPlate, TendsToKirchhoffsPlate)
   EXPECT_LT(thin.ratio, 1.);
   const double limit     = (8. * thin.ratio - 6. * middle.ratio + thick.ratio) / 3.;
   const double tolerance = plate.n_waves > 5 ? 3e-4 : 1e-4;
-  record("limit_error", limit - 1.);
+  record("relative error of the limit", limit - 1.);
   EXPECT_NEAR(limit, 1., tolerance);
 
   if (plate.n_waves > 0)
@@ -108,6 +108,6 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(AnnularPlateHard, IsSofterThanKirchhoffsByAKnownAmount)
 {
   const double excess = lowest_mode({0.8, 7, 55.520500, 0}, 0.004).ratio - 1.;
-  record("excess", excess);
+  record("frequency over that of the thin plate, less 1", excess);
   EXPECT_NEAR(excess, -6.5e-4, 0.5e-4);
 }

@@ -76,9 +76,8 @@ TEST(BrushModel, SpeedAndFrictionLoss)
   for (const auto &point : expected)
   {
     const OperatingPoint found = finder.find({Control::torque, 1e-3 * point.torque}).result;
-    const std::string at       = "_at_" + std::to_string(std::lround(point.torque));
-    record("speed" + at, found.speed / rpm);
-    record("loss" + at, 1e3 * found.friction_loss());
+    record("speed at 0, 50, 100, 150 mN m (rpm)", found.speed / rpm);
+    record("friction loss at 0, 50, 100, 150 mN m (mW)", 1e3 * found.friction_loss());
     EXPECT_NEAR(found.speed / rpm, point.speed, 0.005 * point.speed) << point.torque;
     EXPECT_NEAR(1e3 * found.friction_loss(), point.loss, 0.02 * point.loss) << point.torque;
     EXPECT_LT(found.radial_loss, 1e-9 * found.friction_loss());

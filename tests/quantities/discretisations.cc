@@ -41,8 +41,10 @@ namespace
       const CurvePoint point = finder.find({Control::torque, 0.05 * (i + 1)});
       found.speed[i]         = point.result.speed / rpm;
       found.loss[i]          = 1e3 * point.result.friction_loss();
-      record("speed_on_" + std::to_string(level) + "_" + std::to_string(i), found.speed[i]);
-      record("loss_on_" + std::to_string(level) + "_" + std::to_string(i), found.loss[i]);
+      record("speed at 50, 100 mN m (rpm), interface mesh " + std::to_string(level),
+             found.speed[i]);
+      record("friction loss at 50, 100 mN m (mW), interface mesh " + std::to_string(level),
+             found.loss[i]);
     }
     return found;
   }

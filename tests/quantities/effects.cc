@@ -212,7 +212,7 @@ TEST(ToothInertia, ChangesSpeedsAsItsIndicatorSays)
       effect_on_points(parameters, effect("Tooth inertia"), wave,
                        RotorVibration(parameters, wave.angular_frequency), MPI_COMM_SELF);
   record("indicator", indicator);
-  record("change", change.relative);
+  record("relative change of the operating points", change.relative);
   EXPECT_GT(change.relative, indicator / 3.);
   EXPECT_LT(change.relative, indicator * 3.);
 }
@@ -259,7 +259,7 @@ TEST(StatorBackReaction, TunesTheWaveAsRayleighSays)
                                     2. * M_PI * 7. / 90. * (i / n_nodes)))
                     .real();
     const double shift = work / (4. * wave.strain_energy);
-    record("shift_in_Hz_at_" + std::to_string(std::lround(1e3 * torque)), 30e3 * shift);
+    record("shift of the frequency at 0, 100 mN m (Hz)", 30e3 * shift);
     EXPECT_NEAR(given.result.detuning, shift, 1e-9 * shift);
     // An independent estimate for this motor is about 100 Hz.
     EXPECT_GT(30e3 * shift, 50.);
@@ -285,7 +285,7 @@ TEST(StatorBackReaction, FollowsTheFrequencyOfTheWaveWithInertia)
   const PointRequest request{Control::torque, 0.};
   const CurvePoint own = OperatingPointFinder(following, motor).find(request);
   const double shift   = own.result.detuning;
-  record("shift", shift);
+  record("relative shift of the frequency", shift);
   EXPECT_GT(shift, 5e-3);
   motor.angular_frequency *= 1. + shift;
   const CurvePoint given = OperatingPointFinder(parameters, motor).find(request);

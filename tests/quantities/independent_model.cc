@@ -64,9 +64,8 @@ TEST_P(IndependentModel, HasTheSameSpeedsAndLosses)
   for (unsigned int i = 0; i < 4; ++i)
   {
     const CurvePoint point = finder.find({Control::torque, 0.05 * i});
-    const std::string at   = "_at_" + std::to_string(50 * i);
-    record("speed" + at, point.result.speed / rpm);
-    record("loss" + at, 1e3 * point.result.friction_loss());
+    record("speed at 0, 50, 100, 150 mN m (rpm)", point.result.speed / rpm);
+    record("friction loss at 0, 50, 100, 150 mN m (mW)", 1e3 * point.result.friction_loss());
     EXPECT_NEAR(point.result.speed / rpm, row.speed[i], (i < 3 ? 0.04 : 0.07) * row.speed[i]) << i;
     EXPECT_NEAR(1e3 * point.result.friction_loss(), row.loss[i], 0.15 * row.loss[i]) << i;
     EXPECT_NEAR(point.result.teeth_in_contact, row.teeth_in_contact, 0.7) << i;

@@ -318,7 +318,7 @@ TEST_F(VibratingMotor, PowerBalancesWhileItSettles)
     last = next;
   }
   const OperatingPoint begin = mean(points, std::vector<double>(points.size(), 1.));
-  record("imbalance", begin.power_imbalance());
+  record("power imbalance", begin.power_imbalance());
   EXPECT_GT(std::abs(begin.modal_power), 0.1 * std::abs(begin.input_power));
   EXPECT_LT(begin.power_imbalance(), 2e-3);
 }
@@ -350,7 +350,7 @@ TEST_F(VibratingMotor, IsTheSameAtStallWhateverTheWayThere)
 TEST_F(VibratingMotor, TwiceAsManyTeethTouch)
 {
   const CurvePoint point = OperatingPointFinder(parameters, motor).find({Control::torque, 0.});
-  record("teeth", point.result.teeth_in_contact);
+  record("teeth in contact per wave", point.result.teeth_in_contact);
   EXPECT_GT(point.result.teeth_in_contact, 6.);
   EXPECT_LT(point.result.teeth_in_contact, 8.);
 }

@@ -195,7 +195,9 @@ TEST_F(WarpedMotor, IsForeseenOnceItHasSettled)
         history.add(end);
       }
       const double error = std::sqrt(missed / all);
-      record("error_" + std::to_string(warp.n_waves) + "_" + std::to_string(int(steps)), error);
+      record("relative error of the forces, 90, 40, 33 steps per period, warp of " +
+                 std::to_string(warp.n_waves) + " waves",
+             error);
       EXPECT_LT(error, 1e-6);
     }
 }
@@ -212,10 +214,10 @@ TEST_F(WarpedMotor, HasTheTorqueOfAnIndependentModel)
   {
     const CurvePoint point = find_marched(parameters, *mesh, request);
     const double flat      = OperatingPointFinder(even, *mesh).find(request).result.torque;
-    const std::string with = "_with_" + std::to_string(mesh->nodes.size()) + "_points";
-    record("torque_mNm" + with, 1e3 * point.result.torque);
-    record("window_error_mNm" + with, 1e3 * point.window.torque);
-    record("even_torque_mNm" + with, 1e3 * flat);
+    const std::string on   = ", " + std::to_string(mesh->nodes.size()) + " contact nodes";
+    record("torque, with and without the warp (mN m)" + on, 1e3 * point.result.torque);
+    record("torque, with and without the warp (mN m)" + on, 1e3 * flat);
+    record("error bar of the averaging window (mN m)" + on, 1e3 * point.window.torque);
     EXPECT_NEAR(1e3 * (flat - point.result.torque), 117. - 56., 0.15 * 56.);
     EXPECT_LE(point.window.torque, 0.1 * parameters.accuracy.contact_target * 0.2);
     EXPECT_LE(point.largest_violation, ContactCertificate::limit);
@@ -245,7 +247,7 @@ TEST_F(WarpedMotor, IsTheSameHalfAPeriodLaterAndHalfATurnOn)
       largest = std::max(largest, std::abs(force));
       worst   = std::max(worst, std::abs(force - later));
     }
-  record("worst", worst / largest);
+  record("largest difference over the largest force", worst / largest);
   EXPECT_LT(worst, 1e-6 * largest);
 }
 
@@ -298,9 +300,9 @@ TEST_F(WarpedMotor, SaysWhatThePapersWindowMisses)
   const PointRequest request{Control::speed, 70. * rpm};
   const CurvePoint point   = find_marched(window, coarse, request),
                    settled = find_marched(parameters, coarse, request);
-  record("window_mNm", 1e3 * point.result.torque);
-  record("window_error_mNm", 1e3 * point.window.torque);
-  record("settled_mNm", 1e3 * settled.result.torque);
+  record("torque, of the window and settled (mN m)", 1e3 * point.result.torque);
+  record("torque, of the window and settled (mN m)", 1e3 * settled.result.torque);
+  record("error bar of the averaging window (mN m)", 1e3 * point.window.torque);
   EXPECT_EQ(point.fields.times.size(), 15u);
   EXPECT_DOUBLE_EQ(point.fields.times.back(), 7.5e-6);
   EXPECT_GT(point.window.torque, settled.window.torque);
@@ -344,11 +346,10 @@ TEST_F(WarpedMotorLong, BarsHoldARunOfThreeTimesTheLength)
     run.advance(1, step);
     run.advance((3 * n_spans - 1) * 34, step);
     const OperatingPoint later = run.advance(34, step).mean;
-    const std::string at       = "_at_" + std::to_string(std::lround(speed));
-    record("torque_mNm" + at, 1e3 * point.result.torque);
-    record("error_mNm" + at, 1e3 * point.window.torque);
-    record("later_mNm" + at, 1e3 * later.torque);
-    record("spans" + at, n_spans);
+    record("torque at 60, 70, 78, 83 rpm (mN m)", 1e3 * point.result.torque);
+    record("error bar of the averaging window (mN m)", 1e3 * point.window.torque);
+    record("actual error of the torque (mN m)", 1e3 * (point.result.torque - later.torque));
+    record("half periods marched", n_spans);
     EXPECT_NEAR(point.result.torque, later.torque, point.window.torque) << speed;
     EXPECT_NEAR(point.result.friction_loss(), later.friction_loss(), point.window.loss) << speed;
     EXPECT_LE(point.window.torque, 0.1 * parameters.accuracy.contact_target * 0.2) << speed;
@@ -360,8 +361,8 @@ TEST_F(WarpedMotorLong, TurnsAsFastAsItsTorqueAsks)
   const CurvePoint point = find_marched(parameters, coarse, {Control::torque, 0.05});
   EXPECT_NEAR(point.result.torque, 0.05, 1e-9);
   const CurvePoint driven = find_marched(parameters, coarse, {Control::speed, point.result.speed});
-  record("speed_rpm", point.result.speed / rpm);
-  record("torque_mNm", 1e3 * driven.result.torque);
+  record("speed (rpm)", point.result.speed / rpm);
+  record("torque at a given speed (mN m)", 1e3 * driven.result.torque);
   // A different case: there the speed varies within a period, here the torque does.
   EXPECT_NEAR(driven.result.torque, 0.05, 0.15 * 0.05);
 }

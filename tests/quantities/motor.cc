@@ -66,12 +66,10 @@ TEST_F(ReferenceMotor, TurnsAsFastAsAnIndependentModel)
                                             Expected{0.1, 79.0, 137.}, Expected{0.15, 73.4, 252.}})
   {
     const CurvePoint point = finder.find({Control::torque, torque});
-    record("speed_at_" + std::to_string(static_cast<int>(1e3 * torque)) + "_mNm",
-           point.result.speed / rpm);
+    record("speed at 0, 50, 100, 150 mN m (rpm)", point.result.speed / rpm);
     EXPECT_NEAR(point.result.speed / rpm, speed, 0.01 * speed) << torque;
     // The two finest meshes of that model differ by 3 mW without load, and by at most a tenth.
-    record("loss_at_" + std::to_string(static_cast<int>(1e3 * torque)) + "_mNm",
-           1e3 * point.result.friction_loss());
+    record("friction loss at 0, 50, 100, 150 mN m (mW)", 1e3 * point.result.friction_loss());
     EXPECT_NEAR(1e3 * point.result.friction_loss(), loss, 0.1 * loss + 3.) << torque;
     EXPECT_NEAR(point.result.torque, torque, 1e-9);
     EXPECT_LE(point.largest_violation, ContactCertificate::limit);
@@ -81,7 +79,7 @@ TEST_F(ReferenceMotor, TurnsAsFastAsAnIndependentModel)
 TEST_F(ReferenceMotor, StallsWhereAllFrictionPointsOneWay)
 {
   const CurvePoint point = OperatingPointFinder(parameters, motor).find({Control::speed, 0.});
-  record("stall_mNm", 1e3 * point.result.torque);
+  record("stall torque (mN m)", 1e3 * point.result.torque);
   // The contact lies along the outer line; radial sliding causes a small share of the friction.
   EXPECT_NEAR(point.result.torque, 0.40 * 14. * 34.2e-3, 0.002 * 0.40 * 14. * 34.2e-3);
   EXPECT_LT(point.result.stick_fraction, 1e-6);
@@ -102,14 +100,14 @@ TEST_F(ReferenceMotor, SpeedAndTorqueControlAreTwoWaysToOnePoint)
 TEST_F(ReferenceMotor, TouchesAtTheCrestsAlongTheOuterLine)
 {
   const CurvePoint point = at_torque(0.);
-  record("teeth", point.result.teeth_in_contact);
+  record("teeth in contact per wave", point.result.teeth_in_contact);
   EXPECT_GT(point.result.teeth_in_contact, 3.);
   EXPECT_LT(point.result.teeth_in_contact, 4.);
   double inside = 0.;
   for (unsigned int i = 0; i < point.fields.force.size(); ++i)
     if (motor.nodes[i % motor.nodes.size()].radius < 34.0e-3)
       inside += point.fields.force[i][0];
-  record("share_inside", inside / 14.);
+  record("share of the normal force at r < 34.0 mm", inside / 14.);
   EXPECT_LT(inside, 0.02 * 14.);
   for (unsigned int i = 0; i < point.fields.force.size(); ++i)
     if (point.fields.force[i][0] > 0.)
@@ -123,8 +121,8 @@ TEST_F(ReferenceMotor, HasFrictionOfBothSignsWithoutLoad)
   const CurvePoint point = at_torque(0.);
   const double forwards  = force_sum(point.fields, 1, 1.),
                backwards = force_sum(point.fields, 1, -1.);
-  record("forwards_N", forwards);
-  record("backwards_N", backwards);
+  record("friction forwards, backwards (N)", forwards);
+  record("friction forwards, backwards (N)", backwards);
   EXPECT_NEAR(forwards, backwards, 1e-3 * forwards); // torques cancel, at nearly one radius
   EXPECT_GT(forwards, 0.1 * 0.40 * 14.);
 }
@@ -152,7 +150,7 @@ TEST_F(ReferenceMotor, LetsAPointSlipBackwardsStickAndSlipForwards)
     if (story.empty() || story.back() != letter)
       story += letter;
   }
-  RecordProperty("story", story);
+  RecordProperty("history: o open, b slips backwards, s sticks, f slips forwards", story);
   EXPECT_NE((story + story).find("obsf"), std::string::npos)
       << story << " should be: open, slip backwards, stick, slip forwards";
 }
@@ -175,7 +173,7 @@ TEST_F(ReferenceMotor, BalancesItsPower)
   for (const double torque : {0.05, 0.1, 0.15})
   {
     const OperatingPoint result = at_torque(torque).result;
-    record("imbalance_" + std::to_string(std::lround(1e3 * torque)), result.power_imbalance());
+    record("power imbalance at 50, 100, 150 mN m", result.power_imbalance());
     EXPECT_LT(result.power_imbalance(), OperatingPoint::largest_imbalance) << torque;
     EXPECT_LT(defect_of(result), 1e-9) << torque;
     EXPECT_NEAR(result.output_work, result.output_power(), 1e-9 * result.input_power);
@@ -194,8 +192,8 @@ TEST_F(ReferenceMotor, BalancesItsPower)
     imbalance.push_back(result.power_imbalance());
     EXPECT_LT(defect_of(result), 1e-9) << n_samples;
   }
-  record("imbalance_without_load_1", imbalance[0]);
-  record("imbalance_without_load_6", imbalance[2]);
+  record("power imbalance without load, 1, 6 time samples", imbalance[0]);
+  record("power imbalance without load, 1, 6 time samples", imbalance[2]);
   EXPECT_LT(imbalance[2], OperatingPoint::largest_imbalance);
   EXPECT_LT(imbalance[2], 0.5 * imbalance[0]);
 }
@@ -223,11 +221,12 @@ TEST_F(ReferenceMotor, BalancesThePowerOfEachStepOnItsWay)
         last    = state;
       }
       const OperatingPoint all = mean(steps, std::vector<double>(steps.size(), 1.));
-      const std::string name =
-          std::string(which == &stiff ? "stiff" : "plain") + (load.torque ? "_torque" : "_speed");
-      record("defect_" + name, largest);
-      record("stored_over_input_" + name, stored);
-      record("output_over_work_" + name, all.output_power() / all.output_work - 1.);
+      const std::string at =
+          std::string(load.torque ? ", given torque" : ", given speed") + ", usual and stiff tilts";
+      record("largest defect with the work on closing gaps" + at, largest);
+      record("largest stored over input power" + at, stored);
+      record("mean output power over output work, less 1" + at,
+             all.output_power() / all.output_work - 1.);
       EXPECT_GT(stored, 0.05) << "what is stored could not be forgotten";
       EXPECT_LT(largest, 1e-9);
       EXPECT_LT(defect_of(all), 1e-9);
@@ -244,11 +243,11 @@ TEST_F(ReferenceMotor, IsSteadyAfterFiveOfThePapersSteps)
   {
     const OperatingState state = driver.step(load, 5e-7);
     torque.push_back(state.contact->torque(state.solution.state));
-    record("torque_" + std::to_string(step + 1), 1e3 * torque.back());
+    record("torque after steps 1 to 15 (mN m)", 1e3 * torque.back());
   }
   const double steady =
       OperatingPointFinder(parameters, motor).find({Control::speed, 60. * rpm}).result.torque;
-  record("torque_steady", 1e3 * steady);
+  record("steady torque (mN m)", 1e3 * steady);
   EXPECT_LT(torque[0], 0.95 * steady);
   for (unsigned int step = 5; step < 15; ++step)
     EXPECT_NEAR(torque[step], steady, 0.01 * steady) << step;
@@ -266,7 +265,7 @@ TEST_F(ReferenceMotor, MarchesToItsSteadyState)
     speed                      = state.contact->speed(state.solution.state);
   }
   const double steady = at_torque(0.08).result.speed;
-  record("difference", speed / steady - 1.);
+  record("relative difference of speeds", speed / steady - 1.);
   EXPECT_NEAR(speed, steady, 1e-5 * speed);
 }
 
@@ -305,7 +304,7 @@ TEST_F(ReferenceMotor, RemembersHowFarItsPointsHaveSlipped)
         EXPECT_LE(tangential_norm(force), (mu + 1e-6) * force[0]) << point;
       }
     }
-    record("points_between_" + std::to_string(int(preload)), n_between);
+    record("contact nodes between both coefficients, 14, 200 N", n_between);
     EXPECT_GT(n_between, 0u) << "nothing would be seen of the law";
   }
 }
@@ -316,8 +315,8 @@ TEST_F(ReferenceMotor, IsSlowerWhenWarped)
   warped.initial_deformation.amplitude = 4e-6;
   const CurvePoint slow = OperatingPointFinder(warped, motor).find({Control::torque, 0.05});
   const double even     = at_torque(0.05).result.speed;
-  record("warped_speed_rpm", slow.result.speed / rpm);
-  record("even_speed_rpm", even / rpm);
+  record("speed, with and without the warp (rpm)", slow.result.speed / rpm);
+  record("speed, with and without the warp (rpm)", even / rpm);
   EXPECT_LT(slow.result.speed, even - 3. * rpm);
   EXPECT_GT(slow.result.speed, 0.8 * even);
 }

@@ -99,10 +99,10 @@ TEST_P(ReferenceRotor, HasTheFrequenciesOfTheOtherProgram)
       {
         const Estimate &ours   = mode->frequency;
         const double tolerance = ours.error + row.uncertainty;
-        const std::string of   = std::to_string(n_waves) + "_" + to_string(row.family);
-        record("difference_" + of, ours.value / row.value - 1.);
-        record("error_bar_" + of, ours.error / ours.value);
-        record("tolerance_" + of, tolerance / row.value);
+        const std::string of   = "n = " + std::to_string(n_waves) + ", " + to_string(row.family);
+        for (const double part :
+             {ours.value / row.value - 1., ours.error / ours.value, tolerance / row.value})
+          record("relative difference, own error bar, tolerance: " + of, part);
         EXPECT_EQ(to_string(mode->content.family()), to_string(row.family)) << of;
         EXPECT_NEAR(ours.value, row.value, tolerance) << of;
         EXPECT_LT(tolerance, 3e-3 * row.value) << of; // a 1 % stiffer metal changes it by 5e-3

@@ -118,10 +118,11 @@ TEST(ReferenceStatorLong, HasTheFrequenciesOfTheOtherProgram)
         const FoundMode &mode  = lowest_of(modes.search(), row.n_waves, row.family);
         const double converged = row.value / (1. + row.excess);
         const double found     = mode.frequency.value;
-        const std::string of   = std::to_string(row.n_waves) + "_" + to_string(row.family);
-        record("difference_" + of, found / converged - 1.);
-        record("error_bar_" + of, mode.frequency.error / found);
-        record("their_uncertainty_" + of, row.uncertainty);
+        for (const double part :
+             {found / converged - 1., mode.frequency.error / found, row.uncertainty})
+          record("relative difference, own error bar, their uncertainty: n = " +
+                     std::to_string(row.n_waves) + ", " + to_string(row.family),
+                 part);
         EXPECT_NEAR(found, converged, mode.frequency.error + row.uncertainty * converged)
             << row.n_waves << " " << to_string(row.family);
         // an error bar that says something
@@ -140,8 +141,8 @@ TEST_P(ReferenceStator, ReachesTheTargetInItsWorkingMode)
   const FoundMode *working = modes.search().working_mode(7);
   ASSERT_NE(working, nullptr);
   EXPECT_EQ(working->content.nodal_circles, 0u);
-  record("difference", working->frequency.value / 30004. - 1.);
-  record("error_bar", working->frequency.error / working->frequency.value);
+  record("relative difference from 30004 Hz", working->frequency.value / 30004. - 1.);
+  record("relative error bar", working->frequency.error / working->frequency.value);
   EXPECT_NEAR(working->frequency.value, 30004., target * 30004.);
   EXPECT_LE(working->frequency.error, target * working->frequency.value);
   EXPECT_NEAR(working->frequency.value, 30004., working->frequency.error + 3.);
@@ -165,10 +166,9 @@ TEST(ReferenceStatorWave, HasTheEllipsesOfTheOtherProgram)
   {
     const EllipticMotion motion = elliptic_motion(named(points, row.point), mode);
     const std::string name      = row.point;
-    record(name + "_normal", motion.normal * 1e6);
-    record(name + "_tangential", motion.tangential * 1e6);
-    record(name + "_radial", motion.radial * 1e6);
-    record(name + "_phi", motion.phi / degree_angle);
+    for (const double amplitude : {motion.normal, motion.tangential, motion.radial})
+      record(name + ": A_n, A_t, A_r (um)", amplitude * 1e6);
+    record(name + ": phi (deg)", motion.phi / degree_angle);
     EXPECT_NEAR(motion.normal * 1e6 / row.normal, 1., tolerance) << row.point;
     EXPECT_NEAR(motion.tangential * 1e6 / row.tangential, 1., tolerance) << row.point;
     // The small radial motion of the foot is known to 5e-4 of the whole motion.

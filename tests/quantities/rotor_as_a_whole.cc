@@ -119,7 +119,8 @@ TEST_F(RotorAsAWhole, HasTheInertiaOfTwoAnnuli)
   const double radius =
       2. / 3. * (std::pow(outer, 3) - std::pow(inner, 3)) / (outer * outer - inner * inner);
   ASSERT_EQ(motor.near_rigid_modes.size(), 1u);
-  record("tilt", motor.near_rigid_modes[0].inertia * radius * radius / tilt);
+  record("tilting inertia over that of two annuli",
+         motor.near_rigid_modes[0].inertia * radius * radius / tilt);
   EXPECT_NEAR(motor.near_rigid_modes[0].inertia * radius * radius, tilt, 1e-2 * tilt);
 }
 
@@ -179,7 +180,7 @@ TEST_F(RotorAsAWhole, RisesAndTiltsAsForcesAccelerateIt)
   double largest     = 0.;
   for (const double excess : force)
     largest = std::max(largest, std::abs(excess) * 160. * step);
-  record("momentum", motor.rotor_mass * (end - begin) / impulse);
+  record("change of momentum over impulse", motor.rotor_mass * (end - begin) / impulse);
   EXPECT_NEAR(motor.rotor_mass * (end - begin), impulse, 0.02 * largest);
 }
 
@@ -208,7 +209,7 @@ TEST(Hysteresis, LosesItsShareOfTheElasticEnergy)
   EXPECT_GT(now.modal_power, 1e-3);
   EXPECT_NEAR(now.modal_power, loss_factor * now.modal_damping, 1e-6 * now.modal_power);
   // ... which is known from the elastic energy of all harmonics without damping.
-  record("loss", damped.rotor_power / elastic.rotor_power);
+  record("internal loss over that from elastic energy", damped.rotor_power / elastic.rotor_power);
   EXPECT_NEAR(damped.rotor_power, elastic.rotor_power, 0.05 * elastic.rotor_power);
   EXPECT_GT(now.modal_damping, 0.5 * damped.rotor_power);
   // Such a phase lag changes speeds only slightly.

@@ -134,7 +134,7 @@ TEST(FullRing, HasTheUnionOfAllNodalDiametersAsItsSpectrum)
     largest = std::max(largest, std::abs(frequency_of(found[i]) / expected[i] - 1.));
     EXPECT_NEAR(frequency_of(found[i]), expected[i], 1e-8 * expected[i]) << "mode " << i;
   }
-  record("largest_difference", largest);
+  record("largest relative difference of frequencies", largest);
 
   // Cosine against sine mode
   unsigned int n_pairs = 0;
@@ -147,7 +147,7 @@ TEST(FullRing, HasTheUnionOfAllNodalDiametersAsItsSpectrum)
       ++n_pairs;
     }
   EXPECT_GT(n_pairs, 8u);
-  record("cosine_against_sine", between);
+  record("largest relative difference of cosine and sine modes (squared frequencies)", between);
 }
 
 TEST(FullRing, CountsTheModesOfAllNodalDiameters)

@@ -58,7 +58,7 @@ namespace
       largest = std::max(largest, std::abs(found[i] / expected[i] - 1.));
       EXPECT_NEAR(found[i], expected[i], relative_tolerance * expected[i]) << "mode " << i;
     }
-    record("largest_difference", largest);
+    record("largest relative difference of frequencies", largest);
   }
 
   class SectorForms : public testing::TestWithParam<unsigned int>

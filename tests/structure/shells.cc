@@ -62,8 +62,9 @@ TEST(ShellRingsHard, ThinPlatesDoNotLock)
       for (const double thickness : {1e-3, 1e-4})
       {
         const double error = frequency_parameter(inner_radius, thickness, n, 4, 3) / exact - 1.;
-        record("error_" + std::to_string(std::lround(10. * inner_radius)) + "_" +
-                   std::to_string(n) + "_1e" + std::to_string(std::lround(std::log10(thickness))),
+        record("relative error, n = 0, 2, 3, 4, 5, 7, 9, b/a = 0." +
+                   std::to_string(std::lround(10. * inner_radius)) + ", h/a = 1e" +
+                   std::to_string(std::lround(std::log10(thickness))),
                error);
         EXPECT_NEAR(error, 0., 1e-3) << inner_radius << " " << n << " " << thickness;
       }
