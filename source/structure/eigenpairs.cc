@@ -12,7 +12,7 @@
 #include <type_traits>
 
 // Last, as it includes C's complex.h, which defines the macro I.
-#include <arpack/arpack.hpp>
+#include <arpack.hpp>
 
 namespace ringmotor
 {
