@@ -32,10 +32,13 @@ namespace ringmotor
     std::vector<types::boundary_id> planes;
     if (half)
       planes.push_back(ids::mirror);
-    if (mesh.has_cuts)
-      planes.insert(planes.end(),
-                    half ? std::initializer_list<types::boundary_id>{ids::cut}
-                         : std::initializer_list<types::boundary_id>{ids::cut_low, ids::cut_high});
+    if (mesh.has_cuts && half)
+      planes.push_back(ids::cut);
+    else if (mesh.has_cuts)
+    {
+      planes.push_back(ids::cut_low);
+      planes.push_back(ids::cut_high);
+    }
     for (const types::boundary_id plane : planes)
     {
       const bool on_solid = solid.has_active_dofs() && mark(solid, plane, 0);
