@@ -76,7 +76,9 @@ namespace ringmotor
       owned_nodes.add_index(nodes.node(dof));
 
     // The edges with bars belong to cells, so their entries are already there.
-    DynamicSparsityPattern coupled_pattern(elements.n_dofs()), node_pattern(nodes.size());
+    // Patterns that are distributed need a set of rows in deal.II 9.6, even if it is all.
+    DynamicSparsityPattern coupled_pattern(complete_index_set(elements.n_dofs())),
+        node_pattern(complete_index_set(nodes.size()));
     const auto add_coupled = [&](const std::vector<Dof> &dofs)
     { elements.dependent().add_entries_local_to_global(dofs, coupled_pattern, false); };
     elements.for_each_owned_cell(
