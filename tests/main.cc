@@ -37,7 +37,8 @@ int main(int argc, char **argv)
 
   ringmotor::restart_with_faster_blas_kernel(arguments.data());
   ringmotor::spare_the_network_search();
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  int n_words = 1; // as in run_program
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(n_words, argv, 1);
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
   {
     testing::TestEventListeners &listeners = testing::UnitTest::GetInstance()->listeners();

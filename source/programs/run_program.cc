@@ -181,7 +181,8 @@ namespace ringmotor
     lock_no_hdf5_files();
     keep_freed_memory();
     std::signal(SIGXFSZ, SIG_IGN); // a file grown too large must be an error that can be reported
-    const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+    int n_words = 1; // PETSc takes the others for its own, and complains of them on stdout
+    const dealii::Utilities::MPI::MPI_InitFinalize mpi(n_words, argv, 1);
     Doing doing{process.name, {}};
     if (const std::optional<std::string> complaint = complaint_about_launcher())
       return end_copy(process.name, *complaint);
