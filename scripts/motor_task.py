@@ -15,8 +15,8 @@ TERMINATE_WITH_PARENT = 1  # PR_SET_PDEATHSIG
 OUTCOMES = {0: "certified", 1: "refused", 2: "failed"}
 RESULTS = ("stator", "contact", "losses")  # folders of the programs
 # What mpirun, srun and their like tell the processes that they start.
-LAUNCHERS = ("PMIX_", "PMI_", "ORTE_", "OMPI_COMM_", "MPI_LOCAL", "MV2_COMM_", "JSM_NAMESPACE_", "FLUX_", "PALS_",
-             "SLURM_PROCID", "SLURM_NTASKS", "SLURM_STEP_")
+LAUNCHERS = ("PMIX_", "PMI_", "ORTE_", "PRTE_LAUNCHED", "OMPI_COMM_", "MPI_LOCAL", "MV2_COMM_", "JSM_NAMESPACE_",
+             "FLUX_", "PALS_", "SLURM_PROCID", "SLURM_NTASKS", "SLURM_STEP_")
 OF_THE_USER = "OMPI_ALLOW_RUN_AS_ROOT"
 
 

@@ -55,7 +55,13 @@ namespace ringmotor
   {
     // srun starts processes of Open MPI with PMIX alone.
     if (std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr || std::getenv("PMIX_RANK") != nullptr)
+    {
+      // On one computer. Open MPI 5 complains of each network that does not lead back to it.
+      const std::string size = value_of("OMPI_COMM_WORLD_SIZE");
+      if (!size.empty() && size == value_of("OMPI_COMM_WORLD_LOCAL_SIZE"))
+        setenv("OMPI_MCA_btl", "^tcp", 0);
       return;
+    }
     setenv("OMPI_MCA_ess_singleton_isolated", "1", /*overwrite =*/0);
     setenv("OMPI_MCA_pml", "ob1", 0);
     setenv("OMPI_MCA_btl", "self", 0);

@@ -9,7 +9,8 @@ namespace ringmotor
   /**
    * To be called before MPI starts: a program started without mpirun needs no network, and not
    * looking for one saves a third of a second; nor does it need a folder for its session, which
-   * it would share with others that run at the same time.
+   * it would share with others that run at the same time. Ranks of one computer need no network
+   * either.
    */
   void spare_the_network_search();
 
