@@ -18,6 +18,15 @@ from programs import PROGRAMS, CaseError, Refusal, described, refuse_pipe
 SCRIPTS = pathlib.Path(__file__).resolve().parent
 MOST_RANKS = 4  # that share the work of a motor; a fifth one would find little left of it
 PATIENCE = 60.  # seconds for mpirun to start
+# What mpirun and the ranks are told, in variables: an MPI ignores those that it does not know. Ranks are not bound to cores
+# that other runs may have been bound to, nproc counts more than the slots of mpirun, and containers forbid the fast way of
+# copying between processes.
+OPEN_MPI = ("OMPI_MCA_mpi_yield_when_idle=1",)
+OPEN_MPI_4 = ("OMPI_MCA_hwloc_base_binding_policy=none", "OMPI_MCA_rmaps_base_oversubscribe=1",
+              "OMPI_MCA_btl_vader_single_copy_mechanism=none")
+OPEN_MPI_5 = ("PRTE_MCA_hwloc_default_binding_policy=none", "PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe",
+              "OMPI_MCA_smsc=^cma")
+AS_ROOT = ("OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1")
 # How launchers tell a process the number of processes and its own among them.
 COPIES = (("OMPI_COMM_WORLD_SIZE", "OMPI_COMM_WORLD_RANK"), ("PMI_SIZE", "PMI_RANK"),
           ("SLURM_STEP_NUM_TASKS", "SLURM_PROCID"))
@@ -41,20 +50,45 @@ class Interruption:
         if self.process:
             self.process.send_signal(number)
 
-    def run(self, *command):
+    def run(self, *command, stderr=None):
         """The exit status of a program, in our terminal."""
         sys.stdout.flush()
-        self.process = subprocess.Popen([str(word) for word in command], env=without_launcher(os.environ))
+        self.process = subprocess.Popen([str(word) for word in command], env=without_launcher(os.environ), stderr=stderr)
         status = self.process.wait()
         if self.signal:
             sys.exit(128 + self.signal)
         return status if status >= 0 else 128 - status
+
+    def run_on_ranks(self, launcher, folder, *command):
+        """The same on several ranks. What they say of errors goes into a file of this folder, as mpirun adds to it, and
+        loses it after Ctrl-C."""
+        words, notices = folder / "words", folder / "notices"
+        status = None
+        try:
+            with open(notices, "w", encoding="utf-8") as stderr:
+                status = self.run(*launcher, "sh", "-c", 'exec "$@" 2>> "$0"', words, *command, stderr=stderr)
+            return status
+        finally:
+            said = read(words) or ("" if status == 0 else without_words(self.signal, status, read(notices)))
+            sys.stderr.write(said)
 
     def need(self, *command):
         """The same; ends with it if it fails."""
         status = self.run(*command)
         if status != 0:
             sys.exit(status)
+
+
+def read(path):
+    return path.read_text(encoding="utf-8", errors="replace") if path.exists() else ""
+
+
+def without_words(is_interrupted, status, notices):
+    """What is to be said of ranks that have ended before they could say anything."""
+    if is_interrupted:
+        return "\nrun.sh: interrupted; start it again, with --resume contact goes on at its last point\n"
+    lines = [line for line in notices.splitlines() if line.strip("- ")]
+    return f"run.sh: the computation ended with status {status}: {' '.join(' '.join(lines).split())}\n"
 
 
 def refuse_copies():
@@ -74,26 +108,27 @@ def number_of_ranks():
 
 
 def mpirun(n_ranks):
-    """Ranks are not bound to cores that other runs may have been bound to, nproc counts more than the slots of mpirun,
-    containers forbid the fast way of copying between processes, and mpirun adds nothing to what the program says."""
-    command = ["mpirun", "--quiet", "--bind-to", "none", "--oversubscribe", "--mca", "mpi_yield_when_idle", "1", "--mca",
-               "btl_vader_single_copy_mechanism", "none", "-n", str(n_ranks)]
-    return command if os.geteuid() != 0 else [*command, "--allow-run-as-root"]
+    return ["env", *OPEN_MPI, *OPEN_MPI_4, *OPEN_MPI_5, *(AS_ROOT if os.geteuid() == 0 else ()), "mpirun", "-n",
+            str(n_ranks)]
 
 
 def plan_and_launcher(options):
     """What the programs have read, and the words before a program on several ranks: none unless so many ranks answer as
     were asked for, as the mpirun that is found may not be that of the programs."""
     n_ranks = number_of_ranks()
-    if n_ranks > 1:
-        try:
-            launcher = mpirun(n_ranks)
-            plan = described(PROGRAMS / "motor", *options, launcher=launcher, timeout=PATIENCE)
-            if plan["ranks"] == n_ranks:
-                return plan, launcher
-        except CaseError:
-            pass
-    return described(PROGRAMS / "motor", *options), []
+    if n_ranks < 2:
+        return described(PROGRAMS / "motor", *options), []
+    try:
+        launcher = mpirun(n_ranks)
+        plan = described(PROGRAMS / "motor", *options, launcher=launcher, timeout=PATIENCE)
+        if plan["ranks"] == n_ranks:
+            return plan, launcher
+        problem = "it belongs to another MPI"
+    except CaseError as error:
+        problem = error
+    plan = described(PROGRAMS / "motor", *options)  # or the parameters are wrong
+    print(f"run.sh: uses one core of {n_ranks}, as mpirun cannot be used ({problem})", file=sys.stderr)
+    return plan, []
 
 
 def is_flag(word, flags):
@@ -123,7 +158,8 @@ def run(options, resume):
     page.unlink(missing_ok=True)
     with tempfile.TemporaryDirectory(prefix="ringmotor_") as scratch:
         done = pathlib.Path(scratch) / "done.json"
-        status = interruption.run(*launcher, PROGRAMS / "motor", *options, *resume, "--done", done)
+        command = (PROGRAMS / "motor", *options, *resume, "--done", done)
+        status = interruption.run_on_ranks(launcher, done.parent, *command) if launcher else interruption.run(*command)
         if not done.exists():  # the stator has failed, or another run is there
             return status
     # What cannot be drawn is missing on the page, which is there in any case.

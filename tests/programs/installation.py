@@ -127,7 +127,7 @@ class FromFileToPage(Installed):
         os.killpg(process.pid, signal.SIGINT)  # as by Ctrl-C
         _, said = process.communicate(timeout=60)
         self.assertEqual(process.returncode, 130)
-        self.assertRegex(said, r"^\n(stator|contact): interrupted; [^\n]*\n$")
+        self.assertRegex(said, r"^\n(stator|contact|run\.sh): interrupted; [^\n]*\n$")
         self.assertFalse((case / "figures").exists())
 
     def test_mistakes_are_told_before_anything_is_computed(self):
@@ -147,8 +147,9 @@ class FromFileToPage(Installed):
         self.assertIn(f"would be written to {case}", done.stdout)
         self.assertFalse(case.exists())
 
-    def assert_whole_run(self, done, case, *files):
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
+    def assert_whole_run(self, done, case, *files, said=r"\Z"):
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stderr, rf"\A{said}")
         self.assertIn("all hold", done.stdout)
         for name in ("losses/summary.json", *files):
             self.assertTrue((case / name).exists(), name)
@@ -188,7 +189,8 @@ class FromFileToPage(Installed):
             (folder / "mpirun").write_text(f"#!/bin/bash\n{script}\n")
             (folder / "mpirun").chmod(0o755)
             case = folder / "case"
-            self.assert_whole_run(self.launched(case, PATH=f"{folder}:{os.environ['PATH']}"), case)
+            self.assert_whole_run(self.launched(case, PATH=f"{folder}:{os.environ['PATH']}"), case,
+                                  said=r"run\.sh: uses one core of \d+, as mpirun cannot be used \([^\n]+\)\n\Z")
 
     def test_under_mpirun(self):
         may = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
