@@ -11,8 +11,8 @@ MARKED = re.compile(r"<!-- (?P<price>cheap|dear): (?P<command>.+?) -->\n(?P<text
 IMAGE = re.compile(r"!\[[^\]]*\]\(([^)]+\.png)\)")
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
 BAR = re.compile(r"\s*(?:\+-|±)\s*$")
-# A number that follows is a time or an amount of memory, which differs from machine to machine.
-OF_THE_MACHINE = re.compile(r"\s*(?:s|MB|GB)\b")
+# Times and amounts of memory, which differ from machine to machine.
+OF_THE_MACHINE = re.compile(NUMBER.pattern + r"(?=\s*(?:s|MB|GB)\b)")
 RELATIVE = 0.03  # admissible difference of a number without error bar
 
 
@@ -60,9 +60,8 @@ def blocks_of(page):
 def split_numbers(text):
     """The words between numbers, and the numbers as (value, place of the last digit, error bar or None)."""
     words, numbers, end = [], [], 0
+    text = OF_THE_MACHINE.sub("", text)
     for found in NUMBER.finditer(text):
-        if OF_THE_MACHINE.match(text, found.end()):
-            continue
         between = text[end:found.start()]
         value = float(found.group())
         decimals = len(found.group().partition("e")[0].partition(".")[2])
@@ -78,17 +77,15 @@ def split_numbers(text):
 def difference(old, new):
     """How two texts differ by more than the error bars of their numbers; "" if they do not."""
     (old_words, old_numbers), (new_words, new_numbers) = split_numbers(old), split_numbers(new)
+    if len(old_words) != len(new_words):
+        return f"{len(old_words) - 1} numbers in the page, {len(new_words) - 1} now"
     for before, after in zip(old_words, new_words):
         if before != after:
             return f"the words are '{before}' in the page, '{after}' now"
-    if len(old_words) != len(new_words) or len(old_numbers) != len(new_numbers):
-        return f"{len(old_numbers)} numbers in the page, {len(new_numbers)} now"
     for (before, place, bar), (after, _, other) in zip(old_numbers, new_numbers):
-        if (bar is None) != (other is None):
-            return f"{before:g} has an error bar on one side only"
         allowed = bar + other if bar is not None else max(2.1 * place, RELATIVE * abs(after))
         if abs(before - after) > allowed:
             return f"{before:g} in the page, {after:g} now, more than {allowed:g} apart"
-        if bar is not None and not bar <= 2. * other + place or bar is not None and not other <= 2. * bar + place:
+        if bar is not None and (bar > 2. * other + place or other > 2. * bar + place):
             return f"the error bar of {before:g} is {bar:g} in the page, {other:g} now"
     return ""
