@@ -22,7 +22,8 @@ from timed_run import MOTOR, PAPERS_MODEL, ROOT, arguments, limited_run, on_rank
 
 ONE_COEFFICIENT = {"Friction/Law": "coulomb", "Friction/Static coefficient": "0.40"}
 RING60 = ROOT / "prm" / "ring60.prm"
-AUTO = {entry: "auto" for entry in PAPERS_MODEL if entry.startswith("Effects/")}
+AUTO = {entry: "auto" for entry in PAPERS_MODEL
+        if entry.startswith("Effects/") and entry != "Effects/Target plates"}
 SOLID = {"Rotor/Flange element": "solid"}
 
 

@@ -234,7 +234,7 @@ class Page:
                 rows.append([effect["name"], ("auto: " if effect["automatic"] else "") + effect["choice"],
                              "-" if effect["indicator"] is None else f"{100 * effect['indicator']:+.2g} %",
                              f"{effect['seconds']:.1f}", str(effect["dofs"]), f"{effect['bytes'] / 1e6:.1f}", part.program])
-        notes = []
+        notes = [line for part in self.programs for line in self.needed_but_off(part)]
         parameters = self.programs[-1].parameters
         for choice in ("on", "off", "auto"):
             names = [entry.split("/")[1] for entry, text in parameters.items()
@@ -243,6 +243,14 @@ class Page:
                 notes.append(f"{choice}, without an estimate: {', '.join(names)}")
         return Table("Effects", "llrrrrl", [("effect", ""), ("choice", ""), ("it changes results by", ""), ("seconds", "s"),
                                             ("modes", ""), ("memory", "MB"), ("program", "")], rows, notes)
+
+    def needed_but_off(self, part):
+        """Of the effects that the user has switched off: those that the program would have included."""
+        target = "Accuracy/Target" if part.program == "stator" else "Accuracy/Contact target"
+        for effect in part.summary["effects"]:
+            change = abs(effect["indicator"] or 0.)
+            if effect["choice"] == "off" and not effect["automatic"] and change > float(part.parameters[target]) / 3:
+                yield f"{effect['name']} is off, but would change the results by {100 * change:.2g} %"
 
     def certificates(self):
         rows = [["ok" if check["holds"] else "FAIL", part.program, check["name"], f"{check['value']:.2g}",

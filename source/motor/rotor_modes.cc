@@ -193,6 +193,11 @@ namespace ringmotor
     return part(1, setting(1).n_low, {});
   }
 
+  const LipModes &RotorVibration::roughly(const unsigned int n_harmonics) const
+  {
+    return part(0, n_harmonics, {});
+  }
+
   std::vector<const LipModes *> RotorVibration::parts(const VibrationSetting &setting) const
   {
     if (moves_as_a_whole) // all of its nodal diameters have all frequencies

@@ -19,6 +19,9 @@ namespace ringmotor
         chosen(given), own_vibration(uniform_vibration)
   {
     constexpr unsigned int n_harmonics = 6, level = 1;
+    // Where inertia was switched off, its estimate is for information only.
+    constexpr unsigned int n_rough = 3, coarsest = 0;
+    std::optional<LipAmplification> rough_lip;
     const Scene scene{
         chosen, &wave,
         [&](const Effect &effect)
@@ -28,7 +31,11 @@ namespace ringmotor
           return measured[effect.name].relative;
         },
         [&]() -> const LipAmplification &
-        { return lip.emplace(given, uniform_vibration.of_first_harmonics(), level, n_harmonics); }};
+        {
+          if (given.effects.rotor_inertia == EffectChoice::off)
+            return rough_lip.emplace(given, uniform_vibration.roughly(n_rough), coarsest, n_rough);
+          return lip.emplace(given, uniform_vibration.of_first_harmonics(), level, n_harmonics);
+        }};
     rows = choose_effects(chosen, EffectStage::contact, scene, given.accuracy.contact_target);
     own_vibration = is_marched(chosen)
                         ? RotorVibration(chosen, wave.angular_frequency, MPI_COMM_WORLD)

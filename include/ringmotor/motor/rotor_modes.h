@@ -130,6 +130,8 @@ namespace ringmotor
     void prepare(const unsigned int modes_level) const;
     /** Those of all nodal diameters on the mesh of level 1, for the first harmonics. */
     const LipModes &of_first_harmonics() const;
+    /** The same on the coarsest mesh, for as many harmonics as are asked for. */
+    const LipModes &roughly(const unsigned int n_harmonics) const;
 
   private:
     /** Mesh, range of nodal diameters, number of harmonics. */
