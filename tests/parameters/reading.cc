@@ -189,7 +189,7 @@ TEST(Reading, ATemplateHasTheDefaultsAndNoValueOfARequiredEntry)
     const std::string rest = text.substr(line, text.find('\n', line) - line);
     EXPECT_EQ(rest.substr(rest.find('=')), "= # required") << rest;
   }
-  EXPECT_NE(text.find("set Contact target       = 0.03\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("set Contact target       = 0.1\n"), std::string::npos) << text;
 }
 
 TEST(Reading, PrintedTextIsReadBackAndPrintedTheSame)

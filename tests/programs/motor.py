@@ -193,7 +193,7 @@ class Questions(unittest.TestCase):
     def test_of_all_entries(self):
         declared = json.loads(run(CONTACT, "--help=json").stdout)
         self.assertEqual(declared["Materials"]["Stator metal"]["Density"]["default_value"], "")  # a file has to give it
-        self.assertEqual(declared["Accuracy"]["Contact target"]["default_value"], "0.03")
+        self.assertEqual(declared["Accuracy"]["Contact target"]["default_value"], "0.1")
         self.assertEqual(list(declared)[:3], ["Motor", "Stator", "Rotor"])
 
     def test_mistakes_in_options_are_told_by_their_words(self):

@@ -22,6 +22,8 @@ namespace ringmotor::tests
     effects.felt_support                = EffectChoice::off;
     effects.piezoelectric_coupling      = EffectChoice::off;
     effects.friction_lining             = EffectChoice::off;
+    parameters.accuracy.contact_target  = 0.03;
+    parameters.time.spectral_radius     = 0.8;
     parameters.support.felt_thickness   = 1e-3;
     parameters.support.felt_modulus     = 5e5;
     parameters.support.felt_loss_factor = 0.3;

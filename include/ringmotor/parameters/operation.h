@@ -126,7 +126,7 @@ namespace ringmotor
     unsigned int n_snapshots = 1;
 
     /** For a rotor with inertia, see InertiaScheme::second_order(). */
-    double spectral_radius = 0.8;
+    double spectral_radius = 0.5;
 
     /** Declares the entries; reading them changes the members. */
     void declare(dealii::ParameterHandler &prm);

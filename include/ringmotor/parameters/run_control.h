@@ -39,7 +39,7 @@ namespace ringmotor
   struct Accuracy
   {
     double target         = 1.e-4; ///< relative error of the results
-    double contact_target = 0.03;  ///< relative error of #quantities
+    double contact_target = 0.1;   ///< relative error of #quantities
     std::vector<QuantityTarget> quantities{{HeldQuantity::speed, {}}, {HeldQuantity::torque, {}}};
     std::optional<double> time_limit; ///< s, for a run of stator or contact
     AccuracyMode mode                 = AccuracyMode::adaptive;
