@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds the last commit on another release of Debian and runs its tests there. The system lies in a folder that chroot
 # takes for its root; it is installed once, by debootstrap, and found again. Needs root rights; takes an hour the first time.
-# Usage: scripts/other_system.sh RELEASE [--folder DIR] [ctest arguments, e.g. -LE hard]; e.g. RELEASE = trixie
+# Usage: scripts/other_system.sh RELEASE [--folder DIR] [arguments of scripts/test.sh]; e.g. RELEASE = trixie
 # Without --folder: build/RELEASE. RINGMOTOR_CMAKE_ARGUMENTS counts as in scripts/setup.sh.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
