@@ -95,6 +95,7 @@ namespace ringmotor
     {
       state.modal_power  = modes->step(state.solution.state.force, length);
       state.modal_motion = modes->motion();
+      state.vibration    = modes->vibration();
     }
     if (rigid_motions)
       state.modal_power.taken += rigid_motions->step(rigid, length);

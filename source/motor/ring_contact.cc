@@ -111,6 +111,12 @@ namespace ringmotor
                : std::vector<PointVector>();
   }
 
+  std::vector<std::complex<double>> RingContact::vibration_of_modes(const ContactState &state) const
+  {
+    return dynamics ? dynamics->inertia.vibration(compliance->by_instant(state.force), n_samples)
+                    : std::vector<std::complex<double>>();
+  }
+
   std::vector<std::vector<ModalState>> RingContact::modal_states(const ContactState &state) const
   {
     return dynamics ? dynamics->inertia.states(compliance->by_instant(state.force))

@@ -72,52 +72,57 @@ namespace ringmotor
     return discretisation;
   }
 
+  RotorModeSolver::RotorModeSolver(const Parameters &parameters, const unsigned int level,
+                                   const double frequency, const unsigned int n_harmonics,
+                                   const HarmonicRange &range)
+      : body(parameters, LipModes::discretisation(level)), frequency(frequency),
+        up_to(2. / 3. * n_harmonics * frequency)
+  {
+    if (motor_model(parameters).rotor_moves_as_whole)
+    {
+      all.emplace(body.sector);
+      for (unsigned int k = 2; 2 * k <= parameters.motor.n_teeth; ++k)
+        excited[k];
+      return;
+    }
+    responses.emplace(body.sector);
+    for (auto &[k, harmonics] : harmonics_by_diameter(parameters.motor, n_harmonics))
+      if (k >= 2 && range.contains(harmonics.front()))
+        excited[k] = std::move(harmonics);
+  }
+
+  std::vector<Mode> RotorModeSolver::modes(const unsigned int k)
+  {
+    if (all)
+      return all->below(k, std::pow(up_to, 2));
+    // Low harmonics have few vibrations below three times their own frequency.
+    constexpr unsigned int least_harmonic      = 4;
+    const std::vector<unsigned int> &harmonics = excited.at(k);
+    std::vector<double> frequencies;
+    for (const unsigned int harmonic : harmonics)
+      frequencies.push_back(harmonic * frequency);
+    const auto loads = smooth_loads(body.sector, body.lip, k, {1, 4, /*vanish_at_cut =*/true});
+    return without_fast_vectors(responses->at(k, loads, frequencies),
+                                std::max(harmonics.back(), least_harmonic) * frequency);
+  }
+
   LipModes::LipModes(const Parameters &parameters, const unsigned int level, const double frequency,
                      const unsigned int n_harmonics, const MPI_Comm communicator,
                      const HarmonicRange &range, const LipModes *const fewer)
       : n_teeth(parameters.motor.n_teeth), n_harmonics(n_harmonics), modes(n_teeth / 2 + 1)
   {
-    const RotorBody body(parameters, discretisation(level));
-    lip                                         = body.whole_lip;
-    const std::vector<LinearForm> displacements = displacement_forms(body.lip);
-    const MotorModel model                      = motor_model(parameters);
-    const auto take                             = [&](const std::vector<Mode> &of_diameter)
-    {
-      for (const Mode &mode : of_diameter)
-        modes[mode.nodal_diameter].push_back(
-            {std::sqrt(mode.eigenvalue), on_surface(body.sector, displacements, mode)});
-    };
+    RotorModeSolver solver(parameters, level, frequency, n_harmonics, range);
+    lip                        = solver.body.whole_lip;
+    const bool gives_way_along = motor_model(parameters).rotor_gives_way_along;
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
     unsigned int next_rank     = 0;
     const auto is_mine         = [&]
     { return next_rank++ % n_ranks == Utilities::MPI::this_mpi_process(communicator); };
-    if (model.rotor_moves_as_whole)
-    {
-      constexpr double of_highest = 2. / 3.;
-      const double up_to          = of_highest * n_harmonics * frequency;
-      ModeSolver solver(body.sector);
-      for (unsigned int k = 2; k < modes.size(); ++k)
-        if (is_mine())
-          take(solver.below(k, std::pow(up_to, 2)));
-    }
-    else
-    {
-      // Low harmonics have few vibrations below three times their own frequency.
-      constexpr unsigned int least_harmonic = 4;
-      ResponseModes responses(body.sector);
-      auto done = harmonics_by_diameter(parameters.motor, fewer ? fewer->n_harmonics : 0);
-      for (const auto &[k, harmonics] : harmonics_by_diameter(parameters.motor, n_harmonics))
-      {
-        if (k < 2 || !range.contains(harmonics.front()) || harmonics == done[k] || !is_mine())
-          continue;
-        std::vector<double> frequencies;
-        for (const unsigned int harmonic : harmonics)
-          frequencies.push_back(harmonic * frequency);
-        const auto loads = smooth_loads(body.sector, body.lip, k, {1, 4, /*vanish_at_cut =*/true});
-        take(without_fast_vectors(responses.at(k, loads, frequencies),
-                                  std::max(harmonics.back(), least_harmonic) * frequency));
-      }
-    }
+    auto done = harmonics_by_diameter(parameters.motor, fewer ? fewer->n_harmonics : 0);
+    for (const auto &[k, harmonics] : solver.diameters())
+      if ((harmonics.empty() || harmonics != done[k]) && is_mine())
+        for (const Mode &mode : solver.modes(k))
+          modes[k].push_back(on_lip(solver.body, mode, gives_way_along));
     if (n_ranks > 1)
       for (const auto &of_rank : of_all_ranks(modes, communicator))
         for (std::size_t k = 0; k < modes.size(); ++k)
@@ -127,12 +132,28 @@ namespace ringmotor
       for (std::size_t k = 0; k < modes.size(); ++k)
         if (modes[k].empty())
           modes[k] = fewer->modes[k];
-    if (!model.rotor_gives_way_along)
-      for (auto &of_diameter : modes)
-        for (LipMode &mode : of_diameter)
-          for (std::size_t i = 0; i < mode.motion.size(); ++i)
-            if (i % 3 != 0)
-              mode.motion[i] = 0.;
+  }
+
+  LipModes::LipMode LipModes::on_lip(const RotorBody &body, const Mode &mode,
+                                     const bool gives_way_along)
+  {
+    LipMode of_lip{std::sqrt(mode.eigenvalue),
+                   on_surface(body.sector, displacement_forms(body.lip), mode)};
+    for (std::size_t i = 0; i < of_lip.motion.size(); ++i)
+      if (i % 3 != 0 && !gives_way_along)
+        of_lip.motion[i] = 0.;
+    return of_lip;
+  }
+
+  RingMode LipModes::at_points(const LipMode &mode, const SectorSurface &lip,
+                               const MortarCoupling &mortar, const double turn)
+  {
+    RingMode at_points{mode.angular_frequency,
+                       at_contact_points(mode.motion, lip.origin, mortar, turn)};
+    for (std::array<Complex, 3> &motion : at_points.motion)
+      for (Complex &component : motion)
+        component *= std::sqrt(0.5); // two halves make a sector
+    return at_points;
   }
 
   RingModes LipModes::at(const ContactSurface &tooth_top, const double lip_turn) const
@@ -142,13 +163,7 @@ namespace ringmotor
     RingModes at_nodes(modes.size());
     for (unsigned int k = 0; k < modes.size(); ++k)
       for (const LipMode &mode : modes[k])
-      {
-        at_nodes[k].push_back({mode.angular_frequency,
-                               at_contact_points(mode.motion, lip.origin, mortar, k * pitch)});
-        for (std::array<Complex, 3> &motion : at_nodes[k].back().motion)
-          for (Complex &component : motion)
-            component *= std::sqrt(0.5); // two halves make a sector
-      }
+        at_nodes[k].push_back(at_points(mode, lip, mortar, k * pitch));
     return at_nodes;
   }
 
@@ -185,34 +200,35 @@ namespace ringmotor
   {
     for (const VibrationSetting &each :
          {setting(modes_level), on_coarser_mesh(modes_level), of_other_harmonics(modes_level)})
-      parts(each);
+      for (const Part &part : parts(each))
+        modes_of(part);
   }
 
   const LipModes &RotorVibration::of_first_harmonics() const
   {
-    return part(1, setting(1).n_low, {});
+    return modes_of({1, setting(1).n_low, {}});
   }
 
   const LipModes &RotorVibration::roughly(const unsigned int n_harmonics) const
   {
-    return part(0, n_harmonics, {});
+    return modes_of({0, n_harmonics, {}});
   }
 
-  std::vector<const LipModes *> RotorVibration::parts(const VibrationSetting &setting) const
+  std::vector<RotorVibration::Part> RotorVibration::parts(const VibrationSetting &setting) const
   {
     if (moves_as_a_whole) // all of its nodal diameters have all frequencies
-      return {&part(setting.mesh, setting.n_harmonics, {})};
-    return {&part(setting.mesh, setting.n_harmonics, {1, setting.n_low}),
-            &part(0, setting.n_harmonics, {setting.n_low + 1})};
+      return {{setting.mesh, setting.n_harmonics, {}}};
+    return {{setting.mesh, setting.n_harmonics, {1, setting.n_low}},
+            {0, setting.n_harmonics, {setting.n_low + 1}}};
   }
 
   RingModes RotorVibration::at(const VibrationSetting &setting, const ContactSurface &tooth_top,
                                const double lip_turn) const
   {
     RingModes all(parameters.motor.n_teeth / 2 + 1);
-    for (const LipModes *const modes : parts(setting))
+    for (const Part &part : parts(setting))
     {
-      const RingModes of_part = modes->at(tooth_top, lip_turn);
+      const RingModes of_part = modes_of(part).at(tooth_top, lip_turn);
       for (std::size_t k = 0; k < all.size(); ++k)
         if (!of_part[k].empty())
           all[k] = of_part[k];
@@ -220,9 +236,19 @@ namespace ringmotor
     return all;
   }
 
-  const LipModes &RotorVibration::part(const unsigned int mesh, const unsigned int n_harmonics,
-                                       const HarmonicRange &range) const
+  std::vector<std::unique_ptr<RotorModeSolver>>
+  RotorVibration::solvers(const VibrationSetting &setting) const
   {
+    std::vector<std::unique_ptr<RotorModeSolver>> solvers;
+    for (const auto &[mesh, n_harmonics, range] : parts(setting))
+      solvers.push_back(
+          std::make_unique<RotorModeSolver>(parameters, mesh, frequency, n_harmonics, range));
+    return solvers;
+  }
+
+  const LipModes &RotorVibration::modes_of(const Part &part) const
+  {
+    const auto &[mesh, n_harmonics, range] = part;
     std::shared_ptr<const LipModes> &modes = known[{mesh, range.first, range.last, n_harmonics}];
     if (!modes)
     {

@@ -136,6 +136,7 @@ namespace ringmotor
         OperatingState state{contact, std::move(solution), std::move(from.memory)};
         state.modal_power  = contact->modal_power(state.solution.state);
         state.modal_motion = contact->modal_motion(state.solution.state);
+        state.vibration    = contact->vibration_of_modes(state.solution.state);
         return state;
       }
     }

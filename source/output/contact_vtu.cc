@@ -169,19 +169,13 @@ namespace ringmotor
     for (const CurvePoint &point : points)
       last.push_back({point.fields, static_cast<unsigned int>(point.fields.times.size() - 1),
                       point.result.amplitude});
-    const bool has_inertia                          = motor.has_rotor_modes();
-    const std::vector<RingBody::Displacement> rotor = has_inertia
-                                                          ? std::vector<RingBody::Displacement>()
-                                                          : bodies.rotor_motions(last),
+    const std::vector<RingBody::Displacement> rotor = bodies.rotor_motions(motor, last),
                                               teeth = bodies.teeth_motions(last);
     std::vector<std::pair<double, std::string>> files;
     for (unsigned int i = 0; i < points.size(); ++i)
     {
-      if (!has_inertia)
-      {
-        files.emplace_back(torque_as_time(points[i]), numbered("rotor", i));
-        write_body(folder + files.back().second, bodies.rotor(), {displacement_field(rotor[i])});
-      }
+      files.emplace_back(torque_as_time(points[i]), numbered("rotor", i));
+      write_body(folder + files.back().second, bodies.rotor(), {displacement_field(rotor[i])});
       files.emplace_back(torque_as_time(points[i]), numbered("teeth", i));
       std::vector<PointField> fields =
           fields_on_teeth(bodies.teeth(), {motor, points[i].fields, height});

@@ -333,10 +333,6 @@ namespace ringmotor
       write_contact_surfaces(folder, search.motor(), search.points(), height);
       const MotorBodies bodies(parameters, wave, ContactDiscretisation::level(search.level()));
       write_motor_bodies(folder, search.motor(), bodies, search.points(), height);
-      if (search.motor().has_rotor_modes())
-        log.line("the interior of a rotor with inertia or damping is not drawn: motor.pvd shows "
-                 "the teeth, "
-                 "contact.pvd the surfaces of both");
     }
 
     Summary ContactProgram::make_summary() const

@@ -13,6 +13,7 @@ namespace ringmotor
     reserve(tooth);
     reserve(rotor);
     reserve(modal);
+    reserve(vibration);
     reserve(rigid);
     reserve(status);
   }
@@ -29,6 +30,7 @@ namespace ringmotor
     append(tooth, later.tooth);
     append(rotor, later.rotor);
     append(modal, later.modal);
+    append(vibration, later.vibration);
     append(rigid, later.rigid);
     append(status, later.status);
     n_teeth   = later.n_teeth;
@@ -50,6 +52,7 @@ namespace ringmotor
     fields.tooth                     = contact.tooth_motion(solution.state);
     fields.rotor                     = contact.rotor_motion(solution.state);
     fields.modal                     = state.modal_motion;
+    fields.vibration                 = state.vibration;
     const std::vector<double> &rigid = solution.state.rigid; // a turn may follow
     const std::size_t size           = contact.n_times() * contact.n_rigid_motions();
     fields.rigid.assign(rigid.begin(), rigid.begin() + size);

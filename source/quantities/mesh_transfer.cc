@@ -75,6 +75,7 @@ namespace ringmotor
     result.tooth.clear();
     result.rotor.clear();
     result.modal.clear();
+    result.vibration.clear();
     result.force.assign(n_blocks * n_to, PointVector());
     result.motion.clear();
     result.status.clear();

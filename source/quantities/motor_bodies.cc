@@ -48,7 +48,8 @@ namespace ringmotor
                            const ContactDiscretisation &discretisation,
                            const unsigned int n_subdivisions)
       : parameters(parameters), model(motor_model(parameters)), wave(wave),
-        tooth_body(parameters, discretisation), rotor_body(parameters, discretisation),
+        lip_turn(discretisation.lip_turn), tooth_body(parameters, discretisation),
+        rotor_body(parameters, discretisation),
         mortar(couple(tooth_body.whole_top.surface, rotor_body.whole_lip.surface,
                       2. * numbers::PI / parameters.motor.n_teeth, discretisation.lip_turn)),
         rotor_ring(rotor_body.sector, n_subdivisions,
@@ -88,7 +89,7 @@ namespace ringmotor
   }
 
   std::vector<RingBody::Displacement>
-  MotorBodies::rotor_motions(const std::vector<PointSample> &samples) const
+  MotorBodies::static_rotor_motions(const std::vector<PointSample> &samples) const
   {
     const unsigned int n_teeth      = parameters.motor.n_teeth;
     const Condensation condensation = rotor_body.condensed(true);
@@ -132,6 +133,16 @@ namespace ringmotor
                          amplitude, displacements[m]);
       }
     }
+    return displacements;
+  }
+
+  std::vector<RingBody::Displacement>
+  MotorBodies::rotor_motions(const CondensedMotor &motor,
+                             const std::vector<PointSample> &samples) const
+  {
+    std::vector<RingBody::Displacement> displacements = static_rotor_motions(samples);
+    if (motor.has_rotor_modes())
+      add_vibration(motor, samples, displacements);
     return displacements;
   }
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/quantities/lattice.h>
 #include <ringmotor/quantities/ring_body.h>
+#include <ringmotor/structure/foot.h>
 #include <ringmotor/structure/mirror.h>
 #include <ringmotor/structure/no_index.h>
 
 #include <deal.II/base/quadrature.h>
 #include <deal.II/fe/fe_values.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ringmotor
@@ -20,6 +22,22 @@ namespace ringmotor
       Tensor<1, 3> vector;
       vector[direction] = 1.;
       return vector;
+    }
+
+    /** The displacement by a shape function of a shell, @p arm away from its reference surface. */
+    Tensor<1, 3> of_shell(const double shape, const unsigned int component, const Tensor<1, 3> &arm)
+    {
+      return component < 3 ? shape * unit_vector(component)
+                           : shape * cross_product_3d(unit_vector(component - 3), arm);
+    }
+
+    /** How far from the reference surfaces of its shells a body reaches, m. */
+    double reach_of_shells(const SectorMesh &mesh)
+    {
+      double reach = 0.;
+      for (const auto &[material, section] : mesh.sections)
+        reach = std::max({reach, -section.lower_face(), section.upper_face()});
+      return reach;
     }
   } // namespace
 
@@ -61,7 +79,7 @@ namespace ringmotor
     {
       values.reinit(cell);
       cell->get_dof_indices(dofs);
-      std::vector<Sample> at_points(unit_points.size(), {false, {}});
+      Samples at_points(unit_points.size(), {false, {}});
       for (unsigned int q = 0; q < unit_points.size(); ++q)
         for (unsigned int i = 0; i < dofs.size(); ++i)
           if (const double shape = values.shape_value(i, q); std::abs(shape) > 1e-12)
@@ -84,7 +102,7 @@ namespace ringmotor
       cell->get_dof_indices(dofs);
       const ShellSection &section = sector.sector_mesh().sections.at(cell->material_id());
       std::vector<Point<3>> places;
-      std::vector<Sample> at_points;
+      Samples at_points;
       for (unsigned int layer = 0; layer <= n_subdivisions; ++layer)
         for (unsigned int q = 0; q < unit_points.size(); ++q)
         {
@@ -97,18 +115,58 @@ namespace ringmotor
           {
             const unsigned int component = element.system_to_component_index(i).first;
             if (const double shape = values.shape_value(i, q); std::abs(shape) > 1e-12)
-              at_points.back().terms.emplace_back(
-                  dofs[i], component < 3
-                               ? shape * unit_vector(component)
-                               : shape * cross_product_3d(unit_vector(component - 3), arm));
+              at_points.back().terms.emplace_back(dofs[i], of_shell(shape, component, arm));
           }
         }
       add_lattice(places, at_points, n_subdivisions);
     }
   }
 
-  void RingBody::add_lattice(const std::vector<Point<3>> &lattice,
-                             const std::vector<Sample> &at_points,
+  RingBody::Samples RingBody::samples_in(const SectorElements &sector) const
+  {
+    std::vector<SectorElements::Cell> solids;
+    std::vector<SectorElements::ShellCell> shells;
+    if (sector.dofs().has_active_dofs())
+      for (const auto &cell : sector.dofs().active_cell_iterators())
+        solids.push_back(cell);
+    if (sector.shell_dofs().has_active_dofs())
+      for (const auto &cell : sector.shell_dofs().active_cell_iterators())
+        shells.push_back(cell);
+    constexpr double rounding = 1e-4; // and the shape of curved cells, of the distance to the axis
+    const double reach        = (1. + rounding) * reach_of_shells(sector.sector_mesh());
+    Samples found;
+    const auto add = [&](const auto &foot, const bool is_of_shell, const Tensor<1, 3> &arm)
+    {
+      found.push_back({is_of_shell, {}});
+      const auto &element = foot.cell->get_fe();
+      std::vector<types::global_dof_index> dofs(element.n_dofs_per_cell());
+      foot.cell->get_dof_indices(dofs);
+      for (unsigned int i = 0; i < dofs.size(); ++i)
+        if (const double shape = element.shape_value(i, foot.unit); std::abs(shape) > 1e-12)
+          found.back().terms.emplace_back(
+              dofs[i], of_shell(shape, element.system_to_component_index(i).first, arm));
+    };
+    for (unsigned int p = 0; p < half_points.size(); ++p)
+    {
+      const Point<3> &x = half_points[p];
+      if (samples[p].of_shell)
+      {
+        const auto foot = foot_of<2>(x, shells, sector.shell_geometry(), reach);
+        AssertThrow(foot, ExcMessage("a point of another shell"));
+        add(*foot, true,
+            x - sector.shell_geometry().transform_unit_to_real_cell(foot->cell, foot->unit));
+      }
+      else
+      {
+        const auto foot = foot_of<3>(x, solids, sector.geometry(), rounding * x.norm());
+        AssertThrow(foot, ExcMessage("a point of another body"));
+        add(*foot, false, {});
+      }
+    }
+    return found;
+  }
+
+  void RingBody::add_lattice(const std::vector<Point<3>> &lattice, const Samples &at_points,
                              const unsigned int n_subdivisions)
   {
     std::vector<unsigned int> numbers;
@@ -176,14 +234,15 @@ namespace ringmotor
     return sum;
   }
 
-  RingBody::Amplitude RingBody::amplitude(const SectorMotion &one, const SectorMotion &two) const
+  RingBody::Amplitude RingBody::amplitude(const SectorMotion &one, const SectorMotion &two,
+                                          const Samples &at) const
   {
     const std::complex<double> i(0., 1.);
     const unsigned int n_half = half_points.size();
     Amplitude amplitude(2 * n_half);
     for (unsigned int p = 0; p < n_half; ++p)
     {
-      const auto first = value(samples[p], one), second = value(samples[p], two);
+      const auto first = value(at[p], one), second = value(at[p], two);
       const auto image_of_first = mirrored(first), image_of_second = mirrored(second);
       for (unsigned int d = 0; d < 3; ++d)
       {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/mesh/ids.h>
+#include <ringmotor/structure/foot.h>
 #include <ringmotor/structure/ties.h>
 
 #include <deal.II/base/geometry_info.h>
@@ -19,40 +20,6 @@ namespace ringmotor
   namespace
   {
     constexpr double negligible_weight = 1e-10;
-
-    /** A point of a mesh in the coordinates of one of its cells. */
-    template <int dim>
-    struct Foot
-    {
-      typename DoFHandler<dim, 3>::active_cell_iterator cell;
-      Point<dim> unit;
-      double distance; ///< m
-    };
-
-    /** The point nearest to @p x in these cells, if it is within @p reach. */
-    template <int dim>
-    std::optional<Foot<dim>>
-    foot_of(const Point<3> &x,
-            const std::vector<typename DoFHandler<dim, 3>::active_cell_iterator> &cells,
-            const Mapping<dim, 3> &mapping, const double reach)
-    {
-      std::optional<Foot<dim>> best;
-      for (const auto &cell : cells)
-        if (cell->center().distance(x) < cell->diameter() + reach)
-          try
-          {
-            const Point<dim> unit = GeometryInfo<dim>::project_to_unit_cell(
-                mapping.transform_real_to_unit_cell(cell, x));
-            const double distance = mapping.transform_unit_to_real_cell(cell, unit).distance(x);
-            if (distance < (best ? best->distance : reach))
-              best = Foot<dim>{cell, unit, distance};
-          }
-          catch (const typename Mapping<dim, 3>::ExcTransformationFailed &)
-          {
-            // far from this cell
-          }
-      return best;
-    }
 
     /** The cells with a face of this boundary id. */
     template <int dim>

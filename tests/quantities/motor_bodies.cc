@@ -41,16 +41,40 @@ namespace
     return along_axes(displacement[*point], theta);
   }
 
+  /** With modes of elements of the same degree, on a mesh of the lip that is no finer: nothing of
+   * them is lost. Without those that condense_motor() needs for error bars. */
+  CondensedMotor with_modes(const Parameters &parameters, const StatorWave &wave,
+                            const ContactDiscretisation &discretisation)
+  {
+    const MotorModel model = motor_model(parameters);
+    if (model.rotor_moves_as_whole)
+      return condense_motor(parameters, wave, discretisation, 1);
+    Parameters without            = parameters;
+    without.effects.rotor_inertia = without.effects.damping = EffectChoice::off;
+    CondensedMotor motor = condense_motor(without, wave, discretisation);
+    if (model.rotor_needs_modes())
+    {
+      const ToothBody tooth(parameters, discretisation);
+      const RotorVibration vibration(parameters, wave.angular_frequency);
+      motor.modes =
+          vibration.at(vibration.setting(1), tooth.whole_top.surface, discretisation.lip_turn);
+      motor.modes_level = 1;
+      motor.dynamics    = {model.rotor_loss_factor, InertiaScheme::second_order(0.8),
+                           !model.rotor_vibrates};
+    }
+    return motor;
+  }
+
   void expect_bodies_follow(const Parameters &parameters, const StatorWave &wave,
                             const PointRequest &request,
                             const ContactDiscretisation &discretisation)
   {
-    const CondensedMotor motor = condense_motor(parameters, wave, discretisation);
+    const CondensedMotor motor = with_modes(parameters, wave, discretisation);
     const ContactFields fields = OperatingPointFinder(parameters, motor).find(request).fields;
     const unsigned int last    = fields.times.size() - 1;
     const MotorBodies bodies(parameters, wave, discretisation, motor.degree);
     const RingBody::Displacement
-        rotor = bodies.rotor_motions({{fields, last, motor.amplitude}}).front(),
+        rotor = bodies.rotor_motions(motor, {{fields, last, motor.amplitude}}).front(),
         teeth = bodies.teeth_motions({{fields, last, motor.amplitude}}).front();
 
     const ToothBody tooth_body(parameters, discretisation);
@@ -121,6 +145,42 @@ TEST(MotorBodies, RepeatThemselvesWithTheWave)
   parameters.motor.n_waves         = 9;
   parameters.modes.nodal_diameters = {9};
   expect_bodies_follow(parameters, stator_wave(parameters), {Control::torque, 0.05}, coarse());
+}
+
+TEST(MotorBodies, VibrateAsTheirContactPointsDo)
+{
+  Parameters parameters            = reference_motor();
+  parameters.effects.rotor_inertia = EffectChoice::on;
+  parameters.effects.damping       = EffectChoice::on;
+  const StatorWave wave            = stator_wave(parameters);
+  expect_bodies_follow(parameters, wave, {Control::torque, 0.05}, coarse());
+  ContactDiscretisation turned     = coarse();
+  turned.lip_turn                  = 0.3 * 2. * M_PI / parameters.motor.n_teeth;
+  parameters.rotor.flange_element  = ElementKind::shell;
+  parameters.effects.rotor_inertia = EffectChoice::off; // hysteretic damping alone
+  expect_bodies_follow(parameters, wave, {Control::torque, 0.05}, turned);
+}
+
+TEST(MotorBodies, VibrateWithARepeatingWave)
+{
+  Parameters parameters            = reference_motor();
+  parameters.effects.rotor_inertia = EffectChoice::on;
+  parameters.motor.n_waves         = 9;
+  parameters.modes.nodal_diameters = {9};
+  expect_bodies_follow(parameters, stator_wave(parameters), {Control::torque, 0.05}, coarse());
+}
+
+TEST(MotorBodies, BounceOnWarpedTeeth)
+{
+  Parameters parameters                    = reference_motor();
+  parameters.motor.n_teeth                 = 30;
+  parameters.effects.rotor_inertia         = EffectChoice::on;
+  parameters.effects.damping               = EffectChoice::on;
+  parameters.initial_deformation.amplitude = 2e-6;
+  parameters.initial_deformation.n_waves   = 1;
+  parameters.time.time_step                = 2e-6;
+  parameters.accuracy.contact_target       = 0.5;
+  expect_bodies_follow(parameters, stator_wave(parameters), {Control::speed, 8.}, coarse());
 }
 
 TEST(MotorBodies, FillTheRing)

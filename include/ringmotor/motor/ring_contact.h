@@ -140,10 +140,12 @@ namespace ringmotor
      * energy of the preload by the rotor's rise. */
     double stored_energy(const ContactState &state) const;
 
-    /** The power that the modes take in the steady state, the motions of all contact points in them
-     * (m), and the states of the modes at the first time sample. Empty without modes. */
+    /** In the steady state: the power that the modes take, the motions of all contact points in
+     * them (m), their amplitudes at all time samples, see SteadyInertia::vibration(), and their
+     * states at the first one. Empty without modes. */
     ModalPower modal_power(const ContactState &state) const;
     std::vector<PointVector> modal_motion(const ContactState &state) const;
+    std::vector<std::complex<double>> vibration_of_modes(const ContactState &state) const;
     std::vector<std::vector<ModalState>> modal_states(const ContactState &state) const;
 
     /** An initial state for the solver: no forces, the rotor so low that a small share of the

@@ -96,6 +96,13 @@ namespace ringmotor
     /** The modes at the first instant, by nodal diameter, under @p forces, by instant and node. */
     std::vector<std::vector<ModalState>> states(const std::vector<PointVector> &forces) const;
 
+    /** The amplitudes of the modes beyond those of their static motions (sqrt(kg) m) at the first
+     * @p n_samples instants, by instant, nodal diameter and mode, under @p forces, by instant and
+     * node: amplitude q adds the real part of q motion exp(-i k j alpha) to sector j, twice unless
+     * k is 0 or N / 2. */
+    std::vector<std::complex<double>> vibration(const std::vector<PointVector> &forces,
+                                                const unsigned int n_samples) const;
+
     /** Of the whole ring under @p forces, by instant and node. */
     ModalPower power(const std::vector<PointVector> &forces) const;
 
@@ -128,7 +135,9 @@ namespace ringmotor
     RingCompliance compliance(const double dt) const;
     /** Current motions of all nodes, see SteadyInertia::motion(). */
     std::vector<PointVector> motion() const;
-    /** The same at the end of a step @p dt without forces there. */
+    /** Current amplitudes beyond the static motions, see SteadyInertia::vibration(). */
+    std::vector<std::complex<double>> vibration() const;
+    /** The same motions at the end of a step @p dt without forces there. */
     std::vector<PointVector> free_motion(const double dt) const;
     /** Sets the loss factor of the rotor for the following steps. */
     void damp(const double loss_factor) { dynamics.loss_factor = loss_factor; }

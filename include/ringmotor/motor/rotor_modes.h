@@ -2,11 +2,14 @@
 #pragma once
 
 #include <ringmotor/motor/condensed_motor.h>
+#include <ringmotor/structure/modes.h>
+#include <ringmotor/structure/response_modes.h>
 
 #include <array>
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -35,6 +38,33 @@ namespace ringmotor
     {
       return first <= harmonic && harmonic <= last;
     }
+  };
+
+  /**
+   * Finds the vibrations of LipModes, the rotor's interior included: those of one nodal diameter at
+   * a time, because all of them together need much memory.
+   */
+  class RotorModeSolver
+  {
+  public:
+    /** See LipModes. */
+    RotorModeSolver(const Parameters &parameters, const unsigned int level, const double frequency,
+                    const unsigned int n_harmonics, const HarmonicRange &range = {});
+
+    /** The nodal diameters that have modes, with the harmonics of the wave that excite them; none
+     * are named where the rotor moves as a whole, as any frequency does. */
+    const std::map<unsigned int, std::vector<unsigned int>> &diameters() const { return excited; }
+
+    /** The modes of one of these, sorted by frequency, normalised on the meshed half sector. */
+    std::vector<Mode> modes(const unsigned int k);
+
+    const RotorBody body;
+
+  private:
+    const double frequency, up_to; ///< rad/s; modes below the latter if the rotor moves as a whole
+    std::map<unsigned int, std::vector<unsigned int>> excited;
+    std::optional<ResponseModes> responses;
+    std::optional<ModeSolver> all;
   };
 
   /**
@@ -76,6 +106,13 @@ namespace ringmotor
       }
     };
     const std::vector<LipMode> &of_diameter(const unsigned int k) const { return modes[k]; }
+
+    /** A mode of @p body on its half sector's lip; friction does not excite it if the rotor does
+     * not give way along the lip. */
+    static LipMode on_lip(const RotorBody &body, const Mode &mode, const bool gives_way_along);
+    /** The mode of the whole sector at contact points. @param turn see at_contact_points() */
+    static RingMode at_points(const LipMode &mode, const SectorSurface &lip,
+                              const MortarCoupling &mortar, const double turn);
 
   private:
     const unsigned int n_teeth, n_harmonics;
@@ -125,6 +162,9 @@ namespace ringmotor
      */
     RingModes at(const VibrationSetting &setting, const ContactSurface &tooth_top,
                  const double lip_turn) const;
+    /** Those that find the modes of at() again, with the rotor's interior; each nodal diameter has
+     * modes in one of them at most. */
+    std::vector<std::unique_ptr<RotorModeSolver>> solvers(const VibrationSetting &setting) const;
     /** Computes what condense_motor() reads for @p modes_level: before ranks condense different
      * motors. */
     void prepare(const unsigned int modes_level) const;
@@ -134,17 +174,24 @@ namespace ringmotor
     const LipModes &roughly(const unsigned int n_harmonics) const;
 
   private:
-    /** Mesh, range of nodal diameters, number of harmonics. */
-    using Key = std::tuple<unsigned int, unsigned int, unsigned int, unsigned int>;
-    const LipModes &part(const unsigned int mesh, const unsigned int n_harmonics,
-                         const HarmonicRange &range) const;
+    /** Modes on one mesh. */
+    struct Part
+    {
+      unsigned int mesh, n_harmonics;
+      HarmonicRange range;
+    };
     /** On the mesh of a setting, and on the coarsest one. */
-    std::vector<const LipModes *> parts(const VibrationSetting &setting) const;
+    std::vector<Part> parts(const VibrationSetting &setting) const;
+    /** Their modes, computed if they are not known. */
+    const LipModes &modes_of(const Part &part) const;
 
     Parameters parameters;
     double frequency;
     bool moves_as_a_whole;
     MPI_Comm communicator;
-    mutable std::map<Key, std::shared_ptr<const LipModes>> known;
+    /** By mesh, range of nodal diameters, number of harmonics. */
+    mutable std::map<std::tuple<unsigned int, unsigned int, unsigned int, unsigned int>,
+                     std::shared_ptr<const LipModes>>
+        known;
   };
 } // namespace ringmotor

@@ -17,6 +17,7 @@ namespace ringmotor
     std::vector<FrictionMemory> memory;      ///< of each contact point, at the begin of its step
     ModalPower modal_power{};                ///< of a motor with modes
     std::vector<PointVector> modal_motion{}; ///< m, of all contact points in these modes
+    std::vector<std::complex<double>> vibration{}; ///< of these modes, see SteadyInertia::vibration
   };
 
   /**

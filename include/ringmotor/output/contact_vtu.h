@@ -20,8 +20,8 @@ namespace ringmotor
   /**
    * `rotor_000.vtu`, `teeth_000.vtu`, ... and `motor.pvd`: the whole bodies at the same time
    * samples, with their displacement (m) and, on the teeth, the same fields. Away from contact
-   * points these are zero, and the gap is NaN, which ParaView shows in a separate colour. The rotor
-   * is left out if it has inertia: its interior motion does not follow from the forces alone.
+   * points these are zero, and the gap is NaN, which ParaView shows in a separate colour.
+   * @param motor in which the points were found
    */
   void write_motor_bodies(const std::string &folder, const CondensedMotor &motor,
                           const MotorBodies &bodies, const std::vector<CurvePoint> &points,

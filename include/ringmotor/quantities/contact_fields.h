@@ -3,6 +3,10 @@
 
 #include <ringmotor/motor/steady.h>
 
+#include <boost/serialization/complex.hpp>
+#include <boost/serialization/vector.hpp>
+
+#include <complex>
 #include <vector>
 
 namespace ringmotor
@@ -17,8 +21,11 @@ namespace ringmotor
     std::vector<PointVector> motion;       ///< m, gap and slip in the step
     std::vector<PointVector> tooth, rotor; ///< m, displacements; the rotor's without its rotation
     std::vector<PointVector> modal;        ///< m, of the rotor, by its modes, if it has inertia
-    std::vector<double> rigid;             ///< rigid motions by time sample, see RingContact
-    std::vector<unsigned char> status;     ///< see PointStatus
+    /** Amplitudes of the modes of rotor and teeth beyond their static motions, by time sample,
+     * nodal diameter and mode, see SteadyInertia::vibration(); empty without modes. */
+    std::vector<std::complex<double>> vibration;
+    std::vector<double> rigid;         ///< rigid motions by time sample, see RingContact
+    std::vector<unsigned char> status; ///< see PointStatus
     double turn = 0.; ///< rad, of the rotor in the last step, if the torque was given
 
     /** Reserves memory for @p n_samples time samples in total, each of the present size. */
@@ -29,7 +36,8 @@ namespace ringmotor
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &times &n_teeth &time_step &force &motion &tooth &rotor &modal &rigid &turn &status;
+      archive &times &n_teeth &time_step &force &motion &tooth &rotor &modal &vibration &rigid &turn
+          &status;
     }
   };
 

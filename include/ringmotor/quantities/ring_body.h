@@ -24,6 +24,14 @@ namespace ringmotor
     using Displacement = std::vector<dealii::Tensor<1, 3>>;                ///< m, by point
     using Amplitude    = std::vector<std::array<std::complex<double>, 3>>; ///< m, of a sector
 
+    /** Displacement at a point: values of degrees of freedom times these vectors. */
+    struct Sample
+    {
+      bool of_shell;
+      std::vector<std::pair<SectorElements::Dof, dealii::Tensor<1, 3>>> terms;
+    };
+    using Samples = std::vector<Sample>; ///< of the points of a half sector
+
     /** @param n_subdivisions of a cell per direction
      *  @param height (m) and @param turn (rad) by which the sectors are moved into place */
     RingBody(const SectorElements &sector, const unsigned int n_subdivisions,
@@ -39,7 +47,16 @@ namespace ringmotor
 
     /** The motion @p one + i @p two of sector 0. Both parts have the symmetry
      * U(-theta) = S conj(U(theta)), which their sum does not have. */
-    Amplitude amplitude(const SectorMotion &one, const SectorMotion &two) const;
+    Amplitude amplitude(const SectorMotion &one, const SectorMotion &two) const
+    {
+      return amplitude(one, two, samples);
+    }
+    /** The same for motions of another mesh of this body. @param at samples_in() that mesh */
+    Amplitude amplitude(const SectorMotion &one, const SectorMotion &two, const Samples &at) const;
+
+    /** The points of this body in another mesh of the same sector, its solids and shells in the
+     * same places; a shell moves points off its reference surface by its rotation. */
+    Samples samples_in(const SectorElements &sector) const;
 
     /** The motion of sector 0 straight up by a height (m) at each angle (rad) from its middle. */
     Amplitude lift(const std::function<std::complex<double>(const double theta)> &height_at) const;
@@ -49,20 +66,14 @@ namespace ringmotor
              const Amplitude &amplitude, Displacement &displacement) const;
 
   private:
-    /** Displacement at a point: values of degrees of freedom times these vectors. */
-    struct Sample
-    {
-      bool of_shell;
-      std::vector<std::pair<SectorElements::Dof, dealii::Tensor<1, 3>>> terms;
-    };
     using Key = std::array<long long, 3>;
     static Key key_of(const dealii::Point<3> &place);
 
     void sample_solids(const SectorElements &sector, const unsigned int n_subdivisions);
     void sample_shells(const SectorElements &sector, const unsigned int n_subdivisions);
     /** Takes a lattice of points of a cell and divides it into hexahedra. */
-    void add_lattice(const std::vector<dealii::Point<3>> &lattice,
-                     const std::vector<Sample> &at_points, const unsigned int n_subdivisions);
+    void add_lattice(const std::vector<dealii::Point<3>> &lattice, const Samples &at_points,
+                     const unsigned int n_subdivisions);
     void number_ring(const double height, const double turn);
     std::array<std::complex<double>, 3> value(const Sample &sample,
                                               const SectorMotion &motion) const;
@@ -70,7 +81,7 @@ namespace ringmotor
     const unsigned int n_sectors;
     // Of the meshed half sector, theta >= 0
     std::vector<dealii::Point<3>> half_points;
-    std::vector<Sample> samples;
+    Samples samples;
     std::vector<std::array<unsigned int, 8>> half_cells;
 
     std::vector<dealii::Point<3>> ring_points;
