@@ -61,6 +61,9 @@ def described(program, prm, *options, launcher=(), timeout=None):
     try:
         said, errors = process.communicate(timeout=timeout)
     except subprocess.TimeoutExpired:
+        process.terminate()  # so that mpirun ends what it has started
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            process.communicate(timeout=5)
         process.kill()
         raise CaseError(f"{program} does not answer") from None
     if process.returncode != 0:
