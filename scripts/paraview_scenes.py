@@ -131,15 +131,17 @@ def bar_style(view, colors, title):
     return bar
 
 
-def color_by(shown, view, field, palette, low, high, title):
-    """Colours from low to high by a point field that this view alone uses, with a colour bar."""
+def color_by(shown, view, field, palette, low, high, title, with_bar=True):
+    """Colours from low to high by a point field that this view alone uses; a colour bar that other parts share is
+    that of one of them."""
     ColorBy(shown, ("POINTS", field), separate=True)
     colors = GetColorTransferFunction(field, shown, separate=True)
     colors.ColorSpace = "Lab"
     colors.RGBPoints = [number for value, color in zip(np.linspace(low, high, len(palette)), palette)
                         for number in (value, *color)]
-    bar_style(view, colors, title)
-    shown.SetScalarBarVisibility(view, True)
+    if with_bar:
+        bar_style(view, colors, title)
+    shown.SetScalarBarVisibility(view, with_bar)
 
 
 def scaled(source, field, factor, name):
@@ -174,6 +176,31 @@ def wave_view(case, _):
     shown = show(warped, view)
     color_by(shown, view, "axial displacement", WAVE, -largest * factor, largest * factor, f"axial displacement, {unit}")
     look(view, (0, 0, (bottom + top) / 2), (0, -1, 0.75), 3.0 * radius)
+    return view
+
+
+def motor_view(case, torque):
+    folder = os.path.join(case, "contact")
+    at, teeth_file = point_file(os.path.join(folder, "motor.pvd"), torque, "teeth")
+    _, rotor_file = point_file(os.path.join(folder, "motor.pvd"), torque, "rotor")
+    teeth, rotor = (read(file, "contact", "displacement") for file in (teeth_file, rotor_file))
+    _, displacement = points_and(teeth, "displacement")
+    rotor_points, rotor_displacement = points_and(rotor, "displacement")
+    radius, bottom, top = ring_size(rotor_points)
+    scale = wave_scale(displacement, read_counts(folder)[0], radius)
+    largest = upwards(np.abs(displacement[:, 2]).max())
+    factor, unit = with_prefix(largest, "m")
+    rise = float(np.median(rotor_displacement[:, 2]))
+    view = new_view(f"Teeth and, cut open, rotor at {at:.4g} mN m, displacement {scale:g} times larger\n"
+                    f"Colours of the rotor: without its rise of {rise * factor:.3g} {unit}")
+    behind = part_of_ring(rotor, (0, 1), math.pi / 2)
+    for source, zero in ((teeth, 0.0), (behind, rise)):
+        relative = Calculator(Input=source, AttributeType="Point Data", ResultArrayName="axial displacement",
+                              Function=f"(displacement_Z-({zero!r}))*{factor!r}")
+        shown = show(WarpByVector(Input=relative, Vectors=("POINTS", "displacement"), ScaleFactor=scale), view)
+        color_by(shown, view, "axial displacement", WAVE, -largest * factor, largest * factor,
+                 f"axial displacement, {unit}", with_bar=source is teeth)
+    look(view, (0, 0, (bottom + top) / 2), (0, -1, 0.75), 2.8 * radius)
     return view
 
 

@@ -1,10 +1,11 @@
 #!/usr/bin/python3 -sE
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Opens a case in ParaView, in up to four views, or writes their pictures.
+"""Opens a case in ParaView, in up to five views, or writes their pictures.
 
 Usage: scripts/paraview_view.py CASE_DIR [--torque T] [--png DIR]      e.g. scripts/paraview_view.py output/canon_ring
 
   wave            the travelling wave on the whole ring; Play lets it run           (from stator/ring.pvd)
+  motor           teeth and rotor of an operating point, deformed                   (from contact/motor.pvd)
   contact_status  which points of the teeth are open, stick or slip, at a crest     (from contact/motor.pvd, contact.pvd)
   pressure        of the rotor on the teeth, at the same crest                      (from contact/motor.pvd, contact.pvd)
   loss_density    power lost inside the stator, per volume                          (from losses/loss_density.vtu)
@@ -25,6 +26,7 @@ from typed import problem_of_path
 
 # Name -> the program it shows, its files in the folder of the case.
 VIEWS = {"wave": ("stator", ["stator/ring.pvd"]),
+         "motor": ("contact", ["contact/motor.pvd"]),
          "contact_status": ("contact", ["contact/contact.pvd", "contact/motor.pvd"]),
          "pressure": ("contact", ["contact/contact.pvd", "contact/motor.pvd"]),
          "loss_density": ("losses", ["losses/loss_density.vtu"])}
@@ -92,7 +94,7 @@ def command(png_folder):
     """That which runs ParaView on the scenes, with a window or without one."""
     program = "paraview" if png_folder is None else "pvpython"
     if not shutil.which(program):
-        raise ViewError(f"there is no program {program}; install ParaView: apt-get install paraview")
+        raise ViewError(f"there is no program {program}; install ParaView: apt-get install paraview python3-paraview")
     has_display = "DISPLAY" in os.environ or "WAYLAND_DISPLAY" in os.environ
     if png_folder is None:
         if not has_display:
@@ -102,7 +104,7 @@ def command(png_folder):
     if has_display:
         return [program, "--force-offscreen-rendering", SCENES]
     if not shutil.which("xvfb-run"):
-        raise ViewError("there is no display and no program xvfb-run to do without: apt-get install xvfb")
+        raise ViewError("there is no display and no program xvfb-run to do without: apt-get install xvfb xauth")
     # ParaView looks at the server and leaves before it draws: without -noreset the server starts anew just then, and at
     # times is not there.
     return ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -noreset", program, SCENES]
