@@ -319,7 +319,7 @@ def draw_friction_history(case):
     limit = case.friction_coefficient * force[:, NORMAL]
     axes.axhline(0, color=GREY, lw=0.6)
     axes.plot(time, force[:, TANGENTIAL], color=BLUE, lw=1.6, marker="o", ms=3, label="along the ring, driving")
-    axes.plot(time, force[:, RADIAL], color=GREEN, lw=1, ls="-.", label="across the ring, outwards")
+    axes.plot(time, force[:, RADIAL], color=GREEN, lw=1, ls="-.", label="radial, outwards")
     axes.plot(time, limit, color="black", lw=1, ls="--", label=f"limits ± µp, µ = {case.friction_coefficient:g}")
     axes.plot(time, -limit, color="black", lw=1, ls="--")
     axes.set(xlabel="time from the passing of the crest in µs", ylabel="force on the rotor in N",

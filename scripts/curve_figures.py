@@ -5,7 +5,7 @@ from drawing import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, literal, start_figur
 
 CASE_STYLE = ((BLUE, "o"), (ORANGE, "s"), (GREEN, "^"), (PURPLE, "D"), (SKY, "v"))
 PARTS = {"friction_loss_mW": ("total", "-"), "tangential_loss_mW": ("along the ring", "--"),
-         "radial_loss_mW": ("across the ring", ":")}
+         "radial_loss_mW": ("radial", ":")}
 
 
 def columns_of(rows):

@@ -22,7 +22,7 @@ From CASE_DIR/losses, where it exists:
   losses               friction, inside stator and rotor, support and total against torque (Fig. 14)
   efficiency           against torque (Fig. 15)
   energy               where the power goes against torque: output and each loss, stacked
-  drive                voltage, current and efficiency from the plug against torque, with a piezoelectric ceramic
+  drive                voltage, current and electrical efficiency against torque, with a piezoelectric ceramic
 """
 import functools
 import pathlib

@@ -98,7 +98,7 @@ def draw_energy(losses, contact):
         axes.fill_between([], [], color=color, lw=0, label=f"{label}\n{range_text(columns[name + '_mW'])}")
     handles, names = axes.get_legend_handles_labels()
     axes.legend(handles[::-1], names[::-1], frameon=False, fontsize=8, loc="center left", bbox_to_anchor=(1.01, 0.5),
-                labelspacing=0.9, title="bars: error of the\nlayer below them", title_fontsize=8, alignment="left")
+                labelspacing=0.9, title="error bars: of the\nlayer below them", title_fontsize=8, alignment="left")
     axes.set(ylabel="power in mW", ylim=(0, None), xlim=(torque[0], torque[-1]))
     if len(losses.points) == 1:
         axes.set_xticks([losses.points[0]["torque_mNm"]])
@@ -107,7 +107,7 @@ def draw_energy(losses, contact):
 
 def draw_drive(losses, contact):
     """What the phases need so that the wave keeps its amplitude, or the amplitude that they give it, and the efficiency
-    from the plug."""
+    of the electrical input."""
     figure = start_figure(losses, "drive of the phases against torque", (6.2, 5.0))
     upper, lower = figure.subplots(nrows=2, sharex=True)
     columns = loss_columns(losses, contact)
@@ -128,5 +128,5 @@ def draw_drive(losses, contact):
     current.spines["top"].set_visible(False)
     upper.set_ylabel("amplitude of the wave in um" if is_driven else "voltage of a phase in V, peak", color=BLUE)
     current.set_ylabel("current of a phase in mA, peak", color=ORANGE)
-    lower.set(xlabel="torque in mN m", ylabel="efficiency from the plug in %")
+    lower.set(xlabel="torque in mN m", ylabel="electrical efficiency in %")
     return figure

@@ -40,7 +40,7 @@ FILES = {
     "contact/torque_speed.csv": "operating points",
     "losses/losses.csv": "each loss at the operating points",
     "losses/efficiency.csv": "input, output, efficiency",
-    "losses/drive.csv": "voltage, current, power from the plug",
+    "losses/drive.csv": "voltage, current, electrical power",
     "stator/ring.pvd": "the wave, for ParaView",
     "contact/motor.pvd": "rotor and teeth, for ParaView",
     "contact/contact.pvd": "contact on the tooth tops, for ParaView",
@@ -201,7 +201,7 @@ class Page:
                    ("input", "mW", lambda point: power(point, "electrical_input")),
                    ("efficiency", "%", electrical_efficiency)]
         notes = [*self.notes_of_more("losses/drive.csv"), "amplitude of the wave, voltage and current of each phase, "
-                 "zero to peak; input and efficiency from the plug"]
+                 "zero to peak; electrical input and efficiency"]
         return self.table_of_points("What the phases need", columns, notes)
 
     def for_simulators(self):
@@ -220,7 +220,7 @@ class Page:
                  ["capacitance of a phase", known(circuit["C0_nF"], circuit["C0_error_nF"]), "nF"],
                  ["Q of the stator", known(circuit["Q"], circuit["Q_error"]), ""]]
         return Table("For a system simulator", "lrl", rows=rows,
-                     notes=["rated: the operating point of the highest efficiency from the plug"])
+                     notes=["rated: the operating point of the highest electrical efficiency"])
 
     def table_of_points(self, title, columns, notes):
         return Table(title, "r" * len(columns), [(name, unit) for name, unit, _ in columns],

@@ -50,7 +50,7 @@ FIGURES = {
     },
     "drive": {
         "drive": "Voltage that keeps the amplitude of the wave, or amplitude at the given voltage, current and "
-                 "efficiency from the plug.",
+                 "electrical efficiency.",
     },
 }
 
