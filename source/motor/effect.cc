@@ -31,6 +31,20 @@ namespace ringmotor
       text << 100. * share << " %";
       return text.str();
     }
+    /** What an effect that is switched off would change is for information: its estimate may fail. */
+    std::optional<double> indicator_of(const Effect &effect, const Scene &scene)
+    {
+      try
+      {
+        return effect.indicator(scene);
+      }
+      catch (const ComputationError &)
+      {
+        if (effect.choice(scene.parameters) != EffectChoice::off)
+          throw;
+        return {};
+      }
+    }
   } // namespace
 
   std::string Effect::given(const Parameters &parameters) const
@@ -90,7 +104,7 @@ namespace ringmotor
       const EffectChoice choice = effect->choice(parameters);
       EffectRow row{effect->name, {}, choice == EffectChoice::off ? "off" : "on"};
       row.is_automatic = choice == EffectChoice::automatic;
-      row.indicator    = effect->indicator(row.is_automatic ? whole : cheap);
+      row.indicator    = indicator_of(*effect, row.is_automatic ? whole : cheap);
       if (row.is_automatic && row.indicator)
       {
         const bool is_on                  = std::abs(*row.indicator) > whole.threshold;
