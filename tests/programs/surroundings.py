@@ -225,7 +225,7 @@ class Surroundings(WithCase):
         self.assertIn(f"<title>{CHINESE}</title>", (self.case / "report.html").read_text(encoding="utf-8"))
 
     def test_other_encodings_are_refused_before_anything_is_computed(self):
-        for name, content in (("latin1", STATIC_ROTOR.read_text(encoding="utf-8").replace("Canon", "für").encode("latin-1")),
+        for name, content in (("latin1", STATIC_ROTOR.read_text(encoding="utf-8").replace("Static rotor", "für").encode("latin-1")),
                               ("utf16", STATIC_ROTOR.read_text(encoding="utf-8").encode("utf-16"))):
             prm = self.folder / f"{name}.prm"
             prm.write_bytes(content)
