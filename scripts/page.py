@@ -188,7 +188,8 @@ class Page:
         columns = [("torque", "mN m", torque)]
         columns += [(said, "mW", lambda point, name=name: power(point, name)) for name, said in LOSS_NAMES.items()]
         columns += [("total", "mW", lambda point: power(point, "total_loss"))]
-        factors = ", ".join(f"{said} {float(self.losses.parameters[entry]):g}" for entry, said in LOSS_FACTORS.items())
+        given = {entry: self.losses.parameters[entry] for entry in LOSS_FACTORS}
+        factors = ", ".join(f"{LOSS_FACTORS[entry]} {float(text):g}" for entry, text in given.items() if text != "none")
         notes = [*self.notes_of_more("losses/losses.csv"), f"loss factors: {factors}"]
         return self.table_of_points("Where the power is lost", columns, notes)
 

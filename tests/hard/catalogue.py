@@ -4,7 +4,7 @@
 
 usage: tests/hard/catalogue.py [--programs FOLDER] [--csv FILE [--resume]] [--markdown FILE] [FILE.case ...]
 
-A case is a file of this folder: what differs from prm/quick.prm, a line "Section/Entry = value" for each entry as the
+A case is a file of this folder: what differs from prm/static_rotor.prm, a line "Section/Entry = value" for each entry as the
 option --set takes it, below a header of comments. Lines of the header that begin with more than one blank continue the
 one before.
 
@@ -37,7 +37,7 @@ from contact_checks import RPM, ContactResults, disagreements  # noqa: E402
 from motor_run import (COLUMNS, OUTPUT_OFF, RowFile, run_contact, run_program, table, write_markdown)  # noqa: E402
 from timed_run import ROOT  # noqa: E402
 
-QUICK = ROOT / "prm" / "quick.prm"
+STATIC_ROTOR = ROOT / "prm" / "static_rotor.prm"
 FIELDS = ("Hard", "Must", "Why", "Vary", "Check", "Agree", "After", "Within")
 
 
@@ -98,9 +98,9 @@ def run(case, variant, folder, options):
     """Row and, if it is certified, the results of one run."""
     options = argparse.Namespace(seconds=options.slowness * case.seconds, programs=options.programs)
     entries = {**case.entries, **variant}
-    row = run_program("stator", QUICK, folder, entries, options)
+    row = run_program("stator", STATIC_ROTOR, folder, entries, options)
     if row["outcome"] == "certified":
-        row = run_contact(QUICK, folder, entries, options, *(["--resume"] if case.one("After") else []))
+        row = run_contact(STATIC_ROTOR, folder, entries, options, *(["--resume"] if case.one("After") else []))
     results = ContactResults(folder) if row["outcome"] == "certified" else None
     return row, results
 
