@@ -31,7 +31,8 @@ namespace ringmotor
       text << 100. * share << " %";
       return text.str();
     }
-    /** What an effect that is switched off would change is for information: its estimate may fail. */
+    /** What an effect that is switched off would change is for information: its estimate may fail.
+     */
     std::optional<double> indicator_of(const Effect &effect, const Scene &scene)
     {
       try
