@@ -123,16 +123,17 @@ class Documents:
             yield "was made before the last change of what it depends on"
 
     def check(self, block):
-        found = list(self.problems(block))
+        """What is wrong with a block, and the text that it has to have, if its command has run for that."""
+        found, text = list(self.problems(block)), None
         if block.price == "cheap" and not block.images:
-            apart = difference(block.text, self.made(block))
+            text = self.made(block)
+            apart = difference(block.text, text)
             found += [apart] if apart else []
-        return found
+        return found, text
 
-    def write(self, block):
-        """The block as it has to be in its page."""
-        text = self.made(block)
-        if not list(self.problems(block)) and not difference(block.text, text):
+    def written(self, block, text):
+        """The block as it has to be in its page, with a text that its command has made; its own where both agree."""
+        if block.content == block.content_now() and not difference(block.text, text):
             text = block.text
         revision = subprocess.run(["git", "-C", ROOT, "rev-parse", "--short=7", "HEAD"], capture_output=True, check=True,
                                   encoding="utf-8").stdout.strip()
@@ -143,10 +144,11 @@ def write_page(documents, page, wanted):
     """Writes those blocks again that are wrong; the page is read again for each, as they change places."""
     for number in range(len(blocks_of(page))):
         block = blocks_of(page)[number]
-        if not wanted(block) or not documents.check(block):
+        wrong, made = documents.check(block) if wanted(block) else ([], None)
+        if not wrong:
             continue
         print(f"{block.place}: {block.command}", flush=True)
-        new = documents.write(block)
+        new = documents.written(block, made or documents.made(block))
         text = page.read_text(encoding="utf-8")
         page.write_text(text[:block.span[0]] + new + text[block.span[1]:], encoding="utf-8")
 
@@ -174,7 +176,7 @@ def main():
                 write_page(documents, page, wanted)
                 continue
             for block in blocks_of(page):
-                wrong = documents.check(block) if options.check and wanted(block) else []
+                wrong = documents.check(block)[0] if options.check and wanted(block) else []
                 n_wrong += len(wrong)
                 for line in [f"{block.place}: {problem}" for problem in wrong] or [f"{block.place}: {block.price}"]:
                     print(f"{line}; made {block.date} by {block.revision}; {block.command}", flush=True)
