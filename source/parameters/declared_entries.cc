@@ -113,8 +113,7 @@ namespace ringmotor
         {
           const std::string documentation = node["documentation"];
           entries[path] = {node["pattern_description"], told("Units: ", documentation),
-                           told("Plausible: ", documentation),
-                           documentation.find(" Required.") != std::string::npos};
+                           told("Plausible: ", documentation), says_required(documentation)};
         }
         else
         {
@@ -124,6 +123,11 @@ namespace ringmotor
       }
     };
     collect(nlohmann::json::parse(text.str()), "");
+  }
+
+  bool DeclaredEntries::says_required(const std::string &documentation)
+  {
+    return documentation.find(" Required.") != std::string::npos;
   }
 
   const DeclaredEntries::Entry *DeclaredEntries::find(const std::string &path) const

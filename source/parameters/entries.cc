@@ -90,7 +90,7 @@ namespace ringmotor
       for (Json &node : tree)
         if (!node.contains("pattern_description"))
           remove(node);
-        else if (node["documentation"].get<std::string>().find(" Required.") != std::string::npos)
+        else if (DeclaredEntries::says_required(node["documentation"]))
           node["default_value"] = node["value"] = "";
     };
     remove(declared);

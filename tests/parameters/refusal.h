@@ -17,5 +17,4 @@ namespace ringmotor::sample
   {
     expect_message(message_of([&] { read_parameters_from_text(text, "my.prm"); }), words);
   }
-
 } // namespace ringmotor::sample

@@ -27,6 +27,9 @@ namespace ringmotor
     /** Collects all entries declared in @p prm with add_entry(). */
     explicit DeclaredEntries(const dealii::ParameterHandler &prm);
 
+    /** Whether what add_entry() has written of an entry says that a file has to give it. */
+    static bool says_required(const std::string &documentation);
+
     /** The entry `Section/Sub/Entry`, or a null pointer. */
     const Entry *find(const std::string &path) const;
 
