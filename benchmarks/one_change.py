@@ -7,7 +7,6 @@ usage: benchmarks/one_change.py [--markdown FILE]
 Each row is a run of stator, contact and losses in a folder of its own; six points of the curve, Accuracy/Target = 1e-3.
 """
 import argparse
-import csv
 import json
 import pathlib
 import subprocess
@@ -17,6 +16,9 @@ import tempfile
 sys.dont_write_bytecode = True
 from motor_run import OUTPUT_OFF, table, write_markdown  # noqa: E402
 from timed_run import ROOT, program  # noqa: E402
+
+sys.path.insert(0, str(ROOT / "scripts"))
+from case import read_table  # noqa: E402
 
 MOTOR = ROOT / "prm" / "static_rotor.prm"
 COMMON = {**OUTPUT_OFF, "Accuracy/Target": "1e-3", "Loading/Number of curve points": "6"}
@@ -31,20 +33,14 @@ CHANGES = [("nothing", {}),
 HEADER = ["changed", "f kHz", "A_t/A_n", "next mode above", "no load rpm", "stall mN m", "best efficiency", "stator loss mW"]
 
 
-def rows_of(path):
-    with open(path, newline="", encoding="utf-8") as file:
-        return [{key: float(text) if text[:1] in "-0123456789" else text for key, text in row.items()}
-                for row in csv.DictReader(file)]
-
-
 def row_of(name, entries, folder):
     words = [word for entry, value in {**COMMON, **entries}.items() for word in ("--set", f"{entry} = {value}")]
     subprocess.run([program("motor"), MOTOR, *words, "--output", folder], check=True, stdout=subprocess.DEVNULL)
     summary = json.loads((folder / "stator" / "summary.json").read_text(encoding="utf-8"))
     value = {quantity["name"]: quantity["value"] for quantity in summary["quantities"]}
-    bending, other = rows_of(folder / "stator" / "frequencies.csv")[:2]
-    points = rows_of(folder / "contact" / "torque_speed.csv")
-    losses, efficiencies = (rows_of(folder / "losses" / f"{table}.csv") for table in ("losses", "efficiency"))
+    bending, other = read_table(folder / "stator" / "frequencies.csv", ("family",))[:2]
+    points = read_table(folder / "contact" / "torque_speed.csv", ("control",))
+    losses, efficiencies = (read_table(folder / "losses" / f"{table}.csv") for table in ("losses", "efficiency"))
     return [name, f"{1e-3 * bending['frequency_Hz']:.2f}", f"{value['A_t/A_n']:.3f}",
             f"{100 * (other['frequency_Hz'] / bending['frequency_Hz'] - 1):.1f} %", f"{points[0]['speed_rpm']:.1f}",
             f"{points[-1]['torque_mNm']:.1f}", f"{100 * max(row['efficiency'] for row in efficiencies):.1f} %",

@@ -18,12 +18,10 @@ import tempfile
 
 sys.dont_write_bytecode = True
 from motor_run import OUTPUT_OFF, table, write_markdown  # noqa: E402
-from timed_run import MOTOR, PAPERS_MODEL, ROOT, arguments, limited_run, on_ranks, program  # noqa: E402
+from timed_run import AUTO, MOTOR, ROOT, arguments, limited_run, on_ranks, program  # noqa: E402
 
 ONE_COEFFICIENT = {"Friction/Law": "coulomb", "Friction/Static coefficient": "0.40"}
 RING60 = ROOT / "prm" / "ring60.prm"
-AUTO = {entry: "auto" for entry in PAPERS_MODEL
-        if entry.startswith("Effects/") and entry != "Effects/Target plates"}
 SOLID = {"Rotor/Flange element": "solid"}
 
 

@@ -18,11 +18,9 @@ import tempfile
 
 sys.dont_write_bytecode = True
 from motor_run import OUTPUT_OFF, table, write_markdown  # noqa: E402
-from timed_run import MOTOR, PAPERS_MODEL, ROOT, arguments, limited_run, on_ranks, program, teeth  # noqa: E402
+from timed_run import AUTO, MOTOR, ROOT, arguments, limited_run, on_ranks, program, teeth  # noqa: E402
 
-WITH_INERTIA = {**{entry: "auto" for entry in PAPERS_MODEL
-                   if entry.startswith("Effects/") and entry != "Effects/Target plates"},
-                "Accuracy/Contact target": "0.1"}
+WITH_INERTIA = {**AUTO, "Accuracy/Contact target": "0.1"}
 FIXED = {"Accuracy/Mode": "fixed", "Accuracy/Polynomial degree": "3", "Accuracy/Refinement": "1"}
 COARSE = {"Accuracy/Target": "1e-3"}
 

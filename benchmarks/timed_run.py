@@ -19,6 +19,7 @@ MOTOR = ROOT / "prm" / "canon_ring.prm"
 PAPERS_MODEL = {f"Effects/{name}": "off" for name in
                 ("Rotor inertia", "Tooth inertia", "Damping", "Stator back-reaction", "Spin convection", "Target plates",
                  "Felt support", "Friction lining")}
+AUTO = {entry: "auto" for entry in PAPERS_MODEL if entry != "Effects/Target plates"}  # which are on or off
 PAPERS_MODEL["Accuracy/Contact target"] = "0.03"
 
 

@@ -9,30 +9,16 @@ circuits: phase A of each case, and the voltages that its amplitude takes.
 """
 import surroundings  # noqa: F401  (first: see there)
 import argparse
-import csv
 import json
-import math
 import pathlib
 import sys
 
-
-def rows_of(path):
-    """The rows of a table, numbers as such."""
-    with open(path, newline="", encoding="utf-8") as file:
-        return [{name: number(text) for name, text in row.items()} for row in csv.DictReader(file)]
+from case import read_table, with_error
 
 
-def number(text):
-    try:
-        return float(text)
-    except ValueError:
-        return text
-
-
-def known(value, error):
-    """A number with its error bar, to two digits of the bar."""
-    decimals = max(0, 1 - math.floor(math.log10(error))) if error > 0. else 1
-    return f"{value:.{decimals}f} +- {error:.{decimals}f}" if error > 0. else f"{value:.{decimals}f}"
+def bar(value, error):
+    """A number with its error bar as the programs print it, or without one."""
+    return with_error(value, error).replace("±", "+-") if error > 0. else f"{value:.1f}"
 
 
 def table(header, rows):
@@ -40,19 +26,19 @@ def table(header, rows):
 
 
 def points(folder, every):
-    rows = rows_of(folder / "contact" / "torque_speed.csv")
+    rows = read_table(folder / "contact" / "torque_speed.csv", ("control",))
     shown = [row for i, row in enumerate(rows) if i % every == 0 or i == len(rows) - 1]
     return table(["torque, mN m", "speed, rpm", "friction loss, mW", "of which radial, mW"],
-                 [[known(row["torque_mNm"], row["torque_error_mNm"]), known(row["speed_rpm"], row["speed_error_rpm"]),
-                   known(row["friction_loss_mW"], row["friction_loss_error_mW"]), f"{row['radial_loss_mW']:.0f}"]
+                 [[bar(row["torque_mNm"], row["torque_error_mNm"]), bar(row["speed_rpm"], row["speed_error_rpm"]),
+                   bar(row["friction_loss_mW"], row["friction_loss_error_mW"]), f"{row['radial_loss_mW']:.0f}"]
                   for row in shown])
 
 
 def circuits(folders):
     rows = []
     for folder in folders:
-        phase = rows_of(folder / "stator" / "circuits.csv")[0]
-        drive = rows_of(folder / "losses" / "drive.csv")
+        phase = read_table(folder / "stator" / "circuits.csv", ("phase",))[0]
+        drive = read_table(folder / "losses" / "drive.csv")
         best = max(drive, key=lambda row: row["electrical_efficiency"])
         rows.append([json.loads((folder / "stator" / "summary.json").read_text(encoding="utf-8"))["entries"]["Motor/Name"],
                      f"{1e-3 * phase['short_circuit_frequency_Hz']:.2f}", f"{phase['k_eff^2']:.4f}", f"{phase['C0_nF']:.1f}",

@@ -109,7 +109,7 @@ class Pages(unittest.TestCase):
             text = script.read_text(encoding="utf-8")
             copy.write_text("# another comment\n" + text.replace('"""Tables of the pages', '"""Some tables of the pages'))
             self.assertEqual(documents.without_comments(copy), documents.without_comments(script))
-            copy.write_text(text.replace("1 - math.floor", "2 - math.floor"))
+            copy.write_text(text.replace("if error > 0.", "if error > 1."))
             self.assertNotEqual(documents.without_comments(copy), documents.without_comments(script))
 
     def test_motor_that_has_changed(self):
