@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import dask
 import motor_task
-from distributed import Client, LocalCluster, UploadFile, as_completed
+from distributed import Client, LocalCluster, as_completed
 from motor_task import Outcome, Task, find_wave, known_outcome, run_motor
 from programs import CaseError, Identities, described, options_of
 
@@ -112,7 +112,7 @@ class Engine:
         except (OSError, ValueError) as error:
             raise CaseError(f'--scheduler "{scheduler}" does not answer ({" ".join(str(error).split())}); start it '
                             "with: dask-scheduler") from None
-        self.client.register_worker_plugin(UploadFile(motor_task.__file__), name="motor_task")
+        self.client.upload_file(motor_task.__file__)  # to the scheduler as well, and to workers to come
         self.running, self.done = {}, as_completed(raise_errors=False)  # motors, by the key of their future
         self.finished = collections.deque()
         self.is_waiting, self.next_look = False, time.monotonic()
