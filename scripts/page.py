@@ -75,7 +75,10 @@ class Page:
         self.motor = self.case.motor
         self.motor_line = f"{self.case.n_waves} waves, {self.case.n_teeth} teeth"
         self.version = summary["version"] + (f" ({summary['git']})" if summary["git"] else "")
-        tables = {"glance": self.glance(), "modes": self.modes()}
+        tables = {"glance": self.glance()}
+        if "variant" in summary:
+            tables["variant"] = self.variant()
+        tables["modes"] = self.modes()
         if self.case.wave:
             tables["wave"] = self.wave()
         if self.case.circuits:
@@ -133,6 +136,13 @@ class Page:
         rows.append(["certificates", ", ".join([*(f"{program} FAILED" for program in missing), holds]), "", ""])
         rows.append(["computed in", f"{sum(map(seconds, self.programs)):.1f}", "s", ""])
         return Table("At a glance", "lrll", rows=rows)
+
+    def variant(self):
+        """What the parameter file and the command line change in the file that it is based on."""
+        variant = self.case.summary["variant"]
+        rows = [[row["entry"], row["value"], row["value_of_base"] or "-"] for row in variant["differences"]]
+        base = os.path.basename(variant["base"])
+        return Table(f"Differences from {base}", "lll", [("entry", ""), ("here", ""), (f"in {base}", "")], rows)
 
     def modes(self):
         case, rows = self.case, []

@@ -4,6 +4,7 @@
 #include <ringmotor/contact/friction_law.h>
 #include <ringmotor/contact/given_coefficients.h>
 #include <ringmotor/motor/steady.h>
+#include <ringmotor/motor/steady_memory.h>
 #include <ringmotor/parameters/errors.h>
 
 #include <algorithm>
@@ -27,58 +28,6 @@ namespace ringmotor
         text << "at " << 30. / M_PI * load.speed << " rpm";
       return text.str();
     }
-
-    /** The memory of contact points in the steady state: the state one step earlier. */
-    std::vector<FrictionMemory> travelled(const RingContact &contact,
-                                          const ContactSolution &solution)
-    {
-      const unsigned int n_points = contact.n_points();
-      std::vector<FrictionMemory> memory(n_points);
-      for (unsigned int point = 0; point < n_points; ++point)
-      {
-        unsigned int before  = contact.earlier(point);
-        memory[point].stuck  = solution.status[before] == PointStatus::stick;
-        unsigned int n_steps = 0;
-        while (solution.status[before] == PointStatus::slip && n_steps++ < n_points)
-        {
-          memory[point].slipped += tangential_norm(solution.motion[before]);
-          before = contact.earlier(before);
-        }
-      }
-      return memory;
-    }
-
-    /** Makes the memory and the state one step earlier agree, according to the law. */
-    class MemoryUpdate
-    {
-    public:
-      MemoryUpdate(const Friction &friction, const std::vector<FrictionMemory> &start)
-          : friction(friction), law(law_of(friction))
-      {
-        for (const FrictionMemory &memory : start)
-          had_stuck.push_back(memory.stuck);
-      }
-
-      /** Changes @p memory where it disagrees with @p found. Returns whether all agreed. */
-      bool settled(const std::vector<FrictionMemory> &found, const std::vector<PointStatus> &status,
-                   std::vector<FrictionMemory> &memory)
-      {
-        bool settled = true;
-        for (unsigned int point = 0; point < memory.size(); ++point)
-        {
-          const bool agreed =
-              law.settle(friction, found[point], status[point], had_stuck[point], memory[point]);
-          settled          = settled && agreed;
-          had_stuck[point] = had_stuck[point] || memory[point].stuck;
-        }
-        return settled;
-      }
-
-    private:
-      const Friction &friction;
-      const FrictionLawBase &law;
-      std::vector<char> had_stuck; ///< contact points assumed to have stuck in any round
-    };
   } // namespace
 
   std::vector<FrictionMemory> next_memory(const ContactSolution &solution,
@@ -121,9 +70,9 @@ namespace ringmotor
       from.state.rigid.back() = from.speed * contact->time_step();
     if (law_of(friction).starts_from_given_coefficients())
       from = by_coefficients(*contact, std::move(from), solver, n_iterations);
-    MemoryUpdate update(friction, from.memory);
+    SteadyMemory memory(*contact, friction, std::move(from.memory));
     const PointFriction law = [&](const unsigned int point, const double slip)
-    { return friction_coefficient(friction, from.memory[point], slip, contact->time_step()); };
+    { return friction_coefficient(friction, memory[point], slip, contact->time_step()); };
     for (unsigned int round = 0; round < most_rounds; ++round)
     {
       ContactSolution solution =
@@ -131,9 +80,9 @@ namespace ringmotor
       n_iterations = solution.n_iterations += n_iterations;
       from.state   = solution.state;
       from.motion.clear();
-      if (update.settled(travelled(*contact, solution), solution.status, from.memory))
+      if (memory.settled(solution))
       {
-        OperatingState state{contact, std::move(solution), std::move(from.memory)};
+        OperatingState state{contact, std::move(solution), memory.assumed()};
         state.modal_power  = contact->modal_power(state.solution.state);
         state.modal_motion = contact->modal_motion(state.solution.state);
         state.vibration    = contact->vibration_of_modes(state.solution.state);

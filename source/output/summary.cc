@@ -64,6 +64,13 @@ namespace ringmotor
               {"bytes", effect.bytes}};
     }
 
+    Json to_json(const Parameters::Variant::Difference &difference)
+    {
+      return {{"entry", difference.entry},
+              {"value", difference.value},
+              {"value_of_base", difference.value_of_base}};
+    }
+
     Json to_json(const Summary::Check &check)
     {
       return {{"name", check.name},
@@ -134,6 +141,9 @@ namespace ringmotor
         {"quantities", list(summary.quantities)},
         {"effects", list(summary.effects)},
         {"certificate", {{"holds", is_certified(summary)}, {"checks", list(summary.certificate)}}}};
+    if (!summary.variant.base.empty())
+      json["variant"] = {{"base", summary.variant.base},
+                         {"differences", list(summary.variant.differences)}};
     for (const Summary::Quantity &quantity : summary.quantities_without_error)
       json["quantities_without_error"].push_back(without_error(quantity));
     // The prm is the user's text and may hold bytes that are not UTF-8: not worth losing a run.

@@ -2,8 +2,10 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <ringmotor/parameters/assign.h>
+#include <ringmotor/parameters/base_file.h>
 #include <ringmotor/parameters/declare.h>
 #include <ringmotor/parameters/declared_entries.h>
+#include <ringmotor/parameters/entries.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/parameters/parameters.h>
 #include <ringmotor/parameters/prm_file.h>
@@ -11,8 +13,7 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <map>
 #include <numeric>
 #include <set>
 #include <sstream>
@@ -73,17 +74,51 @@ namespace ringmotor
                         "; rename the file or folder, or choose another one");
     }
 
-    /** Replaces the values that stand for something else. */
-    void resolve(Parameters &parameters, const std::filesystem::path &file)
+    /** Makes the paths absolute that are relative to the folder of a parameter file. */
+    void resolve_mesh_files(Parameters &parameters, const std::string &file)
     {
-      if (parameters.output.directory == "auto")
-        parameters.output.directory = "output/" + file.stem().string();
       for (std::string *const mesh_file :
            {&parameters.stator.mesh_file, &parameters.rotor.mesh_file})
-        *mesh_file = resolve_mesh_file(*mesh_file, file.parent_path());
+        *mesh_file = resolve_mesh_file(*mesh_file, std::filesystem::path(file).parent_path());
+    }
+
+    /** Replaces the values that stand for something else. */
+    void resolve(Parameters &parameters, const std::string &file)
+    {
+      if (parameters.output.directory == "auto")
+        parameters.output.directory = "output/" + std::filesystem::path(file).stem().string();
+      resolve_mesh_files(parameters, file);
       check_found("Output/Directory", parameters.output.directory);
       check_found("Stator/Mesh file", parameters.stator.mesh_file);
       check_found("Rotor/Mesh file", parameters.rotor.mesh_file);
+    }
+
+    void assign_file(const PrmFile &file, const DeclaredEntries &declared, ParameterHandler &prm)
+    {
+      for (const PrmFile::Section &section : file.sections)
+        if (!declared.has_section(section.path))
+          throw UserError(section.place + ": unknown subsection " + in_quotes(section.path) + "; " +
+                          declared.advice_for_section(section.path));
+      assign_all(file.assignments, declared, prm);
+    }
+
+    /** What has been assigned so far, without the entries that are still missing. */
+    Entries entries_so_far(Parameters parameters, const ParameterHandler &prm)
+    {
+      parameters.not_given = required_but_not_set(prm);
+      return entries_of(parameters);
+    }
+
+    /** The differences of two sets of entries, but for the folder of the results. */
+    std::vector<Parameters::Variant::Difference> differences(const Entries &base,
+                                                             const Entries &entries)
+    {
+      std::map<std::string, std::string> value_of_base(base.begin(), base.end());
+      std::vector<Parameters::Variant::Difference> differing;
+      for (const auto &[entry, value] : entries)
+        if (value != value_of_base[entry] && entry != "Output/Directory")
+          differing.push_back({entry, value, value_of_base[entry]});
+      return differing;
     }
   } // namespace
 
@@ -95,12 +130,16 @@ namespace ringmotor
     parameters.declare(prm);
     const DeclaredEntries declared(prm);
 
-    const PrmFile file = parse_prm(text, name);
-    for (const PrmFile::Section &section : file.sections)
-      if (!declared.has_section(section.path))
-        throw UserError(section.place + ": unknown subsection " + in_quotes(section.path) + "; " +
-                        declared.advice_for_section(section.path));
-    assign_all(file.assignments, declared, prm);
+    const std::vector<PrmFile> files = with_bases(parse_prm(text, name));
+    Entries of_base;
+    for (const PrmFile &file : files)
+    {
+      parameters.output.directory = Output().directory;
+      assign_file(file, declared, prm);
+      resolve_mesh_files(parameters, file.name);
+      if (of_base.empty())
+        of_base = entries_so_far(parameters, prm);
+    }
 
     std::vector<PrmFile::Assignment> assignments;
     for (const std::string &override_text : overrides)
@@ -108,9 +147,13 @@ namespace ringmotor
     assign_all(assignments, declared, prm);
     if (!parameters.motor.accepts_unusual_values)
     {
-      check_plausible(file.assignments, declared);
+      for (const PrmFile &file : files)
+        check_plausible(file.assignments, declared);
       check_plausible(assignments, declared);
     }
+    if (files.size() > 1)
+      parameters.variant = {files.front().name,
+                            differences(of_base, entries_so_far(parameters, prm))};
 
     note_missing(parameters, prm, name);
     resolve(parameters, name);
@@ -119,17 +162,7 @@ namespace ringmotor
 
   Parameters read_parameters(const std::string &file, const std::vector<std::string> &overrides)
   {
-    std::error_code no_throw;
-    if (!std::filesystem::exists(file, no_throw))
-      throw UserError(file + ": no such parameter file; examples are in the folder prm");
-    if (std::filesystem::is_directory(file, no_throw))
-      throw UserError(file + ": is a folder; give a parameter file (.prm)");
-    std::ifstream stream(file);
-    const std::string text((std::istreambuf_iterator<char>(stream)),
-                           std::istreambuf_iterator<char>());
-    if (!stream.is_open() || stream.bad())
-      throw UserError(file + ": cannot be read; check its permissions");
-    return read_parameters_from_text(text, file, overrides);
+    return read_parameters_from_text(text_of_prm(file), file, overrides);
   }
 
   void print_parameters(std::ostream &out, const Parameters &parameters)

@@ -54,7 +54,7 @@ namespace ringmotor
     class PrmParser
     {
     public:
-      explicit PrmParser(const std::string &name) : name(name) {}
+      explicit PrmParser(const std::string &name) { file.name = name; }
 
       PrmFile parse(const std::string &text);
 
@@ -70,7 +70,6 @@ namespace ringmotor
         throw UserError(place + ": " + message);
       }
 
-      const std::string name;
       unsigned int line_number = 0;         // of the line being read
       std::string place;                    // where it is
       std::vector<std::string> subsections; // the open ones, outermost first
@@ -80,7 +79,7 @@ namespace ringmotor
 
     PrmFile PrmParser::parse(const std::string &text)
     {
-      place = name;
+      place = file.name;
       if (const std::string problem = encoding_problem(text); !problem.empty())
         fail(problem);
       const std::string byte_order_mark = "\xEF\xBB\xBF";
@@ -94,7 +93,7 @@ namespace ringmotor
         if (!continued)
         {
           line_number = number;
-          place       = name + ":" + std::to_string(number);
+          place       = file.name + ":" + std::to_string(number);
         }
         // Cut the comment first: a comment that ends with a backslash must not swallow a line.
         const std::string part = trim_copy(raw_line.substr(0, raw_line.find('#')));
@@ -137,8 +136,8 @@ namespace ringmotor
       else if (line == "end")
         close_subsection();
       else if (keyword == "include")
-        fail("include is not supported: a parameter file is self-contained; copy the lines of the "
-             "included file here, or vary single entries with --set");
+        fail("include is not supported; a file that differs from another one in a few entries has "
+             "a line \"set Base file = PATH\" and these entries");
       else
         fail("cannot understand " + in_quotes(line) +
              "; allowed: subsection Name, set Entry = value, end, # comment");
@@ -177,8 +176,15 @@ namespace ringmotor
       if (equals == std::string::npos || entry.empty())
         fail("cannot understand " + in_quotes("set " + assignment) +
              "; write \"set Entry = value\"");
-      file.assignments.push_back({path_of(subsections, entry),
-                                  trim_copy(assignment.substr(equals + 1)), place, line_number});
+      PrmFile::Assignment found{path_of(subsections, entry),
+                                trim_copy(assignment.substr(equals + 1)), place, line_number};
+      if (found.path != "Base file")
+        file.assignments.push_back(std::move(found));
+      else if (file.base)
+        fail("Base file is set a second time, the first is " + file.base->place +
+             "; remove one of them");
+      else
+        file.base = std::move(found);
     }
   } // namespace
 

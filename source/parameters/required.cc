@@ -57,20 +57,6 @@ namespace ringmotor
       not_given.erase(missing);
     }
 
-    /** Paths as users write them: deal.II's internal names have points for slashes and _20 for
-     * blanks. */
-    std::vector<std::string> required_but_not_set(const ParameterHandler &prm)
-    {
-      std::vector<std::string> paths;
-      for (std::string path : prm.get_entries_wrongly_not_set())
-      {
-        boost::algorithm::replace_all(path, ".", "/");
-        boost::algorithm::replace_all(path, "_20", " ");
-        paths.push_back(path);
-      }
-      return paths;
-    }
-
     unsigned int n_constants_of_ceramic()
     {
       Parameters none;
@@ -80,6 +66,19 @@ namespace ringmotor
       return missing_entries(none, {constants_of_ceramic}).size();
     }
   } // namespace
+
+  std::vector<std::string> required_but_not_set(const ParameterHandler &prm)
+  {
+    std::vector<std::string> paths;
+    for (std::string path : prm.get_entries_wrongly_not_set())
+    {
+      // deal.II's internal names have points for slashes and _20 for blanks
+      boost::algorithm::replace_all(path, ".", "/");
+      boost::algorithm::replace_all(path, "_20", " ");
+      paths.push_back(path);
+    }
+    return paths;
+  }
 
   void note_missing(Parameters &parameters, const ParameterHandler &prm, const std::string &name)
   {

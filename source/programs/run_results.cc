@@ -83,6 +83,7 @@ namespace ringmotor
     print_parameters(prm, parameters);
     summary.prm            = prm.str();
     summary.entries        = entries_of(parameters);
+    summary.variant        = parameters.variant;
     summary.identity       = identity_of(parameters, this_version());
     summary.seconds        = phases.seconds();
     summary.peak_memory_MB = peak_memory_MB();

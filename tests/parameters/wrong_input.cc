@@ -239,7 +239,7 @@ TEST(WrongInput, BrokenSyntax)
   expect_refused_text("subsection Motor\n  set = 7\nend\n", {"my.prm:2: ", "set Entry = value"});
   expect_refused_text("subsection\nend\n", {"my.prm:1: ", "without a name"});
   expect_refused_text("subsection Motor\nend Motor\n", {"my.prm:2: ", "\"end Motor\""});
-  expect_refused_text("include base.prm\n", {"my.prm:1: ", "include", "--set"});
+  expect_refused_text("include base.prm\n", {"my.prm:1: ", "include", "set Base file = PATH"});
   expect_refused_text(std::string("\x7f"
                                   "ELF\x02\x01\x00\x1b[31m",
                                   12),

@@ -45,10 +45,11 @@ namespace ringmotor
     };
 
     std::string program, version, git;
-    std::string blas_kernel; ///< see blas_kernel(); empty for a BLAS other than OpenBLAS
-    std::string prm;         ///< the parameters of the run, as text
-    Entries entries;         ///< the same, one by one
-    Identity identity;       ///< of the motor, see identity_of()
+    std::string blas_kernel;     ///< see blas_kernel(); empty for a BLAS other than OpenBLAS
+    std::string prm;             ///< the parameters of the run, as text
+    Entries entries;             ///< the same, one by one
+    Parameters::Variant variant; ///< what the file differs in from the one that it is based on
+    Identity identity;           ///< of the motor, see identity_of()
     std::vector<std::pair<std::string, double>> seconds; ///< per phase, in the order of the run
     double peak_memory_MB = 0.;
     std::uint64_t dofs    = 0;
@@ -73,7 +74,7 @@ namespace ringmotor
    * Writes a summary as JSON with the keys named as the members above; `seconds` is an object with
    * one key per phase, the labels of a quantity stand beside its name, and `certificate` is an
    * object with `holds` (see is_certified()) and `checks`. The list of quantities without errors is
-   * left out if it is empty.
+   * left out if it is empty, and so is `variant` for a file that is based on no other.
    *
    * @throw ComputationError for a number that is not finite, naming it: no file is written
    * @throw UserError if writing fails

@@ -15,9 +15,9 @@
 namespace ringmotor
 {
   /**
-   * All entries of a parameter file, in SI units. The default values are those of the reference
-   * motor. Pass the sub-structs on as const references; no part of the computation needs all of
-   * them.
+   * All entries of a parameter file, in SI units. The default values are those of
+   * prm/soft_spring.prm. Pass the sub-structs on as const references; no part of the computation
+   * needs all of them.
    */
   struct Parameters
   {
@@ -40,6 +40,19 @@ namespace ringmotor
     Effects effects;
     Output output;
 
+    /** What the file differs in from the one that it is based on, see base_file.h. */
+    struct Variant
+    {
+      std::string base; ///< path of the file at the end of the chain; empty if none
+      struct Difference
+      {
+        std::string entry, value;
+        std::string value_of_base; ///< empty if it has none
+      };
+      std::vector<Difference> differences; ///< also those of the overrides
+    };
+    Variant variant;
+
     /** Required entries that are missing from the file but that only some programs need. Their
      * values above are then the defaults, those of another motor. */
     std::vector<std::string> not_given;
@@ -50,8 +63,10 @@ namespace ringmotor
 
   /**
    * Reads a parameter file and then the @p overrides, each `Section/Sub/Entry = value`, which take
-   * precedence over the file. A relative path of a mesh file is looked up in the folder of the
-   * parameter file first, then in the current directory.
+   * precedence over the file, as its entries do over those of the file that it is based on (see
+   * base_file.h); results of the base are never overwritten: its Output/Directory does not count.
+   * A relative path of a mesh file is looked up in the folder of the parameter file that names it
+   * first, then in the current directory.
    *
    * @throws UserError for a file that cannot be read, broken syntax, an unknown, duplicate or
    * missing entry, and a value outside the range of its entry; the message names file, line and
@@ -66,7 +81,7 @@ namespace ringmotor
 
   /**
    * Writes @p parameters as a commented parameter file that read_parameters() understands; every
-   * number is read back exactly. `Parameters()` gives the reference motor.
+   * number is read back exactly. `Parameters()` gives prm/soft_spring.prm.
    */
   void print_parameters(std::ostream &out, const Parameters &parameters);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,8 @@ namespace ringmotor
       std::string place; ///< where it was found, for messages
     };
 
+    std::string name;               ///< as in messages: the path of the file
+    std::optional<Assignment> base; ///< the line `set Base file = PATH`, see base_file.h
     std::vector<Section> sections;
     std::vector<Assignment> assignments;
   };

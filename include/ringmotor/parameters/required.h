@@ -13,6 +13,9 @@ namespace ringmotor
 {
   struct Parameters;
 
+  /** Required entries without a value so far, as `Section/Sub/Entry`. */
+  std::vector<std::string> required_but_not_set(const dealii::ParameterHandler &prm);
+
   /**
    * Notes in Parameters::not_given which required entries a file lacks of what only some motors and
    * programs need: rotor, load, friction, losses, target plates, constants of the ceramic. Where

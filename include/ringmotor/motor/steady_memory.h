@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/contact/contact_solver.h>
+#include <ringmotor/contact/friction.h>
+#include <ringmotor/motor/ring_contact.h>
+
+#include <vector>
+
+namespace ringmotor
+{
+  /** The memory of contact points in the steady state: the state one step earlier. */
+  std::vector<FrictionMemory> travelled(const RingContact &contact,
+                                        const ContactSolution &solution);
+
+  /**
+   * Makes the memory that the points of a steady state are assumed to have agree with what happens
+   * to them one step earlier, according to the law. From solution to solution, whole paths change:
+   * whoever loses the static limit takes it from all that have stuck by it since, and whoever gets
+   * it passes it on, to twice as many points each time, of which those that slip lose it again.
+   */
+  class SteadyMemory
+  {
+  public:
+    /** @param start the memory assumed first */
+    SteadyMemory(const RingContact &contact, const Friction &friction,
+                 std::vector<FrictionMemory> start);
+
+    /** What is assumed for the next solution. */
+    const FrictionMemory &operator[](const unsigned int point) const { return memory[point]; }
+
+    /** All of it, to be kept with the state. */
+    const std::vector<FrictionMemory> &assumed() const { return memory; }
+
+    /** Changes the memory where it disagrees with a @p solution in which it was assumed. Returns
+     * whether all agreed. */
+    bool settled(const ContactSolution &solution);
+
+  private:
+    /** Points in the order of time: each after its earlier one, if that one touches. */
+    std::vector<unsigned int> along_paths(const ContactSolution &solution) const;
+
+    const RingContact &contact;
+    const Friction &friction;
+    std::vector<FrictionMemory> memory;
+    std::vector<unsigned int> later;    ///< the inverse of RingContact::earlier()
+    std::vector<unsigned char> n_gains; ///< how often a point got the static limit
+    unsigned int reach = 1;             ///< how many points in a row may get it on trust
+  };
+} // namespace ringmotor
