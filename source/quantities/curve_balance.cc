@@ -61,11 +61,9 @@ namespace ringmotor
     const double limit = OperatingPoint::largest_imbalance;
     throw ComputationError(
         "the powers of " + text_of(requests[request]) + " balance within " +
-        short_text(limit * excess) + " of the friction loss, allowed: " + short_text(limit) +
-        "; with steps " + short_text(parts / first_parts) + " times as long it was " +
-        short_text(limit * first_excess) +
-        ", so that no steps short enough can be expected. Where contact points hardly slip there "
-        "is little loss to relate the balance to: choose smaller coefficients of friction, or "
-        "other Loading/Values");
+        short_text(limit * excess) + " of the power that is exchanged, allowed: " +
+        short_text(limit) + "; with steps " + short_text(parts / first_parts) +
+        " times as long it was " + short_text(limit * first_excess) +
+        ", so that no steps short enough can be expected; choose other Loading/Values");
   }
 } // namespace ringmotor

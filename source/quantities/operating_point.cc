@@ -76,11 +76,14 @@ namespace ringmotor
     }
   } // namespace
 
+  double OperatingPoint::missing_power() const
+  {
+    return input_power - output_work - friction_loss() - stored_power - modal_power;
+  }
+
   double OperatingPoint::power_imbalance() const
   {
-    constexpr double little = 1e-3;
-    return std::abs(input_power - output_work - friction_loss() - stored_power - modal_power) /
-           std::max({std::abs(input_power), friction_loss(), little * gross_power, 1e-300});
+    return std::abs(missing_power()) / std::max({gross_power, friction_loss(), 1e-300});
   }
 
   double detuning(const OperatingState &state)

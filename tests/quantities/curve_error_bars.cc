@@ -57,6 +57,7 @@ namespace
                       : request.value;
         point.result.amplitude       = 2e-6;
         point.result.input_power     = 1.;
+        point.result.gross_power     = 1.;
         point.result.output_work     = 0.5;
         point.result.tangential_loss = setting.n_parts < 4 ? 0.49 : 0.5;
         point.fields.time_step       = 1e-7;

@@ -38,9 +38,11 @@ namespace ringmotor
     }
     double friction_loss() const { return tangential_loss + radial_loss; }
     double output_power() const { return torque * speed; }
-    /** Input power less output work, friction loss and stored power, over the largest of input
-     * power, loss and a thousandth of what is exchanged: a rotor that hardly slips or moves takes
-     * no power. Up to solver errors, it is the work on closing gaps. */
+    /** Input power less output work, friction loss, stored and modal power: up to solver errors the
+     * work on closing gaps. */
+    double missing_power() const;
+    /** The same over the power that is exchanged, or the loss if larger: a rotor without load takes
+     * little power, and one that hardly slips or moves none. */
     double power_imbalance() const;
     /** The largest admissible power_imbalance() of a result. */
     static constexpr double largest_imbalance = 1e-3;
