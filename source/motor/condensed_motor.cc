@@ -237,7 +237,8 @@ namespace ringmotor
     void add_modes(CondensedMotor &motor, const SectorSurface &tooth_top,
                    const MortarCoupling &mortar, const ContactDiscretisation &discretisation,
                    const Parameters &parameters, const MotorModel &model,
-                   const unsigned int modes_level, const RotorVibration &of_rotor)
+                   const unsigned int modes_level, const RotorVibration &of_rotor,
+                   const ModeSets sets)
     {
       const auto modes_at = [&](const VibrationSetting &setting)
       {
@@ -255,11 +256,13 @@ namespace ringmotor
             modes[k].insert(modes[k].end(), of_tooth.begin(), of_tooth.end());
         return modes;
       };
-      motor.dynamics                 = {model.rotor_loss_factor,
-                                        InertiaScheme::second_order(parameters.time.spectral_radius),
-                                        model.rotor_needs_modes() && !model.rotor_vibrates};
-      motor.modes_level              = modes_level;
-      motor.modes                    = modes_at(of_rotor.setting(modes_level));
+      motor.dynamics    = {model.rotor_loss_factor,
+                           InertiaScheme::second_order(parameters.time.spectral_radius),
+                           model.rotor_needs_modes() && !model.rotor_vibrates};
+      motor.modes_level = modes_level;
+      motor.modes       = modes_at(of_rotor.setting(modes_level));
+      if (sets == ModeSets::own)
+        return;
       motor.coarse_modes             = modes_at(of_rotor.on_coarser_mesh(modes_level));
       motor.modes_of_other_harmonics = modes_at(of_rotor.of_other_harmonics(modes_level));
     }
@@ -268,7 +271,7 @@ namespace ringmotor
   CondensedMotor condense_motor(const Parameters &all_parameters, const StatorWave &wave,
                                 const ContactDiscretisation &discretisation,
                                 const std::optional<unsigned int> &modes_level,
-                                const RotorVibration *vibration)
+                                const RotorVibration *vibration, const ModeSets sets)
   {
     const Parameters parameters = relevant_for_condensation(all_parameters);
     const MotorModel model      = motor_model(parameters);
@@ -293,7 +296,7 @@ namespace ringmotor
     if (model.needs_modes())
       add_modes(motor, tooth.surface, rotor.mortar, discretisation, parameters, model,
                 modes_level.value_or(RotorVibration::usual_level),
-                vibration ? *vibration : RotorVibration(parameters, motor.angular_frequency));
+                vibration ? *vibration : RotorVibration(parameters, motor.angular_frequency), sets);
     return motor;
   }
 

@@ -196,10 +196,15 @@ namespace ringmotor
     return other;
   }
 
-  void RotorVibration::prepare(const unsigned int modes_level) const
+  void RotorVibration::prepare(const unsigned int modes_level, const ModeSets sets) const
   {
-    for (const VibrationSetting &each :
-         {setting(modes_level), on_coarser_mesh(modes_level), of_other_harmonics(modes_level)})
+    std::vector<VibrationSetting> settings{setting(modes_level)};
+    if (sets == ModeSets::with_compared)
+    {
+      settings.push_back(on_coarser_mesh(modes_level));
+      settings.push_back(of_other_harmonics(modes_level));
+    }
+    for (const VibrationSetting &each : settings)
       for (const Part &part : parts(each))
         modes_of(part);
   }

@@ -146,7 +146,8 @@ namespace ringmotor
       if (is_possible && cure.error > 0.)
         cures.push_back(cure);
     };
-    add(modes_level < RotorVibration::finest_level,
+    // Those of teeth are the same at all levels.
+    add(modes_level < RotorVibration::finest_level && motors.at(reached_level)->has_rotor_modes(),
         {Cure::Kind::modes, relative(errors.modes), 0.5});
     // Where the state jumps with the frequency of the wave, it does so by one contact node and one
     // step.
@@ -293,6 +294,17 @@ namespace ringmotor
     {
       results.push_back(point_of({reached_level, n_parts[i]}, i));
       results.back().errors = errors_of(i);
+      if (getenv("DBG"))
+      {
+        const PointErrors &e = results.back().errors;
+        fprintf(stderr,
+                "ERR level %u modes %u parts %u point %u: speed %.3g torque %.4g rel: mesh %.4f "
+                "time %.4f modes %.4f scheme %.4f wave %.4f effects %.4f algebra %.4f total %.4f\n",
+                reached_level, modes_level, n_parts[i], i, results.back().result.speed * 9.5493,
+                results.back().result.torque * 1e3, relative(e.mesh), relative(e.time),
+                relative(e.modes), relative(e.scheme), relative(e.wave), relative(e.effects),
+                relative(e.algebra), relative(e.total()));
+      }
     }
   }
 } // namespace ringmotor

@@ -46,10 +46,10 @@ namespace ringmotor
     const auto condensed                             = [&](const Parameters &parameters)
     {
       return condense_motor(parameters, wave, ContactDiscretisation::level(0), modes_level,
-                            &vibration);
+                            &vibration, ModeSets::own);
     };
     if (motor_model(with).rotor_needs_modes()) // by all ranks together
-      vibration.prepare(modes_level);
+      vibration.prepare(modes_level, ModeSets::own);
     const std::vector<CondensedMotor> motors = shared_work<CondensedMotor>(
         {[&] { return condensed(with); }, [&] { return condensed(without); }}, communicator);
 

@@ -36,6 +36,13 @@ namespace ringmotor
     std::string identity() const { return fingerprint + (drive ? ", " + drive->text() : ""); }
   };
 
+  /** Which vibrations of its bodies a motor has. */
+  enum class ModeSets
+  {
+    own,          ///< CondensedMotor::modes
+    with_compared ///< also those that tell their error
+  };
+
   /** The data of a motor that contact needs: all elasticity condensed into one compliance. */
   struct CondensedMotor
   {
@@ -141,10 +148,12 @@ namespace ringmotor
    * @param modes_level of the rotor, from 1, see RotorVibration; none: the usual one
    * @param vibration of the rotor, which is the same for all discretisations; computed if not
    * given
+   * @param sets which of the motor's modes are wanted
    * @throws UserError if the lip misses the teeth
    */
   CondensedMotor condense_motor(const Parameters &parameters, const StatorWave &wave,
                                 const ContactDiscretisation &discretisation,
                                 const std::optional<unsigned int> &modes_level = {},
-                                const RotorVibration *vibration                = nullptr);
+                                const RotorVibration *vibration                = nullptr,
+                                const ModeSets sets = ModeSets::with_compared);
 } // namespace ringmotor

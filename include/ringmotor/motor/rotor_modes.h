@@ -165,9 +165,9 @@ namespace ringmotor
     /** Those that find the modes of at() again, with the rotor's interior; each nodal diameter has
      * modes in one of them at most. */
     std::vector<std::unique_ptr<RotorModeSolver>> solvers(const VibrationSetting &setting) const;
-    /** Computes what condense_motor() reads for @p modes_level: before ranks condense different
-     * motors. */
-    void prepare(const unsigned int modes_level) const;
+    /** Computes what condense_motor() reads: before ranks condense different motors. */
+    void prepare(const unsigned int modes_level,
+                 const ModeSets sets = ModeSets::with_compared) const;
     /** Those of all nodal diameters on the mesh of level 1, for the first harmonics. */
     const LipModes &of_first_harmonics() const;
     /** The same on the coarsest mesh, for as many harmonics as are asked for. */
