@@ -24,6 +24,16 @@ namespace ringmotor
     return std::max({before, last, last * ratio / (1. - ratio)});
   }
 
+  double wandering(const std::vector<double> &means)
+  {
+    constexpr std::size_t enough = 20;
+    constexpr double margin      = 2.;
+    if (means.size() < enough)
+      return std::numeric_limits<double>::infinity();
+    const auto [low, high] = std::minmax_element(means.begin() + means.size() / 2, means.end());
+    return margin * (*high - *low);
+  }
+
   MarchedRun::MarchedRun(const Parameters &parameters, const CondensedMotor &motor,
                          const PointRequest &request, const unsigned int n_joined)
       : load(load_of(parameters.loading, request)), n_parts(parameters.time.n_snapshots),
@@ -187,7 +197,7 @@ namespace ringmotor
       for (unsigned int i = 0; i < PointError::members.size(); ++i)
       {
         means[i].push_back(values.*PointError::members[i]);
-        rest.*PointError::members[i] = remaining_change(means[i]);
+        rest.*PointError::members[i] = std::min(remaining_change(means[i]), wandering(means[i]));
       }
     }
 

@@ -91,6 +91,20 @@ TEST(MarchedPeriod, HoldsTheLimitOfAGeometricSequence)
   EXPECT_GE(remaining_change({4., 6., 4., 6.}), 2.);
   EXPECT_GE(remaining_change({1., 2., 3., 4.}), 5.);
   EXPECT_GE(remaining_change({1., 3., 3.}), 2.);
+  // A slow decay, and means that wander between 4.9 and 5.1, the last of them anywhere
+  for (unsigned int n = 3; n < 40; ++n)
+  {
+    std::vector<double> decaying, wandering_about;
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      decaying.push_back(5. + std::exp(-0.05 * i));
+      wandering_about.push_back(5. + 0.1 * std::sin(2.3 * i));
+    }
+    EXPECT_EQ(std::isinf(wandering(decaying)), n < 20) << n;
+    EXPECT_GE(wandering(decaying), decaying.back() - 5.) << n;
+    EXPECT_GE(wandering(wandering_about), 0.2) << n;
+    EXPECT_LE(wandering(wandering_about), n < 20 ? INFINITY : 0.4) << n;
+  }
 }
 
 namespace

@@ -15,6 +15,10 @@ namespace ringmotor
    */
   double remaining_change(const std::vector<double> &means);
 
+  /** How far the last of many means may be from their limit if they do not converge but wander in a
+   * narrow band: twice the range of their later half; infinite with fewer than twenty. */
+  double wandering(const std::vector<double> &means);
+
   /** Some equal steps of a marched motor. */
   struct MarchedSpan
   {
