@@ -48,7 +48,7 @@ def torque_text(case, point):
 
 def lines_of_lip(case):
     """(letter and name, contact points) of the lip's inner and outer line."""
-    return [(f"({letter}) {name} line of the lip, $r$ = {radius / MILLI:.1f} mm", case.line(radius))
+    return [(f"({letter}) {name} line of the lip, $r$ = {radius / MILLI:.4g} mm", case.line(radius))
             for letter, name, radius in (("a", "inner", case.radius.min()), ("b", "outer", case.radius.max()))]
 
 

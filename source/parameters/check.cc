@@ -209,6 +209,7 @@ namespace ringmotor
     check_stator_geometry(parameters);
     check_rotor(parameters.rotor);
     check_overlap(parameters.stator, parameters.rotor);
+    check_clearance(parameters.stator, parameters.rotor);
     check_friction(parameters.friction);
     check_springs(parameters);
     check_time(parameters);

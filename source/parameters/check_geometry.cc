@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace ringmotor
@@ -133,6 +134,35 @@ namespace ringmotor
           " do not overlap with " + entry("Stator/Tip inner radius", stator.tip_inner_radius) +
           " to " + entry("Stator/Tip outer radius", stator.tip_outer_radius) +
           "; allowed: at least 10 um in common");
+  }
+
+  double clearance(const StatorGeometry &stator, const RotorGeometry &rotor)
+  {
+    // The side of the stator is straight, and so is the ring's: they are closest where the ring
+    // begins or ends beside the stator.
+    const double height = stator.base_thickness + stator.tooth_height;
+    double least        = std::numeric_limits<double>::infinity();
+    for (const double face : {rotor.ring_lower_face, rotor.ring_upper_face})
+    {
+      const double below_tops = std::clamp(-face, 0., height),
+                   side =
+                       stator.tip_outer_radius +
+                       below_tops / height * (stator.base_outer_radius - stator.tip_outer_radius);
+      least = std::min(least, rotor.ring_inner_radius - side);
+    }
+    return least;
+  }
+
+  void check_clearance(const StatorGeometry &stator, const RotorGeometry &rotor)
+  {
+    const double left = clearance(stator, rotor);
+    if (rotor.ring_lower_face < 0. && left <= 0.)
+      throw UserError(
+          "the rotor's ring cuts into the side of the stator: " +
+          entry("Rotor/Ring inner radius", rotor.ring_inner_radius) + " with " +
+          entry("Rotor/Ring lower face", rotor.ring_lower_face) + "; " +
+          entry("allowed: Rotor/Ring inner radius above", rotor.ring_inner_radius - left) +
+          ", or a ring that ends above the tooth tops");
   }
 
   void check_amplitude(const Wave &wave, const StatorGeometry &stator)

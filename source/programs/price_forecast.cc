@@ -33,10 +33,13 @@ namespace ringmotor
     const double seconds = n_points * seconds_per_effort * effort;
     if (seconds > worth_telling)
       log.line(
-          "the next " + std::to_string(n_points) + " operating points on interface mesh " +
-          std::to_string(setting.level) + " have " +
+          (n_points == 1 ? "the next operating point on interface mesh "
+                         : "each of the next " + std::to_string(n_points) +
+                               " operating points on interface mesh ") +
+          std::to_string(setting.level) + " has " +
           std::to_string(motor.nodes.size() * motor.repeating().n_sectors() * setting.n_parts) +
-          " contact nodes each and may take about " + text(seconds, 0) +
+          " contact nodes; " + (n_points == 1 ? "it" : "together they") + " may take about " +
+          text(seconds, 0) +
           " s; Accuracy/Time limit stops them, a larger Accuracy/Contact target makes them "
           "cheaper");
   }

@@ -138,6 +138,8 @@ class Mistakes(WithContact):
     def test_entries_that_do_not_go_together(self):
         for entries, said in (
                 (["Rotor/Lip inner radius = 0.0290", "Rotor/Lip outer radius = 0.0298"], "the lip misses the teeth"),
+                (["Rotor/Ring inner radius = 0.0357", "Rotor/Ring lower face = -0.006"],
+                 "Rotor/Ring lower face = -0.006 m; allowed: Rotor/Ring inner radius above = 0.035895"),
                 (["Loading/Preload = 0"], "Loading/Preload"),
                 (["Friction/Dynamic coefficient = 0"], "Friction/Dynamic coefficient"),
                 (["Friction/Law = velocity"], "Friction/Decay velocity"),

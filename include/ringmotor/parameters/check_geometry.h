@@ -27,6 +27,13 @@ namespace ringmotor
   /** Lip and tooth tops must overlap by more than a sliver. */
   void check_overlap(const StatorGeometry &stator, const RotorGeometry &rotor);
 
+  /** The least distance along r between the rotor's ring and the outer side of the stator (m),
+   * where the ring is beside it; negative if one cuts into the other. */
+  double clearance(const StatorGeometry &stator, const RotorGeometry &rotor);
+
+  /** The ring must not cut into the stator. */
+  void check_clearance(const StatorGeometry &stator, const RotorGeometry &rotor);
+
   /** Amplitudes must be small; this finds those given in um instead of m. */
   void check_amplitude(const Wave &wave, const StatorGeometry &stator);
 } // namespace ringmotor
