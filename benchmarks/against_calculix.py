@@ -45,7 +45,7 @@ from calculix_bodies import CELLS_PER_QUARTER, Rotor, Stator  # noqa: E402
 from motor_run import OUTPUT_OFF, table, write_markdown  # noqa: E402
 from timed_run import MOTOR, PAPERS_MODEL, PROGRAMS, ROOT, arguments, limited_run, program  # noqa: E402
 
-ROTORS = [ROOT / "prm" / name for name in ("canon_ring.prm", "canon_stiff_spring.prm")]
+ROTORS = [ROOT / "prm" / name for name in ("soft_spring.prm", "stiff_spring.prm")]
 N_MODES = {"rotor": 4, "stator": 2}  # for each number of waves
 CORNER_EXPONENT = 2. * 0.544484  # root of sin(3 pi/2 x) = x, the symmetric singularity of a plane corner
 # Relative: with n = 14 on the reference motor, 1.8 times as many cells across the ring lower the frequencies that

@@ -18,7 +18,7 @@ sys.dont_write_bytecode = True
 from motor_run import OUTPUT_OFF, certified_run, operating_points, table, write_markdown  # noqa: E402
 from timed_run import PAPERS_MODEL as OFF, ROOT  # noqa: E402
 
-MOTORS = [ROOT / "prm" / name for name in ("canon_ring.prm", "canon_stiff_spring.prm", "canon_ring_maeno.prm")]
+MOTORS = [ROOT / "prm" / name for name in ("soft_spring.prm", "stiff_spring.prm")]
 # The paper marched fifteen steps, of which inertia feels little: here its model is in the steady state.
 STEADY = {"Time/Scheme": "steady", "Time/Number of steps": "auto", "Time/Average from step": "auto",
           "Time/Average to step": "auto"}

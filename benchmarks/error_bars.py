@@ -20,7 +20,7 @@ from motor_run import (OUTPUT_OFF, RowFile, add_operating_points, certified_run,
                        table, write_markdown)
 from timed_run import PAPERS_MODEL, ROOT, entries_of  # noqa: E402
 
-CANON, STIFF, RING60 = (ROOT / "prm" / f"{name}.prm" for name in ("canon_ring", "canon_stiff_spring", "ring60"))
+CANON, STIFF, RING60 = (ROOT / "prm" / f"{name}.prm" for name in ("soft_spring", "stiff_spring", "ring60"))
 RING45 = ROOT / "tests" / "programs" / "ring45.prm"
 MOTORS = {
     "reference": (CANON, {}), "stiff spring": (STIFF, {}), "solid flange": (CANON, {"Rotor/Flange element": "solid"}),

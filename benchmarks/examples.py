@@ -23,7 +23,7 @@ COLUMNS = ["case", "outcome", "seconds", "processor_seconds", "error", "target",
 
 
 def copied():
-    """What a designer changes in a copy of the reference motor: dimensions, materials, wave and preload."""
+    """What a designer changes in a copy of a motor: dimensions, materials, wave and preload."""
     wanted = ("Motor/", "Stator/", "Rotor/", "Materials/", "Wave/Amplitude", "Loading/Preload")
     reference = entries_of(MOTOR)
     return {entry: value for entry, value in entries_of(RING45).items()
@@ -33,12 +33,12 @@ def copied():
 def cases():
     """Command and entries by name."""
     found = {f"prm/{path.name}": ([ROOT / "scripts" / "run.sh", path], {}) for path in sorted((ROOT / "prm").glob("*.prm"))}
-    found["prm/canon_ring_mesh.prm"] = ([PROGRAMS / "stator", ROOT / "prm" / "canon_ring_mesh.prm"], {})
-    reference = [ROOT / "scripts" / "run.sh", MOTOR]
-    found["prm/canon_ring.prm without inertia, Contact target = 0.01"] = (
-        reference, {**WITHOUT_INERTIA, "Accuracy/Contact target": "0.01"})
-    found["ring of 45 mm, copied from prm/canon_ring.prm"] = (reference, copied())
-    found["the same without inertia"] = (reference, {**copied(), **WITHOUT_INERTIA})
+    found["prm/soft_spring_mesh.prm"] = ([PROGRAMS / "stator", ROOT / "prm" / "soft_spring_mesh.prm"], {})
+    run_sh = ROOT / "scripts" / "run.sh"
+    found["prm/soft_spring.prm without inertia, Contact target = 0.01"] = (
+        [run_sh, MOTOR], {**WITHOUT_INERTIA, "Accuracy/Contact target": "0.01"})
+    found["ring of 45 mm, copied from prm/soft_spring.prm"] = ([run_sh, MOTOR], copied())
+    found["the same without inertia"] = ([run_sh, MOTOR], {**copied(), **WITHOUT_INERTIA})
     return found
 
 

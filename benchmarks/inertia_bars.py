@@ -17,7 +17,7 @@ sys.dont_write_bytecode = True
 from motor_run import OUTPUT_OFF, RowFile, add_operating_points, certified_run, table, write_markdown  # noqa: E402
 from timed_run import ROOT  # noqa: E402
 
-CANON, STIFF = (ROOT / "prm" / f"{name}.prm" for name in ("canon_ring", "canon_stiff_spring"))
+CANON, STIFF = (ROOT / "prm" / f"{name}.prm" for name in ("soft_spring", "stiff_spring"))
 # A spring and teeth that vibrate far above the drive: the loss factor is small, and high harmonics of the wave matter.
 SHORT_SPRING = {
     "Stator/Base inner radius": "0.0296", "Stator/Base outer radius": "0.0356", "Stator/Base thickness": "0.004153",

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PROGRAMS = ROOT / "build" / "bin"
-MOTOR = ROOT / "prm" / "canon_ring.prm"
+MOTOR = ROOT / "prm" / "soft_spring.prm"
 # That motor leaves its effects to the programs; the tables of the documents are those of the paper's model.
 PAPERS_MODEL = {f"Effects/{name}": "off" for name in
                 ("Rotor inertia", "Tooth inertia", "Damping", "Stator back-reaction", "Spin convection", "Target plates",

@@ -95,7 +95,7 @@ class Documents:
         scripts = [ROOT / name for name in re.findall(r"(?:scripts|benchmarks|tests)/[\w/]+\.py", block.command)]
         texts = [path.read_text(encoding="utf-8") for path in scripts]
         named = re.findall(r"\b(\w+\.prm)\b", " ".join([block.command, *texts]))
-        motors = sorted({f"prm/{name}" for name in named if (ROOT / "prm" / name).exists()} or {"prm/canon_ring.prm"})
+        motors = sorted({f"prm/{name}" for name in named if (ROOT / "prm" / name).exists()} or {"prm/soft_spring.prm"})
         parts = [block.command, *map(without_comments, scripts), *map(self.identity, motors)]
         if block.price == "dear":
             parts += [one.content for one in blocks_of(REFERENCE) if "document_tables.py points" in one.command]

@@ -27,7 +27,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(ROOT / "benchmarks"))
 from motor_run import table, write_markdown  # noqa: E402
 
-MOTOR = ROOT / "prm" / "static_rotor.prm"
+MOTOR = ROOT / "tests" / "programs" / "static_rotor.prm"
 MESHES = pathlib.Path(__file__).resolve().parent / "meshes"  # versions of Gmsh's format that meshes/ lacks
 FOUND = MESHES.parent / "found"
 NUMBERS = ("0", "-0", "-1", "1", "2", "1e-300", "1e300", "1e999", "nan", "inf", "-inf", "4294967295", "4294967296",

@@ -4,9 +4,9 @@
 
 usage: tests/hard/catalogue.py [--programs FOLDER] [--csv FILE [--resume]] [--markdown FILE] [FILE.case ...]
 
-A case is a file of this folder: what differs from prm/static_rotor.prm, a line "Section/Entry = value" for each entry as the
-option --set takes it, below a header of comments. Lines of the header that begin with more than one blank continue the
-one before.
+A case is a file of this folder: what differs from tests/programs/static_rotor.prm, a line "Section/Entry = value" for each
+entry, as the option --set takes it, below a header of comments. Lines of the header that begin with more than one blank continue
+the one before.
 
   # Hard: what is hard about it
   # Must: certified | refused: WORDS | failed: WORDS; several, separated by " or ": any of them. A refusal (exit
@@ -37,7 +37,7 @@ from contact_checks import RPM, ContactResults, disagreements  # noqa: E402
 from motor_run import (COLUMNS, OUTPUT_OFF, RowFile, run_contact, run_program, table, write_markdown)  # noqa: E402
 from timed_run import ROOT  # noqa: E402
 
-STATIC_ROTOR = ROOT / "prm" / "static_rotor.prm"
+STATIC_ROTOR = ROOT / "tests" / "programs" / "static_rotor.prm"
 FIELDS = ("Hard", "Must", "Why", "Vary", "Check", "Agree", "After", "Within")
 
 

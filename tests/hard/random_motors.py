@@ -6,8 +6,8 @@ usage: tests/hard/random_motors.py [--seed 1] [--count 200] [--seconds 120] [--w
            [--csv FILE [--resume]] [--keep FOLDER] [--markdown FILE]
 
 Motor number k is drawn from seed k alone, from --seed on: `--seed 17 --count 1` runs number 17 again. It is
-prm/static_rotor.prm with other dimensions, materials, loads, friction, and schemes, within the ranges that the functions
-draw_...() below show; the command line of each motor that is not certified is printed. Results are checked by
+tests/programs/static_rotor.prm with other dimensions, materials, loads, friction, and schemes, within the ranges that the
+functions draw_...() below show; the command line of each motor that is not certified is printed. Results are checked by
 contact_checks.py. Outcomes: certified; refused (exit status 1, a mistake in the input); failed (status 2, the programs
 say why, which may be Accuracy/Time limit: three quarters of --seconds); hang (more than --seconds of processor time),
 crash (any other end), silent wrong (status 0, but a check finds something). The exit status is 1 if one of the last
@@ -33,7 +33,7 @@ from motor_run import (COLUMNS, OUTPUT_OFF, RowFile, add_options, command_lines,
                        run_contact, run_program, summary, write_markdown)
 from timed_run import ROOT, entries_of  # noqa: E402
 
-BASE = ROOT / "prm" / "static_rotor.prm"
+BASE = ROOT / "tests" / "programs" / "static_rotor.prm"
 SHOWN = ("Motor/Number of waves", "Motor/Number of teeth", "Loading/Preload", "Wave/Amplitude", "Friction/Law",
          "Time/Scheme", "Loading/Control", "Contact/Formulation", "Effects/Friction lining",
          "Initial deformation/Amplitude", "Rotor/Flange element", "Stator/Piezoceramic element")

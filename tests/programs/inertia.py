@@ -19,7 +19,7 @@ sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
 from program import ROOT, on_ranks, rows_of, run, settings  # noqa: E402
 
 STATOR, CONTACT, LOSSES = sys.argv.pop(1), sys.argv.pop(1), sys.argv.pop(1)
-STIFF = ROOT / "prm" / "canon_stiff_spring.prm"
+STIFF = ROOT / "prm" / "stiff_spring.prm"
 COARSE = ("Accuracy/Mode = fixed", "Accuracy/Interface refinement = 0", "Output/VTU = false",
           "Friction/Law = coulomb", "Loading/Values = 0.05, 0.1",
           "Time/Snapshots = 4")  # with fewer powers do not balance

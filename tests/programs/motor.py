@@ -159,7 +159,7 @@ class Questions(unittest.TestCase):
         self.assertEqual({**again["entries"], "Output/Directory": str(folder)}, said["entries"])
 
     def test_of_a_stator_alone(self):
-        mesh = STATIC_ROTOR.parent / "canon_ring_mesh.prm"
+        mesh = STATIC_ROTOR.parent / "stator_mesh.prm"
         said = self.answer(mesh, program=STATOR)
         self.assertEqual([pathlib.Path(file).name for file in said["files"]], ["canon_half_sector.msh"])
         self.assertIn("Loading/Preload", said["missing"])

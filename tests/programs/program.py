@@ -13,7 +13,7 @@ import zlib
 import numpy as np
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-STATIC_ROTOR = ROOT / "prm" / "static_rotor.prm"
+STATIC_ROTOR = ROOT / "tests" / "programs" / "static_rotor.prm"
 
 
 def run(*command, file_size_limit=None):

@@ -82,7 +82,7 @@ class Files(InAFolder):
 
     def mesh_family(self, mesh):
         prm = self.folder / "mesh.prm"
-        shutil.copy(ROOT / "prm" / "canon_ring_mesh.prm", prm)
+        shutil.copy(ROOT / "tests" / "programs" / "stator_mesh.prm", prm)
         return Family(prm, {"Stator/Mesh file": str(mesh), "Accuracy/Mode": "fixed", "Accuracy/Polynomial degree": "2"},
                       self.output, PROGRAMS[0].parent, is_wave_only=True)
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The rotors of prm/canon_ring.prm and prm/canon_stiff_spring.prm, flange solid and without bars,
+// The rotors of prm/soft_spring.prm and prm/stiff_spring.prm, flange solid and without bars,
 // against an independent finite-element program: CalculiX 2.20, quadratic bricks (C3D20), a quarter
 // of a wave with nine cells, cells of 0.08, 0.04 and 0.02 mm at the two re-entrant corners where
 // the flange leaves the ring. Its frequencies are extrapolated from the last two meshes with the

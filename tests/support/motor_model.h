@@ -23,7 +23,7 @@ namespace ringmotor::tests
     return parameters;
   }
 
-  /** The rotor of prm/canon_stiff_spring.prm instead of that of the reference motor. */
+  /** The rotor of prm/stiff_spring.prm instead of that of the reference motor. */
   inline void stiffen_spring(RotorGeometry &rotor)
   {
     rotor.ring_inner_radius = 35.6e-3;
