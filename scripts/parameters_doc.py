@@ -23,15 +23,8 @@ All entries of a parameter file, the same for `stator`, `contact` and `losses`, 
 without a default is required: a file has to give it, if its motor has the part.
 `--set 'Section/Entry = value'` changes an entry for one run.
 
-A file may hold only what differs from another one, which it names outside of all sections:
-
-```
-set Base file = canon_ring.prm
-subsection Loading
-  set Preload = 20
-end
-```
-
+A file may hold only what differs from another one: a line such as `set Base file = canon_ring.prm`
+outside of all sections names it, and the entries of the file take precedence.
 The path is relative to the folder of the file. The base may have a base of its own. Results of the
 base are not overwritten: its `Output/Directory` does not count. The page of a run lists the
 differences, also those of `--set`.

@@ -52,6 +52,9 @@ namespace ringmotor
         follow(point);
     for (unsigned int point = 0; point < contact.n_points(); ++point) // always touch
       follow(point);
+    for (unsigned int point = 0; point < contact.n_points(); ++point)
+      if (!is_listed[point])
+        order.push_back(point);
     return order;
   }
 

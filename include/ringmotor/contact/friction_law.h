@@ -50,13 +50,14 @@ namespace ringmotor
     /**
      * The steady state, which is solved again until the assumed memory of its points agrees with
      * what happened: changes @p memory, assumed in this solution, to that for the next one.
-     * @param found the memory one step earlier, of the point that represents this one at that time
+     * @param found the memory one step earlier, of the point that represents this one at that time,
+     * as far as it is foreseen for the next solution
      * @param status of the point in this solution
-     * @param had_stuck whether the point was assumed to have stuck, in this solution or before
+     * @param is_refused whether the point gets no static limit any more, so that the search ends
      * @return whether @p memory agreed with @p found as far as this law depends on it
      */
     virtual bool settle(const Friction & /*friction*/, const FrictionMemory & /*found*/,
-                        const PointStatus /*status*/, const bool /*had_stuck*/,
+                        const PointStatus /*status*/, const bool /*is_refused*/,
                         FrictionMemory & /*memory*/) const
     {
       return true;

@@ -37,7 +37,8 @@ namespace ringmotor
     bool settled(const ContactSolution &solution);
 
   private:
-    /** Points in the order of time: each after its earlier one, if that one touches. */
+    /** Points in the order of time: each after its earlier one, if that one touches; then the open
+     * ones. */
     std::vector<unsigned int> along_paths(const ContactSolution &solution) const;
 
     const RingContact &contact;

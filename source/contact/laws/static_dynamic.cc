@@ -30,14 +30,14 @@ namespace ringmotor::laws
       }
 
       /** More than one memory is self-consistent. A point that slips loses mu_s; one without it
-       * whose predecessor stuck gets it, but only once, so that the search terminates. */
+       * whose predecessor stuck gets it, unless it is refused, so that the search terminates. */
       bool settle(const Friction &, const FrictionMemory &found, const PointStatus status,
-                  const bool had_stuck, FrictionMemory &memory) const override
+                  const bool is_refused, FrictionMemory &memory) const override
       {
         if (status == PointStatus::open)
           return true;
         const bool sticks =
-            memory.stuck ? found.stuck && status == PointStatus::stick : found.stuck && !had_stuck;
+            memory.stuck ? found.stuck && status == PointStatus::stick : found.stuck && !is_refused;
         const bool agreed = sticks == memory.stuck;
         memory.stuck      = sticks;
         return agreed;
