@@ -294,17 +294,6 @@ namespace ringmotor
     {
       results.push_back(point_of({reached_level, n_parts[i]}, i));
       results.back().errors = errors_of(i);
-      if (getenv("DBG"))
-      {
-        const PointErrors &e = results.back().errors;
-        fprintf(stderr,
-                "ERR level %u modes %u parts %u point %u: speed %.3g torque %.4g rel: mesh %.4f "
-                "time %.4f modes %.4f scheme %.4f wave %.4f effects %.4f algebra %.4f total %.4f\n",
-                reached_level, modes_level, n_parts[i], i, results.back().result.speed * 9.5493,
-                results.back().result.torque * 1e3, relative(e.mesh), relative(e.time),
-                relative(e.modes), relative(e.scheme), relative(e.wave), relative(e.effects),
-                relative(e.algebra), relative(e.total()));
-      }
     }
   }
 } // namespace ringmotor
