@@ -176,12 +176,14 @@ class Mistakes(WithContact):
         finally:
             modes.write_bytes(kept)
 
-    def test_long_steps_are_warned_of_and_not_certified(self):
+    def test_long_steps_are_warned_of_and_have_long_bars(self):
         # Other teeth touch at the end of such a step than at its begin.
         done = self.contact("Time/Scheme = marching", "Time/Time step = 5e-6", "Loading/Values = 0", *FIFTEEN_STEPS,
                             "Accuracy/Mode = fixed", "Friction/Law = coulomb")
-        self.assertEqual(done.returncode, 2, done.stderr)  # solved, but with no use
-        self.assertIn("power put in against power out", done.stderr)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        (point,) = rows_of(self.case / "contact" / "torque_speed.csv")  # solved, but of no use, as the bars say
+        self.assertGreater(float(point["friction_loss_error_mW"]), float(point["friction_loss_mW"]))
+        self.assertGreater(float(point["speed_error_rpm"]), 0.2 * float(point["speed_rpm"]))
         self.assertIn("is not small compared to the time for which a tooth is in contact", done.stdout)
 
     def test_a_rotor_that_sticks_is_loaded_by_a_quarter_of_what_friction_bears(self):

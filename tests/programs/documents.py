@@ -116,7 +116,7 @@ class Pages(unittest.TestCase):
         """Its parameters count, not its comments, its name and its folder."""
         self.write("dear", words="# prm/static_rotor.prm")
         made = documents.Documents(PROGRAMS, self.folder)
-        text = (ROOT / "prm" / "static_rotor.prm").read_text(encoding="utf-8")
+        text = (ROOT / "tests" / "programs" / "static_rotor.prm").read_text(encoding="utf-8")
 
         def identity(name, change):
             file = self.folder / name
