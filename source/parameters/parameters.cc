@@ -137,7 +137,7 @@ namespace ringmotor
       parameters.output.directory = Output().directory;
       assign_file(file, declared, prm);
       resolve_mesh_files(parameters, file.name);
-      if (of_base.empty())
+      if (files.size() > 1 && of_base.empty())
         of_base = entries_so_far(parameters, prm);
     }
 

@@ -155,6 +155,9 @@ namespace ringmotor
     errors.time = change(point, point_of(other, request));
     errors.time *= other.n_steps() / std::abs(other.n_steps() - own.n_steps());
     raise(errors.time, resolution(point, motor()));
+    PointError missing;
+    missing.loss = std::abs(point.result.missing_power());
+    raise(errors.time, missing);
     if (motor().has_modes())
     {
       // From level to level the errors of the meshes are at most halved; those of the harmonics

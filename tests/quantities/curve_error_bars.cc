@@ -315,7 +315,8 @@ TEST(CurveErrorBars, AreHeldForTheListedQuantities)
         if (point.request.control == Control::torque)
           point.result.speed *= 1. + 0.1 * error;
         point.result.radial_loss = error * point.result.tangential_loss;
-        point.result.input_power += point.result.radial_loss; // powers balance
+        point.result.input_power = // powers balance
+            point.result.output_work + point.result.friction_loss();
       }
       return points;
     };
