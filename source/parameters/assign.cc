@@ -111,16 +111,6 @@ namespace ringmotor
       return of_number.empty() ? deceptive_character(value, Deception::foreign) : of_number;
     }
 
-    /** What is probably wrong with a rejected @p value, and what is allowed. */
-    std::string explain_refusal(const std::string &value, const DeclaredEntries::Entry &entry)
-    {
-      if (value.empty())
-        return " is empty; allowed: " + entry.allowed;
-      const std::string problem = problem_of(value, entry);
-      return " = " + in_quotes(value) + " " + (problem.empty() ? "is not a valid value" : problem) +
-             "; allowed: " + entry.allowed;
-    }
-
     /** Passes one assignment to the handler, whose actions write to the parameters. */
     void assign(const PrmFile::Assignment &assignment, const DeclaredEntries &declared,
                 ParameterHandler &prm)
@@ -172,6 +162,15 @@ namespace ringmotor
       return "";
     }
   } // namespace
+
+  std::string explain_refusal(const std::string &value, const DeclaredEntries::Entry &entry)
+  {
+    if (value.empty())
+      return " is empty; allowed: " + entry.allowed;
+    const std::string problem = problem_of(value, entry);
+    return " = " + in_quotes(value) + " " + (problem.empty() ? "is not a valid value" : problem) +
+           "; allowed: " + entry.allowed;
+  }
 
   void assign_all(const std::vector<PrmFile::Assignment> &assignments,
                   const DeclaredEntries &declared, ParameterHandler &prm)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/parameters/assign.h>
 #include <ringmotor/parameters/base_file.h>
 #include <ringmotor/parameters/declare.h>
 #include <ringmotor/parameters/errors.h>
@@ -19,10 +20,7 @@ namespace ringmotor
       if (notation.read(base.value))
         return;
       throw UserError(base.place + ": Base file" +
-                      (base.value.empty()
-                           ? " is empty"
-                           : " = " + in_quotes(base.value) + " " + problem_of_path(base.value)) +
-                      "; allowed: " + notation.allowed);
+                      explain_refusal(base.value, {notation.allowed, "", "", true}));
     }
 
     /** Spelled as the file that names it is: a relative path stays one. */

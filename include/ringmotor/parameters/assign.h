@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/parameters/declared_entries.h>
 #include <ringmotor/parameters/prm_file.h>
 
+#include <string>
 #include <vector>
 
 namespace dealii
@@ -12,8 +14,6 @@ namespace dealii
 
 namespace ringmotor
 {
-  class DeclaredEntries;
-
   /**
    * Passes assignments of one origin (a file, or the command line) to @p prm, whose actions write
    * to the variables that were declared.
@@ -23,6 +23,10 @@ namespace ringmotor
    */
   void assign_all(const std::vector<PrmFile::Assignment> &assignments,
                   const DeclaredEntries &declared, dealii::ParameterHandler &prm);
+
+  /** What is probably wrong with a rejected @p value, and what is allowed, to be written behind the
+   * name of its entry. */
+  std::string explain_refusal(const std::string &value, const DeclaredEntries::Entry &entry);
 
   /**
    * Looks for numbers implausible for any motor, which suggest units other than SI.
