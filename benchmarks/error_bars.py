@@ -20,18 +20,18 @@ from motor_run import (OUTPUT_OFF, RowFile, add_operating_points, certified_run,
                        table, write_markdown)
 from timed_run import PAPERS_MODEL, ROOT, entries_of  # noqa: E402
 
-CANON, STIFF, RING60 = (ROOT / "prm" / f"{name}.prm" for name in ("soft_spring", "stiff_spring", "ring60"))
+SOFT, STIFF, RING60 = (ROOT / "prm" / f"{name}.prm" for name in ("soft_spring", "stiff_spring", "ring60"))
 RING45 = ROOT / "tests" / "programs" / "ring45.prm"
 MOTORS = {
-    "reference": (CANON, {}), "stiff spring": (STIFF, {}), "solid flange": (CANON, {"Rotor/Flange element": "solid"}),
-    "lip inside the teeth": (CANON, {"Rotor/Lip outer radius": "0.0338"}),
-    "60 N": (CANON, {"Loading/Preload": "60"}), "3 N": (CANON, {"Loading/Preload": "3"}),
-    "high teeth": (CANON, {"Stator/Tooth height": "0.0035", "Stator/Slot width": "0.0003"}),
-    "friction 0.15": (CANON, {"Friction/Static coefficient": "0.15", "Friction/Dynamic coefficient": "0.15"}),
-    "thick flange": (CANON, {"Rotor/Flange thickness": "0.0009"}),
+    "reference": (SOFT, {}), "stiff spring": (STIFF, {}), "solid flange": (SOFT, {"Rotor/Flange element": "solid"}),
+    "lip inside the teeth": (SOFT, {"Rotor/Lip outer radius": "0.0338"}),
+    "60 N": (SOFT, {"Loading/Preload": "60"}), "3 N": (SOFT, {"Loading/Preload": "3"}),
+    "high teeth": (SOFT, {"Stator/Tooth height": "0.0035", "Stator/Slot width": "0.0003"}),
+    "friction 0.15": (SOFT, {"Friction/Static coefficient": "0.15", "Friction/Dynamic coefficient": "0.15"}),
+    "thick flange": (SOFT, {"Rotor/Flange thickness": "0.0009"}),
     "45 mm": (RING45, {"Loading/Preload": "10", "Wave/Amplitude": "1e-6"}),
     "60 mm": (RING60, {"Effects/Friction lining": "on"}),
-    "wave of 1 um": (CANON, {"Wave/Amplitude": "1e-6"})}
+    "wave of 1 um": (SOFT, {"Wave/Amplitude": "1e-6"})}
 BASE = {**PAPERS_MODEL, **OUTPUT_OFF, "Effects/Static friction excess": "off", "Effects/Initial deformation": "off",
         "Friction/Static coefficient": "0.4", "Friction/Dynamic coefficient": "0.4"}
 TARGETS = ("0.03", "0.01", "0.003")
