@@ -61,6 +61,11 @@ class ContactCase(Results):
     def period(self):
         return 2 * np.pi / self.angular_frequency
 
+    def of_rotor(self):
+        """The quantities of the summary that belong to no operating point: of the rotor's lip, its clearance."""
+        return [quantity for quantity in self.summary["quantities"]
+                if "torque_Nm" not in quantity and "speed_rad_per_s" not in quantity]
+
     def belongs_to(self, stator):
         """Whether the wave is that which the program stator has left in the folder."""
         if not stator.wave or (self.n_waves, self.n_teeth) != (stator.n_waves, stator.n_teeth):

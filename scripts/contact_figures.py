@@ -3,8 +3,8 @@
 import numpy as np
 from contact_case import NORMAL, OPEN, RADIAL, STICK, TANGENTIAL
 from drawing import BLUE, GREEN, GREY, METAL, MICRO, MILLI, ORANGE, nice_factor, plt, start_figure
+from node_history import BRAKES, DRIVES, STICKS, covers_a_period, history_from_fields, history_from_table, phases_of
 
-STATUS = {"open": OPEN, "stick": STICK}
 PALE_BLUE, PALE_ORANGE, PALE_GREY = "#CFE3F1", "#F8DCC6", "#E3E3E3"
 
 
@@ -245,63 +245,16 @@ def history_touches(case):
     return not covers_a_period(case, rows) or any(row["force_n_N"] > 0 for row in rows)
 
 
-def covers_a_period(case, rows):
-    times = [row["time_us"] for row in rows]
-    return max(times) - min(times) > 0.85 * case.period / MICRO
-
-
-def history_from_table(case, point):
-    """Of the chosen point that is pressed most: time in us, force in N, slip in um, status; steady states only."""
-    rows = case.history(point)
-    most = max(rows, key=lambda row: row["force_n_N"])
-    rows = [row for row in rows if (row["tooth"], row["node"]) == (most["tooth"], most["node"])]
-    column = {key: np.array([row[key] for row in rows]) for key in rows[0] if key != "status"}
-    status = np.array([STATUS.get(row["status"], STICK + 1) for row in rows])
-    time, period = column["time_us"], case.period / MICRO
-    # One period is a circle: cut it in the middle of the longest time without contact.
-    touching = np.flatnonzero(status != OPEN)
-    pauses = np.diff(time[touching], append=time[touching[0]] + period)
-    cut = (time[touching[np.argmax(pauses)]] + pauses.max() / 2) % period
-    angle = np.radians(column["theta_deg"][0]) + 2 * np.pi * most["tooth"] / case.n_teeth
-    crest = angle * case.n_waves / case.angular_frequency / MICRO
-    order = np.argsort((time - cut) % period)
-    shown = cut + (time[order] - cut) % period - crest
-    shown -= period * np.round(np.mean(shown[status[order] != OPEN]) / period)
-    force = np.stack([column[f"force_{c}_N"] for c in "ntr"], axis=1)
-    return shown, force[order], column["slip_t_um"][order], status[order]
-
-
-def history_from_fields(case, point):
-    """The same of a marched motor: the tooth whose time in contact lies best within the marched time."""
-    fields = case.fields(point)
-    time = fields["time"]
-    nodes = case.line(case.radius.max())
-    touching = fields["status"][:, :, nodes] != OPEN  # by moment, tooth, node
-    is_whole = ~touching[0] & ~touching[-1]
-    pressed = np.where(touching.any(axis=0), fields["force"][:, :, nodes, NORMAL].max(axis=0), 0)
-    score = pressed * (1 + 2 * is_whole) * (1 + ~touching[-1])
-    tooth, place = np.unravel_index(np.argmax(score), score.shape)
-    node = nodes[place]
-    angle = case.angle[node] + 2 * np.pi * tooth / case.n_teeth
-    lag = (case.n_waves * angle / case.angular_frequency) % case.period  # when the crest comes by
-    shown = (time - lag) / MICRO
-    shown -= case.period / MICRO * np.round(shown.mean() * MICRO / case.period)
-    return (shown, fields["force"][:, tooth, node], fields["gap_and_slip"][:, tooth, node, TANGENTIAL] / MICRO,
-            fields["status"][:, tooth, node])
-
-
 def draw_bands(axes, time, slip, status):
     """What the point did in the step that ends at each time."""
     step = np.min(np.diff(time))
-    bands = {"rotor slips backwards": PALE_BLUE, "rotor sticks to the tooth": PALE_GREY,
-             "rotor slips forwards": PALE_ORANGE}
-    backwards, sticks, forwards = bands
-    for end, moved, state in zip(time, slip, status):
-        if state != OPEN:
-            name = sticks if state == STICK else forwards if moved > 0 else backwards
-            axes.axvspan(end - step, end, color=bands[name], lw=0)
-    for name, color in bands.items():
-        axes.fill_between([], [], color=color, lw=0, label=name)
+    bands = {BRAKES: ("slips, friction brakes the rotor", PALE_ORANGE), STICKS: ("sticks to the tooth", PALE_GREY),
+             DRIVES: ("slips, friction drives it", PALE_BLUE)}
+    for end, doing in zip(time, phases_of(slip, status)):
+        if doing in bands:
+            axes.axvspan(end - step, end, color=bands[doing][1], lw=0)
+    for said, color in bands.values():
+        axes.fill_between([], [], color=color, lw=0, label=said)
 
 
 def draw_friction_history(case):

@@ -39,6 +39,15 @@ def of_wave(case):
     return found
 
 
+def of_rotor(contact):
+    """Of the rotor alone: how its lip answers the wave, and its clearance."""
+    found = {}
+    for quantity in contact.of_rotor():
+        unit, scale = ("mm", 1e3) if quantity["unit"] == "m" else ("", 1.)
+        found[quantity["name"]] = Quantity(scale * quantity["value"], scale * quantity["error"], unit)
+    return found
+
+
 def of_point(row):
     """All quantities of an operating point that have an error bar, from a row of its tables."""
     found = {}
@@ -65,7 +74,7 @@ def quantities_of(folder):
     case, contact, losses, notes = read_case(folder)
     if losses is None:
         raise CaseError("; ".join(notes) or f"{folder} has no results of the program losses")
-    found, points = of_wave(case), losses.points_with(contact)
+    found, points = {**of_wave(case), **of_rotor(contact)}, losses.points_with(contact)
     is_curve = contact.parameters["Loading/Values"] == "curve"
     for row in points:
         here = of_point(row)

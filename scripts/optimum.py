@@ -67,7 +67,7 @@ def explore(engine, family, all_varied, aim, study, n_trials, coarse):
     n_started = len(study.get_trials(deepcopy=False, states=complete))
     if n_started:
         print(f"{n_started} motors are known already")
-    running = {}  # trials, by their motors
+    running, done = {}, {}  # trials, and rows, by their motors
     while n_started < n_trials or running:
         while n_started < n_trials and len(running) < engine.n_workers():
             trial = study.ask()
@@ -77,13 +77,15 @@ def explore(engine, family, all_varied, aim, study, n_trials, coarse):
             engine.submit(motor)
         motor, outcome = engine.next_done()
         trial, row = running.pop(motor), row_of(motor, outcome)
+        done[motor.key] = row
         trial.set_user_attr("excesses", aim.excesses(row))
         trial.set_user_attr("entries", row.varied)
         study.tell(trial, aim.of(row)[0] if row.outcome == "certified" else 0.)
         tell(n_started - len(running), n_trials, row, aim)
     # Motors of an interrupted study are in their folders.
-    return rows_of(engine, [family.motor(trial.user_attrs["entries"], **coarse)
-                            for trial in study.get_trials(deepcopy=False, states=complete)])
+    motors = [family.motor(trial.user_attrs["entries"], **coarse)
+              for trial in study.get_trials(deepcopy=False, states=complete)]
+    return [*done.values(), *rows_of(engine, [motor for motor in motors if motor.key not in done])]
 
 
 def tell(number, count, row, aim):

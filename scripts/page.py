@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 
 from case import failures, known
 from losses_case import PARTS, read_case
+from node_history import pass_of_node
 
 MOST_MODES = 12
 
@@ -15,6 +16,10 @@ WAVE_QUANTITIES = {
     "phi_edge": ("phi, +theta edge of the tooth", "deg", 1),
     "modal_mass": ("modal mass", "g", 1e3),
     "strain_energy": ("strain energy of the wave", "mJ", 1e3),
+}
+ROTOR_QUANTITIES = {
+    "clearance": ("clearance of the ring from the stator", "mm", 1e3),
+    "lip_A_r/A_n": ("A_r/A_n of the lip on the wave", "", 1),
 }
 CIRCUIT_QUANTITIES = (  # name and unit of a column of circuits.csv, what to call it, its unit
     ("open_circuit_frequency", "_Hz", "open-circuit frequency", "Hz"),
@@ -84,6 +89,7 @@ class Page:
         if self.case.circuits:
             tables["circuits"] = self.circuits()
         if self.contact:
+            tables["rotor"] = self.rotor()
             tables["curve"] = self.curve()
         if self.losses:
             tables["losses"] = self.loss_table()
@@ -171,6 +177,20 @@ class Page:
             rows.append(["gap to the next mode of this n", f"{100 * abs(gap):.1f}", "%",
                          "above" if gap > 0 else "below"])
         return Table(f"The travelling wave, amplitude {case.wave['amplitude_m'] * 1e6:g} um", "lrll", rows=rows)
+
+    def rotor(self):
+        found = {quantity["name"]: quantity for quantity in self.contact.of_rotor()}
+        rows = [[name, known(scale * found[key]["value"], scale * found[key]["error"]), unit]
+                for key, (name, unit, scale) in ROTOR_QUANTITIES.items() if key in found]
+        gain = [f"{quantity['value']:.2f}" for name, quantity in found.items() if name.startswith("lip_amplification")]
+        if gain:
+            rows.append(["motion of the lip with inertia over that without", " ".join(gain), "harmonics 1, 2, ... of the wave"])
+        point = self.contact.point_near(0)
+        phases = pass_of_node(self.contact, point)
+        if phases:
+            rows.append(["a node while a crest passes", ", ".join(phases),
+                         f"friction on the rotor, {self.contact.curve[point]['torque_mNm']:.3g} mN m"])
+        return Table("The rotor on the wave", "lll", rows=rows)
 
     def circuits(self):
         phases = self.case.circuits

@@ -16,7 +16,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 SIZE = (1000, 560)  # of a picture, in pixels
 VIEW_ANGLE = 18.0  # of the camera, in degrees, from top to bottom
-METAL, BLUE, ORANGE, GREY = (0.86, 0.86, 0.86), (0.0, 0.447, 0.698), (0.835, 0.369, 0.0), (0.62, 0.62, 0.62)
+METAL, STATOR = (0.86, 0.86, 0.86), (0.66, 0.71, 0.78)
+BLUE, ORANGE, GREY = (0.0, 0.447, 0.698), (0.835, 0.369, 0.0), (0.62, 0.62, 0.62)
 HEAT = [METAL, (0.99, 0.80, 0.35), (0.96, 0.49, 0.20), (0.74, 0.15, 0.22), (0.31, 0.03, 0.25)]
 WAVE = [(0.23, 0.30, 0.75), (0.55, 0.69, 1.0), (0.87, 0.87, 0.87), (0.96, 0.60, 0.48), (0.71, 0.02, 0.15)]
 STATUS = {0: ("open", GREY), 1: ("stick", BLUE), 2: ("slip", ORANGE)}
@@ -157,10 +158,35 @@ def show(source, view):
     return shown
 
 
-def show_plain(source, view):
+def show_plain(source, view, color=METAL):
     shown = show(source, view)
     shown.ColorArrayName = ("POINTS", "")
-    shown.AmbientColor = shown.DiffuseColor = METAL
+    shown.AmbientColor = shown.DiffuseColor = color
+
+
+def smooth(source):
+    """Its surface, curved cells drawn finely, shaded without facets but at edges."""
+    surface = ExtractSurface(Input=source, NonlinearSubdivisionLevel=2)
+    return GenerateSurfaceNormals(Input=surface, FeatureAngle=30.0, ComputeCellNormals=0)
+
+
+def show_status(tops, view, size, size_of_open):
+    """Spheres that tell what the points of the teeth do; relative to the others, open ones have a size of their own."""
+    sized = Calculator(Input=tops, AttributeType="Point Data", ResultArrayName="size",
+                       Function=f"if(status > 0.5, 1, {size_of_open})")
+    spheres = Glyph(Input=sized, GlyphType="Sphere", GlyphMode="All Points", ScaleArray=("POINTS", "size"),
+                    OrientationArray=("POINTS", "No orientation array"), ScaleFactor=size)
+    spheres.GlyphType.ThetaResolution = spheres.GlyphType.PhiResolution = 16
+    shown = show(spheres, view)
+    ColorBy(shown, ("POINTS", "status"), separate=True)
+    colors = GetColorTransferFunction("status", shown, separate=True)
+    colors.InterpretValuesAsCategories = 1
+    states = {value: state for value, state in STATUS.items() if value or size_of_open}
+    colors.Annotations = [text for value, (name, _) in states.items() for text in (str(value), name)]
+    colors.IndexedColors = [number for _, color in states.values() for number in color]
+    bar = bar_style(view, colors, "contact")
+    bar.ScalarBarLength, bar.TextPosition = 0.25, "Ticks left/bottom, annotations right/top"
+    shown.SetScalarBarVisibility(view, True)
 
 
 def wave_view(case, _):
@@ -173,7 +199,7 @@ def wave_view(case, _):
     view = new_view(f"Travelling wave, displacement {scale:g} times larger")
     warped = WarpByVector(Input=scaled(reader, "displacement_Z", factor, "axial displacement"),
                           Vectors=("POINTS", "displacement"), ScaleFactor=scale)
-    shown = show(warped, view)
+    shown = show(smooth(warped), view)
     color_by(shown, view, "axial displacement", WAVE, -largest * factor, largest * factor, f"axial displacement, {unit}")
     look(view, (0, 0, (bottom + top) / 2), (0, -1, 0.75), 3.0 * radius)
     return view
@@ -181,26 +207,24 @@ def wave_view(case, _):
 
 def motor_view(case, torque):
     folder = os.path.join(case, "contact")
-    at, teeth_file = point_file(os.path.join(folder, "motor.pvd"), torque, "teeth")
-    _, rotor_file = point_file(os.path.join(folder, "motor.pvd"), torque, "rotor")
-    teeth, rotor = (read(file, "contact", "displacement") for file in (teeth_file, rotor_file))
-    _, displacement = points_and(teeth, "displacement")
+    files = {part: point_file(os.path.join(folder, "motor.pvd"), torque, part) for part in ("base", "teeth", "rotor")}
+    base, teeth, rotor = (read(file, "contact", "displacement") for _, file in files.values())
+    tops = read(point_file(os.path.join(folder, "contact.pvd"), torque)[1], "contact", "displacement_tooth", "status")
+    points, displacement = points_and(teeth, "displacement")
     rotor_points, rotor_displacement = points_and(rotor, "displacement")
     radius, bottom, top = ring_size(rotor_points)
     scale = wave_scale(displacement, read_counts(folder)[0], radius)
-    largest = upwards(np.abs(displacement[:, 2]).max())
-    factor, unit = with_prefix(largest, "m")
+    factor, unit = with_prefix(np.abs(displacement[:, 2]).max(), "m")
     rise = float(np.median(rotor_displacement[:, 2]))
-    view = new_view(f"Teeth and, cut open, rotor at {at:.4g} mN m, displacement {scale:g} times larger\n"
-                    f"Colours of the rotor: without its rise of {rise * factor:.3g} {unit}")
+    view = new_view(f"The motor at {files['teeth'][0]:.4g} mN m, rotor cut open, displacement {scale:g} times larger\n"
+                    f"The wave lifts the rotor by {rise * factor:.3g} {unit}")
     behind = part_of_ring(rotor, (0, 1), math.pi / 2)
-    for source, zero in ((teeth, 0.0), (behind, rise)):
-        relative = Calculator(Input=source, AttributeType="Point Data", ResultArrayName="axial displacement",
-                              Function=f"(displacement_Z-({zero!r}))*{factor!r}")
-        shown = show(WarpByVector(Input=relative, Vectors=("POINTS", "displacement"), ScaleFactor=scale), view)
-        color_by(shown, view, "axial displacement", WAVE, -largest * factor, largest * factor,
-                 f"axial displacement, {unit}", with_bar=source is teeth)
-    look(view, (0, 0, (bottom + top) / 2), (0, -1, 0.75), 2.8 * radius)
+    for source, color in ((base, STATOR), (teeth, STATOR), (behind, METAL)):
+        show_plain(smooth(WarpByVector(Input=source, Vectors=("POINTS", "displacement"), ScaleFactor=scale)), view, color)
+    spacing = 2 * math.pi * np.hypot(points[:, 0], points[:, 1]).max() / read_counts(folder)[1] / 3
+    lifted = WarpByVector(Input=tops, Vectors=("POINTS", "displacement_tooth"), ScaleFactor=scale)
+    show_status(lifted, view, spacing, 0)
+    look(view, (0, 0, (bottom + top) / 2 - 0.05 * radius), (0, -1, 0.75), 2.9 * radius)
     return view
 
 
@@ -265,20 +289,7 @@ def contact_status_view(case, torque):
     crest = Crest(case, torque)
     view = crest.view("Contact points")
     show_plain(crest.warped(crest.teeth, "displacement"), view)
-    tops = Calculator(Input=crest.warped(crest.tops, "displacement_tooth"), AttributeType="Point Data",
-                      ResultArrayName="size", Function="if(status > 0.5, 1, 0.3)")
-    spheres = Glyph(Input=tops, GlyphType="Sphere", GlyphMode="All Points", ScaleArray=("POINTS", "size"),
-                    OrientationArray=("POINTS", "No orientation array"), ScaleFactor=crest.spacing)
-    spheres.GlyphType.ThetaResolution = spheres.GlyphType.PhiResolution = 16
-    shown = show(spheres, view)
-    ColorBy(shown, ("POINTS", "status"), separate=True)
-    colors = GetColorTransferFunction("status", shown, separate=True)
-    colors.InterpretValuesAsCategories = 1
-    colors.Annotations = [text for value, (name, _) in STATUS.items() for text in (str(value), name)]
-    colors.IndexedColors = [number for _, color in STATUS.values() for number in color]
-    bar = bar_style(view, colors, "contact")
-    bar.ScalarBarLength, bar.TextPosition = 0.25, "Ticks left/bottom, annotations right/top"
-    shown.SetScalarBarVisibility(view, True)
+    show_status(crest.warped(crest.tops, "displacement_tooth"), view, crest.spacing, 0.3)
     crest.look(view, 0, 1.1)
     return view
 

@@ -2,15 +2,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Opens a case in ParaView, in up to five views, or writes their pictures.
 
-Usage: scripts/paraview_view.py CASE_DIR [--torque T] [--png DIR]      e.g. scripts/paraview_view.py output/canon_ring
+Usage: scripts/paraview_view.py CASE_DIR [--view NAME] [--torque T] [--png DIR]
+e.g.   scripts/paraview_view.py output/canon_ring
 
+  motor           the whole motor at an operating point, deformed, rotor cut open   (from contact/motor.pvd, contact.pvd)
   wave            the travelling wave on the whole ring; Play lets it run           (from stator/ring.pvd)
-  motor           teeth and rotor of an operating point, deformed                   (from contact/motor.pvd)
   contact_status  which points of the teeth are open, stick or slip, at a crest     (from contact/motor.pvd, contact.pvd)
   pressure        of the rotor on the teeth, at the same crest                      (from contact/motor.pvd, contact.pvd)
   loss_density    power lost inside the stator, per volume                          (from losses/loss_density.vtu)
 
 A view whose files are missing is left out, with a line that says what to run.
+  --view NAME  this view alone
   --torque T   the operating point whose torque is nearest to T mN m; by default, to the middle of the curve
   --png DIR    writes DIR/paraview_wave.png and so on, without a window
 """
@@ -25,12 +27,12 @@ import surroundings  # noqa: F401
 from typed import problem_of_path
 
 # Name -> the program it shows, its files in the folder of the case.
-VIEWS = {"wave": ("stator", ["stator/ring.pvd"]),
-         "motor": ("contact", ["contact/motor.pvd"]),
+VIEWS = {"motor": ("contact", ["contact/motor.pvd", "contact/contact.pvd"]),
+         "wave": ("stator", ["stator/ring.pvd"]),
          "contact_status": ("contact", ["contact/contact.pvd", "contact/motor.pvd"]),
          "pressure": ("contact", ["contact/contact.pvd", "contact/motor.pvd"]),
          "loss_density": ("losses", ["losses/loss_density.vtu"])}
-USAGE = "usage: scripts/paraview_view.py CASE_DIR [--torque T] [--png DIR]"
+USAGE = "usage: scripts/paraview_view.py CASE_DIR [--view NAME] [--torque T] [--png DIR]"
 SCENES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "paraview_scenes.py")
 
 
@@ -39,8 +41,8 @@ class ViewError(Exception):
 
 
 def read_arguments(arguments):
-    """Folder of the case, torque in mN m or None, folder of the pictures or None."""
-    values = {"--torque": None, "--png": None}
+    """Folder of the case, names of views, torque in mN m or None, folder of the pictures or None."""
+    values = {"--view": None, "--torque": None, "--png": None}
     folders = []
     rest = list(arguments)
     while rest:
@@ -51,6 +53,8 @@ def read_arguments(arguments):
                 value = rest.pop(0)
             if not value:
                 raise ViewError(f"{name} needs a value; {USAGE}")
+            if name == "--view" and value not in VIEWS:
+                raise ViewError(f'--view "{value}": there is no such view; there are: {", ".join(VIEWS)}')
             if name == "--png" and (problem := problem_of_path(value)):
                 raise ViewError(f'{name} "{value}" {problem}')
             values[name] = value
@@ -60,7 +64,8 @@ def read_arguments(arguments):
             folders.append(argument)
     if len(folders) != 1:
         raise ViewError(f"expected one folder, found {len(folders)}; {USAGE}")
-    return folders[0], read_torque(values["--torque"]), values["--png"]
+    views = [values["--view"]] if values["--view"] else list(VIEWS)
+    return folders[0], views, read_torque(values["--torque"]), values["--png"]
 
 
 def read_torque(text):
@@ -73,12 +78,13 @@ def read_torque(text):
     raise ViewError(f"--torque: '{text}' is not a torque; give a number in mN m")
 
 
-def views_of(case_folder):
-    """Names of the views whose files are there; tells of the others what to run."""
+def views_of(case_folder, asked):
+    """Those of the views whose files are there; tells of the others what to run."""
     if not os.path.isdir(case_folder):
         raise ViewError(f"there is no folder {case_folder}; give that of a case, such as output/canon_ring")
     present = []
-    for name, (program, files) in VIEWS.items():
+    for name in asked:
+        program, files = VIEWS[name]
         missing = [file for file in files if not os.path.exists(os.path.join(case_folder, file))]
         if missing:
             print(f"paraview_view: no {name}, as {os.path.join(case_folder, missing[0])} is missing; run the program "
@@ -86,7 +92,7 @@ def views_of(case_folder):
         else:
             present.append(name)
     if not present:
-        raise ViewError(f"{case_folder} has nothing for ParaView; run scripts/run.sh with Output/VTU = true first")
+        raise ViewError(f"{case_folder} has nothing that can be shown; run scripts/run.sh with Output/VTU = true first")
     return present
 
 
@@ -114,8 +120,8 @@ def main(arguments):
     if arguments in (["-h"], ["--help"]):
         print(__doc__)
         return
-    case_folder, torque, png_folder = read_arguments(arguments)
-    views = views_of(case_folder)
+    case_folder, asked, torque, png_folder = read_arguments(arguments)
+    views = views_of(case_folder, asked)
     start = command(png_folder)
     if png_folder is not None:
         try:

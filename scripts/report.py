@@ -22,6 +22,10 @@ MOST_POINTS = 60
 
 # table of the page -> figures below it and what they show
 FIGURES = {
+    "glance": {
+        "paraview_motor": "The motor in ParaView, its displacement enlarged, the rotor cut open. Where teeth touch it: blue "
+                          "nodes stick, orange ones slip.",
+    },
     "modes": {
         "dispersion": "Natural frequency against the number of waves around the ring.",
     },
@@ -121,9 +125,9 @@ def html_of_files(table):
 
 
 def drawn(page, names):
-    """Name -> path of the figures that are there, those of earlier results as well."""
-    paths = {name: os.path.join(page.folder, "figures", f"{name}.svg") for name in names}
-    return {name: path for name, path in paths.items() if os.path.exists(path)}
+    """Name -> path of the figures that are there, those of earlier results as well; of ParaView's there is a PNG alone."""
+    return {name: path for name in names for kind in ("png", "svg")
+            if os.path.exists(path := os.path.join(page.folder, "figures", f"{name}.{kind}"))}
 
 
 def is_older(page, path):
@@ -145,7 +149,8 @@ def html_of_figures(page, names):
         caption = names[name]
         with open(path, "rb") as file:
             code = base64.b64encode(file.read()).decode()
-        figures.append(f'<figure><img alt="{html.escape(caption)}" src="data:image/svg+xml;base64,{code}">'
+        kind = "svg+xml" if path.endswith("svg") else "png"
+        figures.append(f'<figure><img alt="{html.escape(caption)}" src="data:image/{kind};base64,{code}">'
                        f"<figcaption>{html.escape(caption)}</figcaption></figure>\n")
     return f'<div class="figures">\n{"".join(figures)}</div>\n' if figures else ""
 

@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import shutil
 import signal
 import subprocess
 import sys
@@ -165,7 +166,10 @@ def run(options, resume):
     # What cannot be drawn is missing on the page, which is there in any case.
     shown = []
     if plan["entries"]["Output/Figures"] == "true":
-        shown = [interruption.run(SCRIPTS / f"{name}.py", folder) for name in ("figures", "report")]
+        shown.append(interruption.run(SCRIPTS / "figures.py", folder))
+        if plan["entries"]["Output/VTU"] == "true" and status == 0 and shutil.which("pvpython"):
+            shown.append(interruption.run(SCRIPTS / "paraview_view.py", folder, "--view", "motor", "--png", folder / "figures"))
+        shown.append(interruption.run(SCRIPTS / "report.py", folder))
     print()
     shown.append(interruption.run(SCRIPTS / "summary.py", folder))
     return status or max(shown)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace ringmotor
 {
@@ -10,9 +11,11 @@ namespace ringmotor
 
   namespace
   {
-    /** Pressure on the outer line of a half sector's lip that travels with k waves around the ring:
-     * forces on all displacements, real field, then imaginary one. */
-    Vector<double> pressure(const ContactSurface &lip, const unsigned int k)
+    /** A load on the outer line of a half sector's lip that travels with k waves around the ring:
+     * forces on all displacements, real field, then imaginary one.
+     * @param direction see PointVector */
+    Vector<double> load(const ContactSurface &lip, const unsigned int k,
+                        const unsigned int direction)
     {
       double outer = 0., last = 0.;
       for (const SurfaceNode &node : lip.nodes)
@@ -28,8 +31,8 @@ namespace ringmotor
           continue;
         const bool is_shared = std::abs(theta) < 1e-9 || theta > last - 1e-9; // with the next half
         const double force   = is_shared ? 0.5 : 1.;
-        forces[3 * i]        = force * std::cos(k * theta);
-        forces[3 * (lip.nodes.size() + i)] = -force * std::sin(k * theta);
+        forces[3 * i + direction]                      = force * std::cos(k * theta);
+        forces[3 * (lip.nodes.size() + i) + direction] = -force * std::sin(k * theta);
       }
       return forces;
     }
@@ -43,36 +46,55 @@ namespace ringmotor
     const InterfaceCompliance interface(condensation);
     for (unsigned int m = 1; m <= n_harmonics; ++m)
     {
-      const unsigned int k = nodal_diameter_of_harmonic(parameters.motor, m);
-      harmonics.push_back({k, 0., {}, {}});
+      const unsigned int k                    = nodal_diameter_of_harmonic(parameters.motor, m);
+      harmonics.emplace_back().nodal_diameter = k;
       if (k < 2)
         continue;
-      const Vector<double> forces = pressure(body.lip, k);
+      Harmonic &harmonic          = harmonics.back();
+      const Vector<double> forces = load(body.lip, k, 0), outwards = load(body.lip, k, 2);
       Vector<double> motion(forces.size());
       interface.compliance(k, body.held(k)).vmult(motion, forces);
-      harmonics.back().static_motion = forces * motion;
+      harmonic.static_motion = forces * motion;
+      harmonic.static_radial = outwards * motion;
       for (const LipModes::LipMode &mode : modes.of_diameter(k))
       {
-        double work = 0.;
-        for (unsigned int i = 0; i < mode.motion.size(); ++i)
-          work += forces[i] * mode.motion[i];
-        harmonics.back().frequencies.push_back(mode.angular_frequency);
-        harmonics.back().work.push_back(work * work);
+        const auto work = [&](const Vector<double> &load)
+        { return std::inner_product(mode.motion.begin(), mode.motion.end(), load.begin(), 0.); };
+        harmonic.frequencies.push_back(mode.angular_frequency);
+        harmonic.work.push_back(work(forces) * work(forces));
+        harmonic.radial.push_back(work(forces) * work(outwards));
       }
     }
+  }
+
+  double LipAmplification::dynamic(const Harmonic &of, const double static_motion,
+                                   const std::vector<double> &work, const double angular_frequency)
+  {
+    double sum = static_motion;
+    for (std::size_t r = 0; r < of.frequencies.size(); ++r)
+    {
+      const double square = std::pow(of.frequencies[r], 2);
+      sum += work[r] * (1. / (square - std::pow(angular_frequency, 2)) - 1. / square);
+    }
+    return sum;
   }
 
   double LipAmplification::at(const unsigned int harmonic, const double angular_frequency) const
   {
     const Harmonic &of = harmonics[harmonic - 1];
-    double sum         = 1.;
-    for (std::size_t r = 0; r < of.frequencies.size(); ++r)
-    {
-      const double square = std::pow(of.frequencies[r], 2);
-      sum += of.work[r] / of.static_motion *
-             (1. / (square - std::pow(angular_frequency, 2)) - 1. / square);
-    }
-    return sum;
+    if (of.static_motion == 0.)
+      return 1.;
+    return dynamic(of, of.static_motion, of.work, angular_frequency) / of.static_motion;
+  }
+
+  double LipAmplification::radial_ratio(const unsigned int harmonic,
+                                        const double angular_frequency) const
+  {
+    const Harmonic &of = harmonics[harmonic - 1];
+    if (of.static_motion == 0.)
+      return 0.;
+    return dynamic(of, of.static_radial, of.radial, angular_frequency) /
+           dynamic(of, of.static_motion, of.work, angular_frequency);
   }
 
   double LipAmplification::rough_effect(const double angular_frequency) const

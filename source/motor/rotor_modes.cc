@@ -214,9 +214,10 @@ namespace ringmotor
     return modes_of({1, setting(1).n_low, {}});
   }
 
-  const LipModes &RotorVibration::roughly(const unsigned int n_harmonics) const
+  const LipModes &RotorVibration::of_harmonics(const unsigned int n_harmonics,
+                                               const unsigned int level) const
   {
-    return modes_of({0, n_harmonics, {}});
+    return modes_of({level, n_harmonics, {}});
   }
 
   std::vector<RotorVibration::Part> RotorVibration::parts(const VibrationSetting &setting) const

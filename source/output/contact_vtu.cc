@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/mesh/ids.h>
 #include <ringmotor/output/body_vtu.h>
 #include <ringmotor/output/contact_vtu.h>
 #include <ringmotor/output/lattice_output.h>
@@ -6,8 +7,10 @@
 
 #include <deal.II/fe/fe_tools.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace ringmotor
 {
@@ -147,6 +150,43 @@ namespace ringmotor
     {
       return name + "_" + Utilities::int_to_string(number, 3) + ".vtu";
     }
+
+    /** Files of the stator below the teeth, one for each of its positions. */
+    class BaseFiles
+    {
+    public:
+      BaseFiles(const std::string &folder, const StatorAtWave &stator)
+          : folder(folder), base(stator)
+      {
+        std::vector<SectorField::Cell> &cells = base.field.cells;
+        cells.erase(std::remove_if(cells.begin(), cells.end(),
+                                   [](const SectorField::Cell &cell)
+                                   { return cell.material == ids::tooth; }),
+                    cells.end());
+      }
+
+      /** The name of that of a point at its last time sample, written if it is not there. */
+      std::string of(const CurvePoint &point)
+      {
+        const std::pair<double, double> position{point.result.amplitude, point.fields.times.back()};
+        const auto [known, is_new] = names.try_emplace(position, numbered("base", names.size()));
+        if (is_new)
+        {
+          SectorField moved = base.field;
+          for (SectorField::Cell &cell : moved.cells)
+            for (auto &u : cell.displacement)
+              for (std::complex<double> &component : u)
+                component *= point.result.amplitude / base.amplitude;
+          write_ring_at(folder + known->second, moved, point.fields.times.back(), base.warp);
+        }
+        return known->second;
+      }
+
+    private:
+      const std::string folder;
+      StatorAtWave base;
+      std::map<std::pair<double, double>, std::string> names; ///< by amplitude (m) and time (s)
+    };
   } // namespace
 
   void write_contact_surfaces(const std::string &folder, const CondensedMotor &motor,
@@ -162,8 +202,8 @@ namespace ringmotor
   }
 
   void write_motor_bodies(const std::string &folder, const CondensedMotor &motor,
-                          const MotorBodies &bodies, const std::vector<CurvePoint> &points,
-                          const double height)
+                          const MotorBodies &bodies, const StatorAtWave &stator,
+                          const std::vector<CurvePoint> &points, const double height)
   {
     std::vector<PointSample> last;
     for (const CurvePoint &point : points)
@@ -171,6 +211,7 @@ namespace ringmotor
                       point.result.amplitude});
     const std::vector<RingBody::Displacement> rotor = bodies.rotor_motions(motor, last),
                                               teeth = bodies.teeth_motions(last);
+    BaseFiles base(folder, stator);
     std::vector<std::pair<double, std::string>> files;
     for (unsigned int i = 0; i < points.size(); ++i)
     {
@@ -181,6 +222,7 @@ namespace ringmotor
           fields_on_teeth(bodies.teeth(), {motor, points[i].fields, height});
       fields.insert(fields.begin(), displacement_field(teeth[i]));
       write_body(folder + files.back().second, bodies.teeth(), fields);
+      files.emplace_back(torque_as_time(points[i]), base.of(points[i]));
     }
     write_pvd(folder + "motor.pvd", files);
   }

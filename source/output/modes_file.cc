@@ -298,12 +298,20 @@ namespace ringmotor
     const auto points = file.read<double>(group + "/points", {n_cells, n_lattice, 3}, "m");
     const auto energy = file.read<double>(group + "/strain_energy", {n_cells, n_lattice}, "J/m^3");
     const auto material = file.read<unsigned int>(group + "/material", {n_cells}, "1");
+    const auto part     = [&](const std::string &name) {
+      return file.read<double>(group + "/displacement_" + name, {n_cells, n_lattice, 3}, "m");
+    };
+    const auto real = part("real"), imaginary = part("imaginary");
     for (std::size_t i = 0; i < n_cells * n_lattice; ++i)
     {
       if (i % n_lattice == 0)
         body.cells.push_back({{}, {}, {}, material[i / n_lattice]});
-      body.cells.back().points.emplace_back(points[3 * i], points[3 * i + 1], points[3 * i + 2]);
-      body.cells.back().strain_energy.push_back(energy[i]);
+      SectorField::Cell &cell = body.cells.back();
+      cell.points.emplace_back(points[3 * i], points[3 * i + 1], points[3 * i + 2]);
+      cell.strain_energy.push_back(energy[i]);
+      cell.displacement.emplace_back();
+      for (unsigned int d = 0; d < 3; ++d)
+        cell.displacement.back()[d] = {real[3 * i + d], imaginary[3 * i + d]};
     }
     return body;
   }

@@ -38,25 +38,34 @@ namespace ringmotor
       file.write("modes/frequency_error", error, dims, "Hz", "error bar of the natural frequency");
     }
 
-    void write_trace(Hdf5Writer &file, const std::string &group, const SurfaceTrace &trace)
+    /** @param components of the vectors, as the file calls them */
+    void write_displacement(Hdf5Writer &file, const std::string &group,
+                            const std::vector<std::array<std::complex<double>, 3>> &displacement,
+                            const std::vector<std::size_t> &dims, const std::string &components)
     {
-      const std::size_t n_face_points = (trace.order + 1) * (trace.order + 1);
-      std::vector<double> points, real, imaginary;
-      for (const Point<3> &point : trace.points)
-        points.insert(points.end(), {point[0], point[1], point[2]});
-      for (const auto &u : trace.displacement)
+      std::vector<double> real, imaginary;
+      for (const auto &u : displacement)
         for (const std::complex<double> &component : u)
         {
           real.push_back(component.real());
           imaginary.push_back(component.imag());
         }
+      file.write(group + "/displacement_real", real, dims, "m",
+                 "real part of the " + components + " components of U at the points");
+      file.write(group + "/displacement_imaginary", imaginary, dims, "m",
+                 "imaginary part of the same");
+    }
+
+    void write_trace(Hdf5Writer &file, const std::string &group, const SurfaceTrace &trace)
+    {
+      const std::size_t n_face_points = (trace.order + 1) * (trace.order + 1);
+      std::vector<double> points;
+      for (const Point<3> &point : trace.points)
+        points.insert(points.end(), {point[0], point[1], point[2]});
       const std::vector<std::size_t> dims{trace.n_faces, n_face_points, 3};
       file.write(group + "/points", points, dims, "m",
                  "x, y, z of a lattice of (order + 1)^2 points on each face");
-      file.write(group + "/displacement_real", real, dims, "m",
-                 "real part of the r, theta, z components of U at the points");
-      file.write(group + "/displacement_imaginary", imaginary, dims, "m",
-                 "imaginary part of the same");
+      write_displacement(file, group, trace.displacement, dims, "r, theta, z");
       file.set_attribute(group, "order", trace.order);
     }
 
@@ -64,17 +73,20 @@ namespace ringmotor
     {
       const std::size_t n_lattice = (body.order + 1) * (body.order + 1) * (body.order + 1);
       std::vector<double> points, energy;
+      std::vector<std::array<std::complex<double>, 3>> displacement;
       std::vector<unsigned int> material;
       for (const SectorField::Cell &cell : body.cells)
       {
         for (const Point<3> &point : cell.points)
           points.insert(points.end(), {point[0], point[1], point[2]});
         energy.insert(energy.end(), cell.strain_energy.begin(), cell.strain_energy.end());
+        displacement.insert(displacement.end(), cell.displacement.begin(), cell.displacement.end());
         material.push_back(cell.material);
       }
       const std::size_t n_cells = body.cells.size();
       file.write(group + "/points", points, {n_cells, n_lattice, 3}, "m",
                  "x, y, z of a lattice of (order + 1)^3 points in each cell");
+      write_displacement(file, group, displacement, {n_cells, n_lattice, 3}, "x, y, z");
       file.write(group + "/strain_energy", energy, {n_cells, n_lattice}, "J/m^3",
                  "strain energy per volume at the points, mean over a period");
       file.write(group + "/material", material, {n_cells}, "1",

@@ -85,7 +85,7 @@ namespace ringmotor
     };
 
     /** @param time_angle omega t */
-    void move(Ring &ring, const SectorField &field, const double time_angle)
+    void move(Ring &ring, const SectorField &field, const double time_angle, const Warp &warp)
     {
       ring.fill(
           [&](const double angle, const std::size_t cell, auto &data)
@@ -98,6 +98,8 @@ namespace ringmotor
               const Vector motion = turned(displacement[point], cosine, sine);
               for (unsigned int d = 0; d < 3; ++d)
                 data(d, point) = std::real(phase * motion[d]);
+              const Point<3> &place = field.cells[cell].points[point];
+              data(2, point) += warp.height(angle + std::atan2(place[1], place[0]));
             }
           });
     }
@@ -161,11 +163,19 @@ namespace ringmotor
     {
       const double fraction    = static_cast<double>(frame) / n_frames;
       const std::string ending = "_" + Utilities::int_to_string(frame, 2) + ".vtu";
-      move(ring, field, 2. * numbers::PI * fraction);
+      move(ring, field, 2. * numbers::PI * fraction, Warp());
       ring.write(path + ending);
       times_and_names.emplace_back(fraction * period, base_name + ending);
     }
     write_pvd(record, times_and_names);
+  }
+
+  void write_ring_at(const std::string &path, const SectorField &field, const double time,
+                     const Warp &warp)
+  {
+    Ring ring(field, {"displacement", 3, "m"});
+    move(ring, field, field.angular_frequency * time, warp);
+    ring.write(path);
   }
 
   void write_ring_scalar(const std::string &path, const SectorField &field, const FieldName &name,

@@ -2,6 +2,7 @@
 #include <ringmotor/parameters/check_geometry.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/parameters/prm_file.h>
+#include <ringmotor/parameters/short_text.h>
 
 #include <algorithm>
 #include <cmath>
@@ -138,6 +139,9 @@ namespace ringmotor
 
   double clearance(const StatorGeometry &stator, const RotorGeometry &rotor)
   {
+    if (rotor.ring_lower_face >= 0.)
+      return std::hypot(std::max(0., rotor.ring_inner_radius - stator.tip_outer_radius),
+                        rotor.ring_lower_face);
     // The side of the stator is straight, and so is the ring's: they are closest where the ring
     // begins or ends beside the stator.
     const double height = stator.base_thickness + stator.tooth_height;
@@ -157,12 +161,11 @@ namespace ringmotor
   {
     const double left = clearance(stator, rotor);
     if (rotor.ring_lower_face < 0. && left <= 0.)
-      throw UserError(
-          "the rotor's ring cuts into the side of the stator: " +
-          entry("Rotor/Ring inner radius", rotor.ring_inner_radius) + " with " +
-          entry("Rotor/Ring lower face", rotor.ring_lower_face) + "; " +
-          entry("allowed: Rotor/Ring inner radius above", rotor.ring_inner_radius - left) +
-          ", or a ring that ends above the tooth tops");
+      throw UserError("the rotor's ring cuts into the side of the stator: " +
+                      entry("Rotor/Ring inner radius", rotor.ring_inner_radius) + " with " +
+                      entry("Rotor/Ring lower face", rotor.ring_lower_face) + "; allowed: above " +
+                      short_text(rotor.ring_inner_radius - left) +
+                      " m, or a ring that ends above the tooth tops");
   }
 
   void check_amplitude(const Wave &wave, const StatorGeometry &stator)

@@ -10,6 +10,7 @@
 #include <ringmotor/output/modes_file.h>
 #include <ringmotor/output/response_file.h>
 #include <ringmotor/output/text.h>
+#include <ringmotor/parameters/check_geometry.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/programs/interruption.h>
 #include <ringmotor/programs/price_forecast.h>
@@ -304,10 +305,10 @@ namespace ringmotor
         return;
       {
         const auto scope = phases.measure("output");
-        prepare_results(folder,
-                        "(used|fixed)\\.prm|torque_speed\\.csv|response\\.csv|lip\\.csv|history\\."
-                        "csv|contact\\.h5|"
-                        "summary\\.json|(contact|motor)\\.pvd|(contact|rotor|teeth)_[0-9]+\\.vtu");
+        prepare_results(
+            folder, "(used|fixed)\\.prm|torque_speed\\.csv|response\\.csv|lip\\.csv|history\\."
+                    "csv|contact\\.h5|"
+                    "summary\\.json|(contact|motor)\\.pvd|(contact|rotor|teeth|base)_[0-9]+\\.vtu");
         write_used_prm(folder + "used.prm", "contact", given);
         write_used_prm(folder + "fixed.prm", "contact", search.frozen());
         write_torque_speed(folder + "torque_speed.csv", search.points());
@@ -332,7 +333,10 @@ namespace ringmotor
       const double height = parameters.stator.base_thickness + parameters.stator.tooth_height;
       write_contact_surfaces(folder, search.motor(), search.points(), height);
       const MotorBodies bodies(parameters, wave, ContactDiscretisation::level(search.level()));
-      write_motor_bodies(folder, search.motor(), bodies, search.points(), height);
+      const StatorAtWave stator{
+          read_wave_body(parameters.output.directory + "/stator/modes.h5", given), wave.amplitude,
+          motor_model(parameters).warp};
+      write_motor_bodies(folder, search.motor(), bodies, stator, search.points(), height);
     }
 
     Summary ContactProgram::make_summary() const
@@ -341,6 +345,9 @@ namespace ringmotor
       const CondensedMotor &motor = search.motor();
       summary.dofs                = motor.n_dofs;
       add_points(summary, search.points());
+      add_quantities(summary, effects.lip_quantities, 0.);
+      add_quantities(summary,
+                     {{"clearance", units::length, clearance(given.stator, given.rotor), 0.}}, 0.);
       summary.effects = effects.rows;
       if (parameters.accuracy.mode == AccuracyMode::adaptive)
         summary.certificate.push_back(

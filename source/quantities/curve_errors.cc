@@ -43,7 +43,8 @@ namespace ringmotor
         largest = std::max(largest, force[0]);
         whole += force[0];
       }
-      step.stick_fraction = whole > 0. ? largest / whole : 0.;
+      step.stick_fraction        = whole > 0. ? largest / whole : 0.;
+      step.second_stick_fraction = step.stick_fraction;
       return step;
     }
 

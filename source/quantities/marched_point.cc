@@ -76,8 +76,11 @@ namespace ringmotor
     taken.add_certificate(state.solution);
     fields.append(fields_of(state, driver.time()));
     std::optional<OperatingPoint> result;
-    if (!is_first)
-      result = evaluate_step(last, state);
+    if (is_first)
+      pass.emplace(state.contact->n_points());
+    else
+      result = evaluate_step(last, state, *pass);
+    pass->add(state.solution);
     last = std::move(state);
     return result;
   }
@@ -152,13 +155,16 @@ namespace ringmotor
 
     PointError Settling::values_of(const MarchedSpan &span) const
     {
-      return {of_torque ? span.mean.speed : 0.,
-              of_torque ? 0. : span.mean.torque,
-              span.mean.friction_loss(),
-              power_per_loss_factor(energies_of(span), motor.angular_frequency) +
-                  span.mean.modal_damping,
-              span.mean.stick_fraction,
-              span.mean.teeth_in_contact};
+      PointError values;
+      (of_torque ? values.speed : values.torque) = of_torque ? span.mean.speed : span.mean.torque;
+      values.loss                                = span.mean.friction_loss();
+      values.rotor_power = power_per_loss_factor(energies_of(span), motor.angular_frequency) +
+                           span.mean.modal_damping;
+      values.stick_fraction        = span.mean.stick_fraction;
+      values.teeth_in_contact      = span.mean.teeth_in_contact;
+      values.second_stick_fraction = span.mean.second_stick_fraction;
+      values.radial_loss_share     = span.mean.radial_loss_share();
+      return values;
     }
 
     void Settling::calm(MarchedRun &run) const

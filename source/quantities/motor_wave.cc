@@ -29,7 +29,7 @@ namespace ringmotor
       const std::map<types::material_id, double> &strain = wave.energy.strain;
       std::vector<Quantity> shape{
           {tangential_ratio, units::one, center.tangential / center.normal},
-          {"A_r/A_n", units::one, center.radial / center.normal},
+          {"A_r/A_n", units::one, center.radial_along_normal() / center.normal},
           {"phi_edge", units::degree, motion("top_outer_R").phi * 180. / numbers::PI},
           {"modal_mass", units::kilogram, wave.modal_mass},
           {"strain_energy", units::joule, wave.energy.total_strain},

@@ -108,11 +108,13 @@ namespace ringmotor
                    return Before{state.solution.state.force[earlier], contact.free_motion(earlier),
                                  state.solution.motion[earlier][0]};
                  });
-    point.detuning = ringmotor::detuning(state);
+    point.detuning              = ringmotor::detuning(state);
+    point.second_stick_fraction = NodePass(state).second_stick_fraction(state.solution);
     return point;
   }
 
-  OperatingPoint evaluate_step(const OperatingState &before, const OperatingState &state)
+  OperatingPoint evaluate_step(const OperatingState &before, const OperatingState &state,
+                               const NodePass &pass)
   {
     OperatingPoint point =
         evaluate(state,
@@ -124,6 +126,7 @@ namespace ringmotor
     point.stored_power = (state.contact->stored_energy(state.solution.state) -
                           before.contact->stored_energy(before.solution.state)) /
                          state.contact->time_step();
+    point.second_stick_fraction = pass.second_stick_fraction(state.solution);
     return point;
   }
 

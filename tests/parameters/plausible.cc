@@ -3,6 +3,8 @@
 
 #include "sample.h"
 
+#include <ringmotor/parameters/check_geometry.h>
+
 #include <string>
 #include <vector>
 
@@ -50,4 +52,29 @@ TEST(Plausible, NumbersInOtherUnitsAreRefused)
                  {"my.prm:2: Loading/Preload"});
   EXPECT_NO_THROW(with({"Rotor/Flange lower face = 0", "Initial deformation/Amplitude = 0",
                         "Rotor/Radial bar stiffness = 0", "Wave/Frequency = mode"}));
+}
+
+TEST(Plausible, TheRingOfTheRotorClearsTheStator)
+{
+  StatorGeometry stator;
+  stator.base_thickness    = 4e-3;
+  stator.tooth_height      = 2e-3;
+  stator.tip_outer_radius  = 34e-3;
+  stator.base_outer_radius = 37e-3; // the side recedes by half of the height
+  RotorGeometry rotor;
+  rotor.ring_inner_radius = 36e-3;
+  rotor.ring_lower_face   = -2e-3;
+  rotor.ring_upper_face   = 5e-3;
+  EXPECT_NEAR(clearance(stator, rotor), 1e-3, 1e-15);
+  rotor.ring_lower_face = -4.2e-3;
+  EXPECT_NEAR(clearance(stator, rotor), -0.1e-3, 1e-15);
+  expect_message(message_of([&] { check_clearance(stator, rotor); }),
+                 {"cuts into", "Rotor/Ring inner radius = 0.036", "above 0.0361"});
+  rotor.ring_lower_face = -10e-3; // below the stator
+  EXPECT_NEAR(clearance(stator, rotor), -1e-3, 1e-15);
+  rotor.ring_lower_face = 3e-3; // above it
+  EXPECT_NEAR(clearance(stator, rotor), std::hypot(2e-3, 3e-3), 1e-15);
+  rotor.ring_inner_radius = 33e-3;
+  EXPECT_NEAR(clearance(stator, rotor), 3e-3, 1e-15);
+  EXPECT_NO_THROW(check_clearance(stator, rotor));
 }

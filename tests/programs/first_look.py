@@ -15,6 +15,8 @@ import sys
 import tempfile
 import unittest
 
+import h5py
+
 sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
 from program import ROOT, rows_of, run, settings  # noqa: E402
 
@@ -131,6 +133,29 @@ class ReferenceMotor(unittest.TestCase):
         ratios = said.split("at the harmonics of the wave: ")[1].split("\n")[0].split()
         for ratio, expected in zip(map(float, ratios), (1.04, 1.08, 1.17, 1.30, 1.45, 1.61)):
             self.assertAlmostEqual(ratio, expected, delta=0.015)
+
+    def test_lets_a_node_stick_twice(self):
+        """The teeth move inwards at a crest as far as the bent lip does; all force is on the outer line."""
+        folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+        done = run(MOTOR, ROOT / "prm" / "canon_ring.prm", "--output", folder, *QUIET, *settings("Loading/Values = 0"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        found = {quantity["name"]: quantity for program in ("stator", "contact") for quantity in
+                 json.loads((folder / program / "summary.json").read_text())["quantities"]}
+        for name in ("A_r/A_n", "lip_A_r/A_n"):
+            self.assertAlmostEqual(found[name]["value"], -0.23, delta=0.005)
+            self.assertLess(found[name]["error"], 0.005)
+        self.assertAlmostEqual(found["clearance"]["value"], 0.03495 - (0.0342 + 1.5 / 5.853 * 0.0014), delta=1e-9)
+        self.assertGreater(found["second_stick_fraction"]["value"], 0)
+        share = found["friction_loss_radial"]["value"] / found["friction_loss"]["value"]
+        self.assertAlmostEqual(found["radial_loss_share"]["value"], share, delta=1e-12)
+        rows = rows_of(folder / "contact" / "history.csv")
+        self.assertEqual({round(float(row["r_mm"]), 9) for row in rows}, {34.2})
+        with h5py.File(folder / "contact" / "contact.h5") as file:
+            force = file["points/000/force"][..., 0]
+            outer = file["nodes/radius"][()] > 0.0342 - 2e-5  # of a lip that is 150 um wide
+            self.assertGreater(force[..., outer].sum(), 0.999 * force.sum())
+        page = run(ROOT / "scripts" / "summary.py", folder).stdout
+        self.assertIn("brakes, sticks, drives, sticks, brakes, releases", page)
 
     def test_with_a_solid_flange(self):
         self.compare(self.SOLID, "off", *self.SOLID_FLANGE)

@@ -127,32 +127,63 @@ TEST_F(ReferenceMotor, HasFrictionOfBothSignsWithoutLoad)
   EXPECT_GT(forwards, 0.1 * 0.40 * 14.);
 }
 
-TEST_F(ReferenceMotor, LetsAPointSlipBackwardsStickAndSlipForwards)
+namespace
 {
-  // One node on the outer line while the wave passes: tooth j is where tooth 0 was earlier.
-  const CurvePoint point    = at_torque(0.);
-  const std::size_t n_nodes = motor.nodes.size();
-  unsigned int node         = 0;
-  for (unsigned int a = 0; a < n_nodes; ++a)
+  /** What a contact node does while the wave passes, in 90 steps: it is open (o), friction brakes
+   * (b) or drives (d) the rotor there, or it sticks (s). */
+  std::string story_of(const CurvePoint &point, const std::size_t n_nodes, const unsigned int node)
+  {
+    std::string story;
+    for (unsigned int step = 0; step < 90; ++step)
+    {
+      // Tooth j is where tooth 0 was earlier: 13 teeth further on, the wave is one step behind.
+      const unsigned int tooth = (45 * 90 - 13 * (step + 45)) % 90;
+      const std::size_t i      = tooth * n_nodes + node;
+      const auto status        = static_cast<PointStatus>(point.fields.status[i]);
+      story += status == PointStatus::open     ? 'o'
+               : status == PointStatus::stick  ? 's'
+               : point.fields.force[i][1] > 0. ? 'd'
+                                               : 'b';
+    }
+    return story;
+  }
+} // namespace
+
+TEST_F(ReferenceMotor, BrakesSticksAndDrivesAtANode)
+{
+  const CurvePoint point = at_torque(0.);
+  unsigned int node      = 0;
+  for (unsigned int a = 0; a < motor.nodes.size(); ++a)
     if (motor.nodes[a].radius > 34.19e-3 && std::abs(motor.nodes[a].angle) < 1e-9)
       node = a;
-  std::string story;
-  for (unsigned int step = 0; step < 90; ++step)
+  std::string story = story_of(point, motor.nodes.size(), node);
+  story.erase(std::unique(story.begin(), story.end()), story.end());
+  RecordProperty("history: o open, b braked, s sticks, d driven", story);
+  EXPECT_NE((story + story).find("obsd"), std::string::npos)
+      << story << " should be: open, braked, sticks, driven";
+}
+
+TEST_F(ReferenceMotor, CountsTheSecondSticksOfAllNodes)
+{
+  const CurvePoint point = at_torque(0.);
+  double pressed = 0., again = 0.;
+  for (unsigned int node = 0; node < motor.nodes.size(); ++node)
   {
-    // 13 teeth further on, the wave is one step behind.
-    const unsigned int tooth = (45 * 90 - 13 * (step + 45)) % 90;
-    const std::size_t i      = tooth * n_nodes + node;
-    const auto status        = static_cast<PointStatus>(point.fields.status[i]);
-    const char letter        = status == PointStatus::open     ? 'o'
-                               : status == PointStatus::stick  ? 's'
-                               : point.fields.force[i][1] > 0. ? 'f'
-                                                               : 'b';
-    if (story.empty() || story.back() != letter)
-      story += letter;
+    const std::string once = story_of(point, motor.nodes.size(), node), story = once + once;
+    for (unsigned int step = 90; step < 180; ++step)
+    {
+      const unsigned int tooth = (45 * 90 - 13 * (step - 90 + 45)) % 90;
+      const double force       = point.fields.force[tooth * motor.nodes.size() + node][0];
+      const auto contact       = story.find_last_of('o', step);
+      pressed += force;
+      if (story[step] == 's' && contact != std::string::npos &&
+          story.substr(contact, step - contact).find('d') != std::string::npos)
+        again += force;
+    }
   }
-  RecordProperty("history: o open, b slips backwards, s sticks, f slips forwards", story);
-  EXPECT_NE((story + story).find("obsf"), std::string::npos)
-      << story << " should be: open, slip backwards, stick, slip forwards";
+  record("second stick fraction", again / pressed);
+  EXPECT_GT(again, 0.);
+  EXPECT_NEAR(point.result.second_stick_fraction, again / pressed, 1e-12);
 }
 
 namespace
@@ -210,12 +241,13 @@ TEST_F(ReferenceMotor, BalancesThePowerOfEachStepOnItsWay)
     {
       MarchingDriver driver(*which, parameters.friction, Warp{4e-6, 1}, load.preload);
       OperatingState last = driver.step({14., {}, 70. * rpm}, 5e-7);
+      const NodePass begins(last.solution.status.size());
       std::vector<OperatingPoint> steps;
       double largest = 0., stored = 0.;
       for (unsigned int step = 0; step < 8; ++step)
       {
         const OperatingState state = driver.step(load, 5e-7);
-        steps.push_back(evaluate_step(last, state));
+        steps.push_back(evaluate_step(last, state, begins));
         largest = std::max(largest, defect_of(steps.back()));
         stored  = std::max(stored, std::abs(steps.back().stored_power) / steps.back().input_power);
         last    = state;

@@ -138,11 +138,12 @@ TEST_F(RotorAsAWhole, TakesThePowerThatItsMotionNeeds)
   const RotorLoad load{14., {}, 7.};
   const double step   = motor.period() / 90.;
   OperatingState last = marching.step(load, step);
-  double largest      = 0.;
+  const NodePass begins(last.solution.status.size());
+  double largest = 0.;
   for (unsigned int i = 0; i < 60; ++i)
   {
     const OperatingState next  = marching.step(load, step);
-    const OperatingPoint point = evaluate_step(last, next);
+    const OperatingPoint point = evaluate_step(last, next, begins);
     last                       = next;
     EXPECT_NEAR(point.input_power - point.output_work - point.friction_loss() - point.stored_power -
                     point.modal_power,

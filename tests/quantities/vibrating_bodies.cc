@@ -140,7 +140,9 @@ TEST(LipAmplification, IsThatOfTheShiftedStiffness)
   const LipModes modes(parameters, 1, drive, 20);
   const LipAmplification amplification(parameters, modes, 1, 3);
   const RotorBody body(parameters, LipModes::discretisation(1));
-  const auto work = [&](const unsigned int k, const double frequency)
+  // Of that pressure on the motion along a direction (0 normal, 2 radial).
+  const auto work =
+      [&](const unsigned int k, const double frequency, const unsigned int direction = 0)
   {
     const std::vector<unsigned int> held;
     const Condensation condensation(body.sector, displacement_forms(body.lip), {}, {},
@@ -153,17 +155,19 @@ TEST(LipAmplification, IsThatOfTheShiftedStiffness)
       outer = std::max(outer, node.place[0]);
       last  = std::max(last, node.place[1]);
     }
-    std::vector<double> force(compliance.m());
+    std::vector<double> force(compliance.m()), along(compliance.m());
     for (unsigned int i = 0; i < body.lip.nodes.size(); ++i)
       if (const auto &place = body.lip.nodes[i].place; place[0] > outer - 1e-9)
       {
         const double share              = place[1] < 1e-9 || place[1] > last - 1e-9 ? 0.5 : 1.;
         force[3 * i]                    = share * std::cos(k * place[1]);
         force[3 * i + force.size() / 2] = -share * std::sin(k * place[1]);
+        along[3 * i + direction]        = force[3 * i];
+        along[3 * i + direction + force.size() / 2] = force[3 * i + force.size() / 2];
       }
     for (unsigned int i = 0; i < force.size(); ++i)
       for (unsigned int j = 0; j < force.size(); ++j)
-        sum += force[i] * compliance(i, j) * force[j];
+        sum += along[i] * compliance(i, j) * force[j];
     return sum;
   };
   for (const unsigned int m : {1u, 2u, 3u})
@@ -171,5 +175,7 @@ TEST(LipAmplification, IsThatOfTheShiftedStiffness)
     EXPECT_EQ(amplification.nodal_diameter(m), 7 * m);
     const double expected = work(7 * m, m * drive) / work(7 * m, 1.);
     EXPECT_NEAR(amplification.at(m, m * drive), expected, 1e-4 * std::abs(expected)) << m;
+    const double inwards = work(7 * m, m * drive, 2) / work(7 * m, m * drive);
+    EXPECT_NEAR(amplification.radial_ratio(m, m * drive), inwards, 1e-3 * std::abs(inwards)) << m;
   }
 }

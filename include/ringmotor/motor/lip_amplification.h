@@ -33,6 +33,12 @@ namespace ringmotor
      * LipModes. */
     double at(const unsigned int harmonic, const double angular_frequency) const;
 
+    /** A_r/A_n of the outer line of the lip under the pressure of a harmonic at an angular
+     * frequency (rad/s), negative if it moves inwards where it is lifted: where it is that of the
+     * teeth, see MotorWave, the lip does not rub on them across; 0 for nodal diameters that move
+     * the rotor as a whole. */
+    double radial_ratio(const unsigned int harmonic, const double angular_frequency) const;
+
     /** A rough estimate of the relative change of speeds and torques due to inertia: a third, as
      * found on motors with a soft and with a stiff rotor, of the share by which inertia changes the
      * lip's static motion under teeth that press on a quarter of each wave; the change of each
@@ -45,9 +51,14 @@ namespace ringmotor
     {
       unsigned int nodal_diameter;
       double static_motion = 0.;       ///< J, work of the pressure on its static motion
+      double static_radial = 0.;       ///< J, that of the same forces if they pointed outwards
       std::vector<double> frequencies; ///< rad/s, of the modes
       std::vector<double> work;        ///< of the pressure on them, squared
+      std::vector<double> radial;      ///< this work times that of the forces outwards
     };
+    /** What vibration adds to a static motion: of each mode by its share in @p work. */
+    static double dynamic(const Harmonic &of, const double static_motion,
+                          const std::vector<double> &work, const double angular_frequency);
     std::vector<Harmonic> harmonics;
   };
 } // namespace ringmotor

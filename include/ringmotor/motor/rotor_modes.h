@@ -170,8 +170,8 @@ namespace ringmotor
                  const ModeSets sets = ModeSets::with_compared) const;
     /** Those of all nodal diameters on the mesh of level 1, for the first harmonics. */
     const LipModes &of_first_harmonics() const;
-    /** The same on the coarsest mesh, for as many harmonics as are asked for. */
-    const LipModes &roughly(const unsigned int n_harmonics) const;
+    /** The same for as many harmonics as are asked for, on the mesh of a level. */
+    const LipModes &of_harmonics(const unsigned int n_harmonics, const unsigned int level) const;
 
   private:
     /** Modes on one mesh. */

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/motor/warp.h>
 #include <ringmotor/quantities/motor_bodies.h>
+#include <ringmotor/quantities/sector_field.h>
 
 #include <string>
 #include <vector>
@@ -17,13 +19,22 @@ namespace ringmotor
   void write_contact_surfaces(const std::string &folder, const CondensedMotor &motor,
                               const std::vector<CurvePoint> &points, const double height);
 
+  /** The motion of the whole stator. */
+  struct StatorAtWave
+  {
+    SectorField field;
+    double amplitude; ///< m, of the wave in it
+    Warp warp;
+  };
+
   /**
-   * `rotor_000.vtu`, `teeth_000.vtu`, ... and `motor.pvd`: the whole bodies at the same time
-   * samples, with their displacement (m) and, on the teeth, the same fields. Away from contact
-   * points these are zero, and the gap is NaN, which ParaView shows in a separate colour.
+   * `rotor_000.vtu`, `teeth_000.vtu`, `base_000.vtu`, ... and `motor.pvd`: the whole bodies at the
+   * same time samples, with their displacement (m) and, on the teeth, the same fields. Away from
+   * contact points these are zero, and the gap is NaN, which ParaView shows in a separate colour.
+   * Points with the same wave share the file of the base.
    * @param motor in which the points were found
    */
   void write_motor_bodies(const std::string &folder, const CondensedMotor &motor,
-                          const MotorBodies &bodies, const std::vector<CurvePoint> &points,
-                          const double height);
+                          const MotorBodies &bodies, const StatorAtWave &stator,
+                          const std::vector<CurvePoint> &points, const double height);
 } // namespace ringmotor

@@ -25,7 +25,7 @@ namespace ringmotor
    * none if its ceramic had no potential. */
   std::optional<DrivenWave> read_driven_wave(const std::string &path, const Parameters &parameters);
 
-  /** Reads the spatial distribution of the strain energy of the wave, from the same file and with
-   * the same errors; displacements are left out. */
+  /** Reads the motion of the stator and the distribution of its strain energy in the wave, from the
+   * same file and with the same errors. */
   SectorField read_wave_body(const std::string &path, const Parameters &parameters);
 } // namespace ringmotor

@@ -10,7 +10,7 @@
 
 namespace ringmotor
 {
-  constexpr unsigned int modes_format_version = 5;
+  constexpr unsigned int modes_format_version = 6;
 
   /** `frequencies.csv`: all modes with their error bars and their content. */
   void write_frequencies(const std::string &path, const std::vector<FoundMode> &modes);

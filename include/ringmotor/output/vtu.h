@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/motor/warp.h>
 #include <ringmotor/output/lattice_output.h>
 #include <ringmotor/quantities/sector_field.h>
 
@@ -31,6 +32,10 @@ namespace ringmotor
    */
   void write_ring_animation(const std::string &path, const SectorField &field,
                             unsigned int n_frames);
+
+  /** Writes the whole ring at a time (s) as one of these files, on a warp at rest. */
+  void write_ring_at(const std::string &path, const SectorField &field, const double time,
+                     const Warp &warp);
 
   /**
    * Writes the whole ring with a scalar that is the same in all sectors and `material`, as a VTU

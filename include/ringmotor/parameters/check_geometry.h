@@ -27,8 +27,8 @@ namespace ringmotor
   /** Lip and tooth tops must overlap by more than a sliver. */
   void check_overlap(const StatorGeometry &stator, const RotorGeometry &rotor);
 
-  /** The least distance along r between the rotor's ring and the outer side of the stator (m),
-   * where the ring is beside it; negative if one cuts into the other. */
+  /** The distance (m) of the rotor's ring from the stator: along r from its outer side, negative if
+   * one cuts into the other; of a ring above the tooth tops from their outer edge. */
   double clearance(const StatorGeometry &stator, const RotorGeometry &rotor);
 
   /** The ring must not cut into the stator. */

@@ -3,6 +3,7 @@
 
 #include <ringmotor/motor/lip_amplification.h>
 #include <ringmotor/quantities/effect_on_points.h>
+#include <ringmotor/quantities/quantity.h>
 
 #include <map>
 #include <optional>
@@ -26,6 +27,9 @@ namespace ringmotor
     const RotorVibration &vibration() const { return own_vibration; }
 
     std::optional<LipAmplification> lip; ///< if the rotor's inertia may matter
+    /** What it tells of the rotor, with errors: `lip_A_r/A_n` and, with the number of the harmonic
+     * of the wave, `lip_amplification_1`; empty without #lip. */
+    std::vector<Quantity> lip_quantities;
     std::vector<EffectRow> rows;
 
   private:

@@ -54,6 +54,7 @@ namespace ringmotor
     const unsigned int n_joined; ///< steps
     MarchingDriver driver;
     OperatingState last;
+    std::optional<NodePass> pass; ///< until the last step
     CurvePoint taken;
   };
 

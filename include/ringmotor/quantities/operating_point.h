@@ -2,6 +2,7 @@
 #pragma once
 
 #include <ringmotor/motor/steady.h>
+#include <ringmotor/quantities/node_pass.h>
 
 namespace ringmotor
 {
@@ -27,8 +28,9 @@ namespace ringmotor
      * ringmotor::detuning(). */
     double detuning = 0.;
 
-    double teeth_in_contact = 0.; ///< per wave
-    double stick_fraction   = 0.; ///< of the pressure force, on points that stick
+    double teeth_in_contact      = 0.; ///< per wave
+    double stick_fraction        = 0.; ///< of the pressure force, on points that stick
+    double second_stick_fraction = 0.; ///< the same for the second time in a pass, see NodePass
 
     /** What the contact takes from the stator's wave (W), with @p rotor_loss in place of what the
      * rotor's damping took in the model. */
@@ -37,6 +39,11 @@ namespace ringmotor
       return input_power - modal_power + rotor_loss;
     }
     double friction_loss() const { return tangential_loss + radial_loss; }
+    /** Of the friction loss, by sliding across; 0 without loss. */
+    double radial_loss_share() const
+    {
+      return friction_loss() > 0. ? radial_loss / friction_loss() : 0.;
+    }
     double output_power() const { return torque * speed; }
     /** Input power less output work, friction loss, stored and modal power: up to solver errors the
      * work on closing gaps. */
@@ -71,8 +78,9 @@ namespace ringmotor
   /** Evaluates a steady state, which stores no power: its energy is periodic. */
   OperatingPoint evaluate(const OperatingState &state);
 
-  /** Evaluates one step from the state @p before. */
-  OperatingPoint evaluate_step(const OperatingState &before, const OperatingState &state);
+  /** Evaluates one step from the state @p before. @param pass what friction did until then */
+  OperatingPoint evaluate_step(const OperatingState &before, const OperatingState &state,
+                               const NodePass &pass);
 
   /** The time average over several steps of given @p lengths (s). */
   OperatingPoint mean(const std::vector<OperatingPoint> &points,

@@ -4,6 +4,7 @@
 #include <ringmotor/structure/modes.h>
 
 #include <array>
+#include <cmath>
 #include <complex>
 #include <string>
 #include <vector>
@@ -32,6 +33,9 @@ namespace ringmotor
   {
     double normal, tangential, radial; ///< A_n, A_t, A_r
     double phase_n, phi, phase_r;
+
+    /** A_r with the sign of the radial motion at the crest: negative inwards, m. */
+    double radial_along_normal() const { return radial * std::cos(phase_r - phase_n); }
   };
 
   /**

@@ -38,9 +38,10 @@ namespace ringmotor
     double speed = 0., torque = 0., loss = 0.; ///< rad/s, N m, W
     double rotor_power    = 0.;                ///< W, see power_per_loss_factor()
     double stick_fraction = 0., teeth_in_contact = 0.;
-    double amplitude = 0.; ///< m, of the wave
+    double amplitude             = 0.; ///< m, of the wave
+    double second_stick_fraction = 0., radial_loss_share = 0.;
 
-    static const std::array<double PointError::*, 7> members;
+    static const std::array<double PointError::*, 9> members;
 
     PointError &operator*=(const double factor)
     {
@@ -63,9 +64,10 @@ namespace ringmotor
     }
   };
 
-  inline constexpr std::array<double PointError::*, 7> PointError::members{
+  inline constexpr std::array<double PointError::*, 9> PointError::members{
       {&PointError::speed, &PointError::torque, &PointError::loss, &PointError::rotor_power,
-       &PointError::stick_fraction, &PointError::teeth_in_contact, &PointError::amplitude}};
+       &PointError::stick_fraction, &PointError::teeth_in_contact, &PointError::amplitude,
+       &PointError::second_stick_fraction, &PointError::radial_loss_share}};
 
   /** The error bars of an operating point by their causes. */
   struct PointErrors
