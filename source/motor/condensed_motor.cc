@@ -39,7 +39,7 @@ namespace ringmotor
       tooth.compliance =
           sector_compliance(InterfaceCompliance(condensation), tooth.surface.origin).at_rest;
       tooth.n_dofs      = body.sector.n_dofs();
-      tooth.free_motion = model.teeth_vibrate
+      tooth.free_motion = model.teeth_move_with_inertia
                               ? body.top_motion(wave.foot, body.condensed(wave.angular_frequency))
                               : body.top_motion(wave.foot, condensation);
       return tooth;

@@ -17,9 +17,9 @@ namespace ringmotor
       for (const auto make :
            {effects::tooth_shear, effects::rotor_tangential_compliance,
             effects::initial_deformation, effects::static_friction_excess, effects::rotor_inertia,
-            effects::tooth_inertia, effects::damping, effects::stator_back_reaction,
-            effects::spin_convection, effects::target_plates, effects::felt_support,
-            effects::piezoelectric_coupling, effects::friction_lining})
+            effects::tooth_inertia, effects::tooth_vibration, effects::damping,
+            effects::stator_back_reaction, effects::spin_convection, effects::target_plates,
+            effects::felt_support, effects::piezoelectric_coupling, effects::friction_lining})
         list.push_back(make());
       return list;
     }
@@ -108,7 +108,7 @@ namespace ringmotor
       row.indicator    = indicator_of(*effect, row.is_automatic ? whole : cheap);
       if (row.is_automatic && row.indicator)
       {
-        const bool is_on                  = std::abs(*row.indicator) > whole.threshold;
+        const bool is_on = effect->is_free() || std::abs(*row.indicator) > whole.threshold;
         parameters.effects.*effect->entry = is_on ? EffectChoice::on : EffectChoice::off;
         row.choice                        = is_on ? "on" : "off";
         const std::string obstacle        = effect->obstacle(parameters);
@@ -133,7 +133,7 @@ namespace ringmotor
       for (const std::vector<RingMode> &of_diameter : *modes)
         for (const RingMode &mode : of_diameter)
           for (EffectRow &row : rows)
-            if (row.name == (mode.of_tooth ? "Tooth inertia" : "Rotor inertia"))
+            if (row.name == (mode.of_tooth ? "Tooth vibration" : "Rotor inertia"))
             {
               row.dofs += modes == &motor.modes ? 1 : 0;
               row.bytes += mode.motion.size() * sizeof(mode.motion.front());

@@ -188,7 +188,10 @@ namespace ringmotor
     add_effect("Static friction excess", static_friction_excess,
                "A static coefficient of friction above the dynamic one.");
     add_effect("Rotor inertia", rotor_inertia, "Inertia of the rotor's vibration.");
-    add_effect("Tooth inertia", tooth_inertia, "Inertia of the teeth under contact forces.");
+    add_effect("Tooth inertia", tooth_inertia,
+               "Inertia of the teeth in the motion that the base drives.");
+    add_effect("Tooth vibration", tooth_vibration,
+               "Inertia of the teeth under contact forces, in addition to Tooth inertia.");
     add_effect(
         "Damping", damping,
         "Internal damping of the rotor's motion by the loss factor of its metal; the program "

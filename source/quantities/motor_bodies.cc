@@ -157,10 +157,11 @@ namespace ringmotor
       return tooth.interior(0, {}, {{{}, tooth_body.foot_motion(wave.foot), {}}}).front();
     };
     // Contact forces move a tooth nearly as if it had no inertia.
-    const RingBody::Amplitude free_motion = tooth_ring.amplitude(
-        model.teeth_vibrate ? following(tooth_body.condensed(wave.angular_frequency, true))
-                            : following(condensation),
-        at_rest);
+    const RingBody::Amplitude free_motion =
+        tooth_ring.amplitude(model.teeth_move_with_inertia
+                                 ? following(tooth_body.condensed(wave.angular_frequency, true))
+                                 : following(condensation),
+                             at_rest);
     const RingBody::Amplitude lift = tooth_ring.lift(
         [&](const double theta) { return std::polar(warp.amplitude, warp.n_waves * theta); });
 

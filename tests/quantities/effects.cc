@@ -191,11 +191,12 @@ TEST(Effects, ThatAreOffCostNothing)
   const CondensedMotor without = condense_motor(parameters, wave, ContactDiscretisation::level(0));
   EXPECT_TRUE(without.modes.empty());
   EXPECT_TRUE(without.coarse_modes.empty());
-  std::vector<EffectRow> rows{{"Rotor inertia", {}, "off"}, {"Tooth inertia", {}, "off"}};
+  std::vector<EffectRow> rows{{"Rotor inertia", {}, "off"}, {"Tooth vibration", {}, "off"}};
   add_cost_of_modes(without, rows);
   for (const EffectRow &row : rows)
     EXPECT_EQ(row.dofs + row.bytes, 0u) << row.name;
-  parameters.effects.tooth_inertia = EffectChoice::on;
+  parameters.effects.tooth_inertia   = EffectChoice::on;
+  parameters.effects.tooth_vibration = EffectChoice::on;
   const CondensedMotor with_teeth =
       condense_motor(parameters, wave, ContactDiscretisation::level(0));
   add_cost_of_modes(with_teeth, rows);
@@ -215,6 +216,41 @@ TEST(ToothInertia, ChangesSpeedsAsItsIndicatorSays)
   record("relative change of the operating points", change.relative);
   EXPECT_GT(change.relative, indicator / 3.);
   EXPECT_LT(change.relative, indicator * 3.);
+}
+
+TEST(ToothVibration, ChangesLessThanItsEstimate)
+{
+  // Without operating points an upper limit is estimated.
+  Parameters parameters            = reference_motor();
+  parameters.effects.tooth_inertia = EffectChoice::on;
+  const StatorWave wave            = stator_wave(parameters);
+  const Effect &vibration          = effect("Tooth vibration");
+  const double indicator           = *vibration.indicator({parameters, &wave, {}});
+  const EffectOnPoints change =
+      effect_on_points(parameters, vibration, wave,
+                       RotorVibration(parameters, wave.angular_frequency), MPI_COMM_SELF);
+  record("indicator", indicator);
+  record("relative change of the operating points", change.relative);
+  EXPECT_GT(change.relative, indicator / 30.);
+  EXPECT_LT(change.relative, indicator);
+  // Far below the threshold it is not measured; without inertia of the teeth there is none.
+  const Scene scene{parameters, &wave, [](const Effect &) { return 1.; }, {}, 10. * indicator};
+  EXPECT_EQ(*vibration.indicator(scene), indicator);
+  parameters.effects.tooth_inertia = EffectChoice::off;
+  EXPECT_EQ(*vibration.indicator(scene), 0.);
+  parameters.effects.tooth_vibration = EffectChoice::on;
+  try
+  {
+    check_effects(parameters, EffectStage::contact);
+    FAIL() << "accepted";
+  }
+  catch (const UserError &error)
+  {
+    EXPECT_NE(std::string(error.what())
+                  .find("Effects/Tooth vibration = on is not available with Effects/Tooth inertia"),
+              std::string::npos)
+        << error.what();
+  }
 }
 
 TEST(EffectRanks, ChangesPointsAlikeOnTwo)

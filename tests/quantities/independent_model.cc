@@ -54,6 +54,7 @@ TEST_P(IndependentModel, HasTheSameSpeedsAndLosses)
   else
     parameters.rotor.lip_inner_radius = row.lip_inner_radius;
   parameters.effects.tooth_inertia             = row.teeth;
+  parameters.effects.tooth_vibration           = row.teeth;
   parameters.effects.rotor_inertia             = row.rotor;
   parameters.effects.damping                   = row.rotor;
   parameters.materials.rotor_metal.loss_factor = 0.01;

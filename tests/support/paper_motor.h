@@ -16,6 +16,7 @@ namespace ringmotor::tests
     effects.static_friction_excess      = EffectChoice::on;
     effects.rotor_inertia               = EffectChoice::off;
     effects.tooth_inertia               = EffectChoice::off;
+    effects.tooth_vibration             = EffectChoice::off;
     effects.damping                     = EffectChoice::off;
     effects.stator_back_reaction        = EffectChoice::off;
     effects.spin_convection             = EffectChoice::off;

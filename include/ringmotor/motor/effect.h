@@ -70,6 +70,9 @@ namespace ringmotor
      * of every contact and `auto` always means `on`. */
     virtual std::optional<double> indicator(const Scene &) const { return {}; }
 
+    /** Whether it adds no work: then `auto` includes it, however small it is. */
+    virtual bool is_free() const { return false; }
+
     EffectChoice choice(const Parameters &parameters) const { return parameters.effects.*entry; }
     /** `Effects/Rotor inertia = auto`, with the given choice. */
     std::string given(const Parameters &parameters) const;
@@ -110,8 +113,8 @@ namespace ringmotor
   };
 
   /**
-   * Switches effects of a stage that are `auto` on or off: on where the indicator exceeds a third
-   * of @p target.
+   * Switches effects of a stage that are `auto` on or off: on where they are free, or the indicator
+   * exceeds a third of @p target.
    * @return a row for each effect of the stage
    * @throws ComputationError if one is needed that is not available
    */

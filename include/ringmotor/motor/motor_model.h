@@ -24,12 +24,13 @@ namespace ringmotor
     bool wave_feels_contact = false;         ///< contact forces change its frequency
 
     // The bodies in contact
-    bool teeth_give_way        = false; ///< elastic teeth under contact forces
-    bool teeth_vibrate         = false; ///< with inertia
-    bool rotor_gives_way_along = false; ///< elastic rotor also under friction
-    bool rotor_vibrates        = false; ///< with inertia
-    bool rotor_moves_as_whole  = false; ///< with its mass and its inertia against tilting
-    double rotor_loss_factor   = 0.;    ///< of its internal damping, with inertia or without
+    bool teeth_give_way          = false; ///< elastic teeth under contact forces
+    bool teeth_move_with_inertia = false; ///< where the base drives them
+    bool teeth_vibrate           = false; ///< with inertia under contact forces
+    bool rotor_gives_way_along   = false; ///< elastic rotor also under friction
+    bool rotor_vibrates          = false; ///< with inertia
+    bool rotor_moves_as_whole    = false; ///< with its mass and its inertia against tilting
+    double rotor_loss_factor     = 0.;    ///< of its internal damping, with inertia or without
 
     // The interface between them
     Warp warp;
@@ -37,7 +38,7 @@ namespace ringmotor
     double lining_tangential_compliance = 0.; ///< m^3/N
     Friction friction;
 
-    /** Whether the teeth or the rotor have inertia. */
+    /** Whether the teeth or the rotor have inertia under contact forces. */
     bool has_inertia() const { return teeth_vibrate || rotor_vibrates; }
     /** Whether the response of the rotor depends on the history of forces, which requires its
      * modes. */

@@ -91,6 +91,7 @@ namespace ringmotor
     EffectChoice static_friction_excess      = EffectChoice::automatic;
     EffectChoice rotor_inertia               = EffectChoice::automatic;
     EffectChoice tooth_inertia               = EffectChoice::automatic;
+    EffectChoice tooth_vibration             = EffectChoice::automatic;
     EffectChoice damping                     = EffectChoice::automatic;
     EffectChoice stator_back_reaction        = EffectChoice::automatic;
     EffectChoice spin_convection             = EffectChoice::automatic;

@@ -6,7 +6,7 @@ namespace ringmotor::effects
 {
   namespace
   {
-    /** Inertia of the teeth: under contact forces, and in the motion driven by the base. */
+    /** Inertia of the teeth in the motion that the base drives: their tops move as in the mode. */
     class ToothInertia : public Effect
     {
     public:
@@ -14,8 +14,10 @@ namespace ringmotor::effects
 
       void enter(const Parameters &, MotorModel &model) const override
       {
-        model.teeth_vibrate = true;
+        model.teeth_move_with_inertia = true;
       }
+
+      bool is_free() const override { return true; }
 
       /** The change of the circumferential motion of the top, driven by the foot, which drives the
        * rotor: (omega / omega_1)^2 of the tooth. */

@@ -13,6 +13,7 @@ namespace ringmotor::effects
   EffectPointer static_friction_excess();
   EffectPointer rotor_inertia();
   EffectPointer tooth_inertia();
+  EffectPointer tooth_vibration();
   EffectPointer damping();
   EffectPointer stator_back_reaction();
   EffectPointer spin_convection();
