@@ -31,6 +31,26 @@ namespace ringmotor
       text << 100. * share << " %";
       return text.str();
     }
+    /** Above which `auto` includes an effect. */
+    constexpr double share_of_target = 1. / 3.;
+
+    /** Whether `auto` includes an effect. One that this motor cannot have is left out as long as
+     * the error bars may have it. @throws ComputationError if they may not */
+    bool auto_includes(const Effect &effect, const double indicator, const Parameters &parameters,
+                       const double target)
+    {
+      const double size          = std::abs(indicator);
+      const std::string obstacle = effect.obstacle(parameters);
+      if (obstacle.empty())
+        return effect.is_free() || size > share_of_target * target;
+      if (size > target)
+        throw ComputationError("Effects/" + effect.name +
+                               " = auto: it would change the results by " + per_cent(indicator) +
+                               ", more than the target, " + per_cent(target) + ", but " +
+                               effect.switched_on() + obstacle + ", or a larger target");
+      return false;
+    }
+
     /** What an effect that is switched off would change is for information: its estimate may fail.
      */
     std::optional<double> indicator_of(const Effect &effect, const Scene &scene)
@@ -89,9 +109,8 @@ namespace ringmotor
   std::vector<EffectRow> choose_effects(Parameters &parameters, const EffectStage stage,
                                         const Scene &scene, const double target)
   {
-    constexpr double share = 1. / 3.; // of the target
-    Scene whole            = scene;
-    whole.threshold        = share * target;
+    Scene whole     = scene;
+    whole.threshold = share_of_target * target;
     // Rayleigh quotients are cheap, operating points are not.
     Scene cheap = whole;
     if (stage != EffectStage::stator)
@@ -108,15 +127,9 @@ namespace ringmotor
       row.indicator    = indicator_of(*effect, row.is_automatic ? whole : cheap);
       if (row.is_automatic && row.indicator)
       {
-        const bool is_on = effect->is_free() || std::abs(*row.indicator) > whole.threshold;
+        const bool is_on = auto_includes(*effect, *row.indicator, parameters, target);
         parameters.effects.*effect->entry = is_on ? EffectChoice::on : EffectChoice::off;
         row.choice                        = is_on ? "on" : "off";
-        const std::string obstacle        = effect->obstacle(parameters);
-        if (is_on && !obstacle.empty())
-          throw ComputationError(
-              "Effects/" + effect->name + " = auto: it would change the results by " +
-              per_cent(*row.indicator) + ", more than a third of the target, " + per_cent(target) +
-              ", but " + effect->switched_on() + obstacle + ", or a larger target");
       }
       if (row.indicator && !std::isfinite(*row.indicator)) // needed, of unknown size
         row.indicator.reset();

@@ -49,11 +49,18 @@ namespace ringmotor
     ++n_found;
     log.progress("operating points", std::min(1., n_found / (1. * n_asked)));
     seconds_per_effort = point.seconds / effort;
-    if (n_found >= n_asked || seconds_since(told) < worth_telling)
+    if (seconds_since(told) < worth_telling)
       return;
-    told = Clock::now();
+    told                        = Clock::now();
+    const OperatingPoint &found = point.result;
     log.line(std::to_string(n_found) + " of " + std::to_string(n_asked) +
-             " operating points found; the others may take about " +
-             text(seconds_since(begin) * (n_asked - n_found) / n_found, 0) + " s");
+             " operating points found on this interface mesh, the last one, still without error "
+             "bars, at " +
+             text(found.torque / units::torque.size, 2) + " mN m and " +
+             text(found.speed / units::speed.size, 2) + " rpm" +
+             (n_found < n_asked
+                  ? "; the others on this mesh may take about " +
+                        text(seconds_since(begin) * (n_asked - n_found) / n_found, 0) + " s"
+                  : ""));
   }
 } // namespace ringmotor

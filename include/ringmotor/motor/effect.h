@@ -114,9 +114,9 @@ namespace ringmotor
 
   /**
    * Switches effects of a stage that are `auto` on or off: on where they are free, or the indicator
-   * exceeds a third of @p target.
+   * exceeds a third of @p target; one that the motor cannot have is off up to the whole target.
    * @return a row for each effect of the stage
-   * @throws ComputationError if one is needed that is not available
+   * @throws ComputationError if one is not available that changes more
    */
   std::vector<EffectRow> choose_effects(Parameters &parameters, const EffectStage stage,
                                         const Scene &scene, const double target);
