@@ -22,9 +22,11 @@ MOTORS = [ROOT / "prm" / name for name in ("soft_spring.prm", "stiff_spring.prm"
 OF_CONTACT = {"Rotor inertia": {"Effects/Rotor inertia": "on", "Effects/Damping": "on"},
               "Damping (with inertia)": {"Effects/Rotor inertia": "on", "Effects/Damping": "on"},
               "Tooth inertia": {"Effects/Tooth inertia": "on"},
+              "Tooth vibration": {"Effects/Tooth inertia": "on", "Effects/Tooth vibration": "on"},
               "Stator back-reaction": {"Effects/Stator back-reaction": "on"},
               "Static friction excess": {}, "Tooth shear": {}}
-WITHOUT = {"Damping (with inertia)": {"Effects/Rotor inertia": "on", "Effects/Damping": "off"},
+WITHOUT = {"Tooth vibration": {"Effects/Tooth inertia": "on"},
+           "Damping (with inertia)": {"Effects/Rotor inertia": "on", "Effects/Damping": "off"},
            "Static friction excess": {"Effects/Static friction excess": "off"},
            "Tooth shear": {"Effects/Tooth shear": "off"}}
 FIXED = {**OUTPUT_OFF, **OFF, "Accuracy/Mode": "fixed", "Accuracy/Interface refinement": "0", "Time/Snapshots": "4"}

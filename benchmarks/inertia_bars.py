@@ -28,8 +28,8 @@ MOTORS = {"reference": (SOFT, {}, {"Accuracy/Rotor modes": "1"}, "0.8"),
           "stiff spring": (STIFF, {}, {}, "0.9"),
           "short spring": (SOFT, {**SHORT_SPRING, "Time/Spectral radius": "0.8", "Loading/Values": "0.1"}, {}, "0.9")}
 TORQUES = ("0.05", "0.1")  # N m
-BASE = {**OUTPUT_OFF, "Effects/Rotor inertia": "on", "Effects/Tooth inertia": "on", "Effects/Damping": "on",
-        "Effects/Tooth shear": "on", "Effects/Rotor tangential compliance": "on", "Effects/Static friction excess": "off",
+BASE = {**OUTPUT_OFF, "Effects/Rotor inertia": "on", "Effects/Tooth inertia": "on", "Effects/Tooth vibration": "on",
+        "Effects/Damping": "on", "Effects/Tooth shear": "on", "Effects/Rotor tangential compliance": "on", "Effects/Static friction excess": "off",
         "Effects/Stator back-reaction": "off", "Effects/Felt support": "off", "Friction/Static coefficient": "0.4",
         "Friction/Dynamic coefficient": "0.4", "Loading/Values": ", ".join(TORQUES)}
 COMMON = {"Accuracy/Mode": "fixed", "Accuracy/Interface refinement": "1", "Accuracy/Rotor modes": "2", "Time/Snapshots": "4"}

@@ -17,8 +17,8 @@ PROGRAMS = ROOT / "build" / "bin"
 MOTOR = ROOT / "prm" / "soft_spring.prm"
 # That motor leaves its effects to the programs; the tables of the documents are those of the paper's model.
 PAPERS_MODEL = {f"Effects/{name}": "off" for name in
-                ("Rotor inertia", "Tooth inertia", "Damping", "Stator back-reaction", "Spin convection", "Target plates",
-                 "Felt support", "Friction lining")}
+                ("Rotor inertia", "Tooth inertia", "Tooth vibration", "Damping", "Stator back-reaction", "Spin convection",
+                 "Target plates", "Felt support", "Friction lining")}
 AUTO = {entry: "auto" for entry in PAPERS_MODEL if entry != "Effects/Target plates"}  # which are on or off
 PAPERS_MODEL["Accuracy/Contact target"] = "0.03"
 
