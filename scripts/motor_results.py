@@ -20,6 +20,10 @@ class Quantity:
     error: float
     unit: str = ""
 
+    def __str__(self):
+        bar = f" +- {self.error:.2g}" if self.error else ""
+        return f"{self.value:.5g}{bar} {self.unit}".rstrip()
+
 
 def wave_quantities_of(folder):
     """Frequency and shape of the wave of a case. @throws CaseError"""

@@ -90,8 +90,7 @@ def explore(engine, family, all_varied, aim, study, n_trials, coarse):
 
 def tell(number, count, row, aim):
     if row.outcome == "certified":
-        quantity = row.quantities[aim.name]
-        said = f"{aim.name} = {quantity.value:.5g} +- {quantity.error:.2g} {quantity.unit}".rstrip()
+        said = f"{aim.name} = {row.quantities[aim.name]}"
         broken = [str(one) for one in aim.limits if not one.may_hold(row)]
         said += f"; not {', '.join(broken)}" if broken else ""
     else:

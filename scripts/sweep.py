@@ -170,9 +170,8 @@ def run_optimisation(options, family, all_varied):
     draw_optimum(family.output, family.entries["Motor/Name"], staged, aim, best)
     print(f"\nthe best of {options.trials} motors, at Contact target = {own_target:g}:")
     print_inputs(best[0])
-    for name in aim.names():
-        quantity = best[0].quantities[name]
-        print(f"  {name} = {quantity.value:.5g} +- {quantity.error:.2g} {quantity.unit}".rstrip())
+    for name in dict.fromkeys(aim.names()):
+        print(f"  {name} = {best[0].quantities[name]}")
     for row in best[1:]:
         print("cannot be told from it within the error bars: " + ", ".join(f"{entry} = {text}" for entry, text in
                                                                           row.varied.items()))

@@ -2,7 +2,6 @@
 #include <ringmotor/parameters/check_geometry.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/parameters/prm_file.h>
-#include <ringmotor/parameters/short_text.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,11 +10,19 @@
 
 namespace ringmotor
 {
+  namespace
+  {
+    std::string in_metres(const double length)
+    {
+      std::ostringstream text;
+      text << length << " m";
+      return text.str();
+    }
+  } // namespace
+
   std::string entry(const std::string &path, const double metres)
   {
-    std::ostringstream text;
-    text << path << " = " << metres << " m";
-    return text.str();
+    return path + " = " + in_metres(metres);
   }
 
   std::string entry(const std::string &path, const unsigned int count)
@@ -164,8 +171,8 @@ namespace ringmotor
       throw UserError("the rotor's ring cuts into the side of the stator: " +
                       entry("Rotor/Ring inner radius", rotor.ring_inner_radius) + " with " +
                       entry("Rotor/Ring lower face", rotor.ring_lower_face) + "; allowed: above " +
-                      short_text(rotor.ring_inner_radius - left) +
-                      " m, or a ring that ends above the tooth tops");
+                      in_metres(rotor.ring_inner_radius - left) +
+                      ", or a ring that ends above the tooth tops");
   }
 
   void check_amplitude(const Wave &wave, const StatorGeometry &stator)

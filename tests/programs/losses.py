@@ -169,6 +169,7 @@ class Losses(unittest.TestCase):
                 self.assertAlmostEqual(imbalance_of(point) / point["power_imbalance"], 1, places=6)
                 change(point)
                 point["friction_loss_W"] = point["tangential_loss_W"] + point["radial_loss_W"]
+                point["radial_loss_share"] = point["radial_loss_W"] / point["friction_loss_W"]
                 point["power_imbalance"] = imbalance_of(point)
 
             done = self.losses_with(change)
