@@ -11,7 +11,8 @@ import sys
 from pathlib import Path
 
 # Each room may include itself and the rooms before it.
-ORDER = ["parameters", "mesh", "elements", "structure", "contact", "motor", "quantities", "output", "programs"]
+ORDER = ["parameters", "results", "mesh", "elements", "algebra", "structure", "condensation", "contact", "contact/solve",
+         "motor", "wave", "points", "pictures", "balance", "output", "programs"]
 MAY_INCLUDE = {room: set(ORDER[: place + 1]) for place, room in enumerate(ORDER)}
 
 # Everyone may see these.
@@ -21,9 +22,9 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]ringmotor/([^>"]+)[>"]')
 
 
 def room_of(path, base):
-    """The room of a file below include/ringmotor or source; None for files in no room."""
-    parts = path.relative_to(base).parts
-    return parts[0] if len(parts) > 1 else None
+    """The room of a file below include/ringmotor or source: the innermost folder that is one; None without one."""
+    folder = path.relative_to(base).parent
+    return next((str(place) for place in [folder, *folder.parents] if str(place) in MAY_INCLUDE), None)
 
 
 def violations(root):
@@ -32,13 +33,13 @@ def violations(root):
             room = room_of(path, base)
             place = path.relative_to(root)
             if room not in MAY_INCLUDE:
-                yield f"{place}:1: '{room or path.name}' is not a room, see the table in {Path(__file__).name}"
+                yield f"{place}:1: '{path.parent.name}' is not a room, see the table in {Path(__file__).name}"
                 continue
             for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
                 found = INCLUDE.match(line)
                 if found is None or found.group(1) in FREE_HEADERS:
                     continue
-                other = found.group(1).split("/")[0]
+                other = room_of(base / found.group(1), base)
                 if other not in MAY_INCLUDE[room]:
                     yield f"{place}:{number}: {room} may not include {other} (<ringmotor/{found.group(1)}>)"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/algebra/blas.h>
+#include <ringmotor/algebra/rank_factors.h>
 #include <ringmotor/contact/ring_compliance.h>
-#include <ringmotor/structure/blas.h>
-#include <ringmotor/structure/rank_factors.h>
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/condensation/cut_responses.h>
 #include <ringmotor/motor/condensed_motor.h>
 #include <ringmotor/motor/motor_model.h>
 #include <ringmotor/motor/relevant.h>
 #include <ringmotor/motor/rotor_modes.h>
 #include <ringmotor/motor/tooth_modes.h>
 #include <ringmotor/parameters/errors.h>
-#include <ringmotor/structure/cut_responses.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <ringmotor/contact/friction_law.h>
-#include <ringmotor/contact/given_coefficients.h>
+#include <ringmotor/contact/solve/given_coefficients.h>
 #include <ringmotor/motor/steady.h>
 #include <ringmotor/motor/steady_memory.h>
 #include <ringmotor/parameters/errors.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/output/contact_files.h>
 #include <ringmotor/output/table.h>
-#include <ringmotor/quantities/point_quantities.h>
+#include <ringmotor/points/point_quantities.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <ringmotor/output/hdf5.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/parameters/short_text.h>
-#include <ringmotor/quantities/point_quantities.h>
+#include <ringmotor/points/point_quantities.h>
 
 #include <deal.II/base/utilities.h>
 

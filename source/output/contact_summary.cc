@@ -2,7 +2,7 @@
 #include <ringmotor/output/contact_summary.h>
 #include <ringmotor/output/table.h>
 #include <ringmotor/output/text.h>
-#include <ringmotor/quantities/point_quantities.h>
+#include <ringmotor/points/point_quantities.h>
 
 #include <algorithm>
 #include <map>

@@ -4,7 +4,7 @@
 #include <ringmotor/output/hdf5.h>
 #include <ringmotor/output/stator_files.h>
 #include <ringmotor/output/table.h>
-#include <ringmotor/quantities/sector_field.h>
+#include <ringmotor/pictures/sector_field.h>
 
 #include <algorithm>
 #include <cmath>

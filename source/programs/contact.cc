@@ -12,15 +12,15 @@
 #include <ringmotor/output/text.h>
 #include <ringmotor/parameters/check_geometry.h>
 #include <ringmotor/parameters/errors.h>
+#include <ringmotor/points/chosen_effects.h>
+#include <ringmotor/points/contact_study.h>
+#include <ringmotor/points/curve_search.h>
 #include <ringmotor/programs/interruption.h>
 #include <ringmotor/programs/price_forecast.h>
 #include <ringmotor/programs/program.h>
 #include <ringmotor/programs/run_results.h>
 #include <ringmotor/programs/run_study.h>
 #include <ringmotor/programs/time_limit.h>
-#include <ringmotor/quantities/chosen_effects.h>
-#include <ringmotor/quantities/contact_study.h>
-#include <ringmotor/quantities/curve_search.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -11,8 +11,8 @@
 #include <ringmotor/programs/run_results.h>
 #include <ringmotor/programs/run_study.h>
 #include <ringmotor/programs/time_limit.h>
-#include <ringmotor/quantities/body_modes.h>
-#include <ringmotor/quantities/body_study.h>
+#include <ringmotor/wave/body_modes.h>
+#include <ringmotor/wave/body_study.h>
 
 #include <deal.II/base/mpi.h>
 

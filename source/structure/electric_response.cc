@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <ringmotor/structure/dense_ldlt.h>
-#include <ringmotor/structure/dense_product.h>
+#include <ringmotor/algebra/dense_ldlt.h>
+#include <ringmotor/algebra/dense_product.h>
+#include <ringmotor/algebra/no_index.h>
 #include <ringmotor/structure/electric_response.h>
-#include <ringmotor/structure/no_index.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/algebra/no_index.h>
 #include <ringmotor/structure/joint_factors.h>
-#include <ringmotor/structure/no_index.h>
 
 #include <deal.II/base/mpi.h>
 

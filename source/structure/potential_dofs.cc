@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/algebra/no_index.h>
 #include <ringmotor/mesh/places.h>
 #include <ringmotor/parameters/errors.h>
-#include <ringmotor/structure/no_index.h>
 #include <ringmotor/structure/potential_dofs.h>
 
 #include <deal.II/dofs/dof_tools.h>

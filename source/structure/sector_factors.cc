@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <ringmotor/structure/dense_product.h>
-#include <ringmotor/structure/no_index.h>
+#include <ringmotor/algebra/dense_product.h>
+#include <ringmotor/algebra/no_index.h>
 #include <ringmotor/structure/sector_factors.h>
 
 #include <deal.II/base/mpi.h>

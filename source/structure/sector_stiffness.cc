@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <ringmotor/structure/dense_product.h>
+#include <ringmotor/algebra/dense_product.h>
 #include <ringmotor/structure/sector_stiffness.h>
 
 #include <deal.II/base/mpi.h>

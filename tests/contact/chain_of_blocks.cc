@@ -5,7 +5,7 @@
 
 #include "support/row_systems.h"
 
-#include <ringmotor/contact/chain_of_blocks.h>
+#include <ringmotor/contact/solve/chain_of_blocks.h>
 
 using namespace ringmotor;
 using namespace ringmotor::tests;

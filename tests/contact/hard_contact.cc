@@ -9,7 +9,7 @@
 #include "support/half_planes.h"
 #include "support/random_contact.h"
 
-#include <ringmotor/contact/contact_newton.h>
+#include <ringmotor/contact/solve/contact_newton.h>
 #include <ringmotor/parameters/errors.h>
 
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 #include "support/contact_laws.h"
 #include "support/record.h"
 
-#include <ringmotor/contact/contact_newton.h>
+#include <ringmotor/contact/solve/contact_newton.h>
 #include <ringmotor/parameters/errors.h>
 
 #include <gtest/gtest.h>

@@ -5,9 +5,9 @@
 
 #include "support/materials.h"
 
+#include <ringmotor/condensation/cut_responses.h>
 #include <ringmotor/contact/ring_compliance.h>
 #include <ringmotor/mesh/rotor_sector.h>
-#include <ringmotor/structure/cut_responses.h>
 #include <ringmotor/structure/surface_load.h>
 
 #include <deal.II/base/table.h>

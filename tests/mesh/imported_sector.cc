@@ -10,8 +10,8 @@
 
 #include <ringmotor/mesh/ids.h>
 #include <ringmotor/mesh/read_sector.h>
-#include <ringmotor/quantities/mode_search.h>
-#include <ringmotor/quantities/tooth_motion.h>
+#include <ringmotor/wave/mode_search.h>
+#include <ringmotor/wave/tooth_motion.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_nothing.h>

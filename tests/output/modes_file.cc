@@ -10,7 +10,7 @@
 #include <ringmotor/output/modes_file.h>
 #include <ringmotor/output/stator_files.h>
 #include <ringmotor/parameters/prm_file.h>
-#include <ringmotor/quantities/body_modes.h>
+#include <ringmotor/wave/body_modes.h>
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,7 @@
 #include <ringmotor/output/contact_summary.h>
 #include <ringmotor/output/hdf5.h>
 #include <ringmotor/output/losses_files.h>
-#include <ringmotor/quantities/point_quantities.h>
+#include <ringmotor/points/point_quantities.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/quantities/sector_field.h>
+#include <ringmotor/pictures/sector_field.h>
 
 #include <array>
 #include <cmath>

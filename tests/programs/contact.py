@@ -5,7 +5,7 @@
 Usage: tests/programs/contact.py STATOR CONTACT [unittest arguments]
 
 What is compared: files with each other and with the loads that were asked for; an independent model of
-the motor turns at 85.3 rpm without load (see tests/quantities/motor.cc).
+the motor turns at 85.3 rpm without load (see tests/points/motor.cc).
 """
 import json
 import pathlib

@@ -5,7 +5,7 @@
 Usage: tests/programs/inertia.py STATOR CONTACT LOSSES [unittest arguments]
 
 What is compared: an independent model of the motor with the stiff spring finds that inertia changes speeds at half of the
-stall torque by 2.6 % of the speed without load (see tests/quantities/inertia.cc), which is below a third of a
+stall torque by 2.6 % of the speed without load (see tests/points/inertia.cc), which is below a third of a
 target of 0.1 and above a third of one of 0.01; results on one rank and on two; the power balance.
 """
 import json

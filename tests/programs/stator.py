@@ -5,7 +5,7 @@
 Usage: tests/programs/stator.py PROGRAM [unittest arguments]
 
 The frequency is compared with the 30 004 +- 3 Hz of an independent program (see
-tests/quantities/reference_stator.cc); everything else with what the documentation promises.
+tests/wave/reference_stator.cc); everything else with what the documentation promises.
 """
 import json
 import pathlib

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/algebra/eigenpairs.h>
+#include <ringmotor/algebra/sparse_ldlt.h>
 #include <ringmotor/elements/solid.h>
 #include <ringmotor/structure/cyclic_sector.h>
-#include <ringmotor/structure/eigenpairs.h>
-#include <ringmotor/structure/sparse_ldlt.h>
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/dofs/dof_tools.h>

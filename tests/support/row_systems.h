@@ -5,7 +5,7 @@
 
 #include "support/dense_contact.h"
 
-#include <ringmotor/contact/row_solver.h>
+#include <ringmotor/contact/solve/row_solver.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/structure/sparse_ldlt.h>
+#include <ringmotor/algebra/sparse_ldlt.h>
 
 #include <deal.II/lac/full_matrix.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/contact/contact_solver.h>
 #include <ringmotor/contact/mortar.h>
 #include <ringmotor/contact/ring_compliance.h>
+#include <ringmotor/contact/solve/contact_solver.h>
 #include <ringmotor/mesh/ids.h>
 #include <ringmotor/structure/surface_load.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/structure/condensation.h>
+#include <ringmotor/condensation/condensation.h>
 
 #include <deal.II/grid/tria.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/contact/circulant_product.h>
+#include <ringmotor/algebra/circulant_product.h>
 #include <ringmotor/contact/mortar.h>
 #include <ringmotor/contact/surface_compliance.h>
 

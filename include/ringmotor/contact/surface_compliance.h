@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/condensation/interface_compliance.h>
 #include <ringmotor/contact/contact_surface.h>
-#include <ringmotor/structure/interface_compliance.h>
 
 #include <array>
 #include <complex>

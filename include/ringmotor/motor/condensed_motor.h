@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/contact/contact_solver.h>
+#include <ringmotor/contact/solve/contact_solver.h>
 #include <ringmotor/motor/contact_bodies.h>
 #include <ringmotor/motor/ring_modes.h>
 #include <ringmotor/motor/voltage_drive.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/algebra/rank_factors.h>
 #include <ringmotor/motor/ring_modes.h>
-#include <ringmotor/structure/rank_factors.h>
 
 #include <cmath>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/contact/contact_problem.h>
 #include <ringmotor/contact/ring_compliance.h>
+#include <ringmotor/contact/solve/contact_problem.h>
 #include <ringmotor/motor/inertia_scheme.h>
 
 #include <boost/serialization/array.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/contact/block_compliance.h>
+#include <ringmotor/contact/solve/block_compliance.h>
 #include <ringmotor/motor/condensed_motor.h>
 
 namespace ringmotor

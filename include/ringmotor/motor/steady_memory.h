@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/contact/contact_solver.h>
 #include <ringmotor/contact/friction.h>
+#include <ringmotor/contact/solve/contact_solver.h>
 #include <ringmotor/motor/ring_contact.h>
 
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/contact/contact_problem.h>
+#include <ringmotor/contact/solve/contact_problem.h>
 #include <ringmotor/motor/condensed_motor.h>
 #include <ringmotor/motor/repetition.h>
 #include <ringmotor/motor/warp.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/quantities/ring_body.h>
+#include <ringmotor/pictures/ring_body.h>
 
 #include <string>
 #include <vector>

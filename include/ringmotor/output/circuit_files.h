@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/quantities/motor_circuits.h>
+#include <ringmotor/wave/motor_circuits.h>
 
 #include <string>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <ringmotor/output/summary.h>
-#include <ringmotor/quantities/curve_search.h>
+#include <ringmotor/points/curve_search.h>
 
 #include <string>
 #include <vector>

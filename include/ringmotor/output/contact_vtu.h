@@ -2,8 +2,8 @@
 #pragma once
 
 #include <ringmotor/motor/warp.h>
-#include <ringmotor/quantities/motor_bodies.h>
-#include <ringmotor/quantities/sector_field.h>
+#include <ringmotor/pictures/motor_bodies.h>
+#include <ringmotor/pictures/sector_field.h>
 
 #include <string>
 #include <vector>

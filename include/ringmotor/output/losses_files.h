@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/balance/drive.h>
 #include <ringmotor/output/summary.h>
-#include <ringmotor/quantities/drive.h>
 
 #include <optional>
 #include <string>

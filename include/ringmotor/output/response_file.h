@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/quantities/frequency_response.h>
+#include <ringmotor/points/frequency_response.h>
 
 #include <string>
 #include <vector>

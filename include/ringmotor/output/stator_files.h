@@ -2,8 +2,8 @@
 #pragma once
 
 #include <ringmotor/parameters/parameters.h>
-#include <ringmotor/quantities/motor_circuits.h>
-#include <ringmotor/quantities/surface_trace.h>
+#include <ringmotor/pictures/surface_trace.h>
+#include <ringmotor/wave/motor_circuits.h>
 
 #include <string>
 #include <vector>

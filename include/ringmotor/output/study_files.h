@@ -2,7 +2,7 @@
 #pragma once
 
 #include <ringmotor/output/log.h>
-#include <ringmotor/quantities/work_precision.h>
+#include <ringmotor/results/work_precision.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -4,7 +4,7 @@
 #include <ringmotor/motor/effect.h>
 #include <ringmotor/motor/relevant.h>
 #include <ringmotor/parameters/entries.h>
-#include <ringmotor/quantities/quantity.h>
+#include <ringmotor/results/quantity.h>
 
 #include <cstdint>
 #include <map>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/quantities/quantity.h>
+#include <ringmotor/results/quantity.h>
 
 #include <string>
 #include <variant>

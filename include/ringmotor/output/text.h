@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/quantities/frequency_error.h>
-#include <ringmotor/quantities/quantity.h>
+#include <ringmotor/results/quantity.h>
+#include <ringmotor/wave/frequency_error.h>
 
 #include <string>
 

@@ -3,7 +3,7 @@
 
 #include <ringmotor/motor/warp.h>
 #include <ringmotor/output/lattice_output.h>
-#include <ringmotor/quantities/sector_field.h>
+#include <ringmotor/pictures/sector_field.h>
 
 #include <string>
 #include <utility>

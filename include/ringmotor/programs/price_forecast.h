@@ -2,7 +2,7 @@
 #pragma once
 
 #include <ringmotor/output/log.h>
-#include <ringmotor/quantities/torque_speed.h>
+#include <ringmotor/points/torque_speed.h>
 
 #include <chrono>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/algebra/eigenpairs.h>
 #include <ringmotor/structure/cyclic_factors.h>
-#include <ringmotor/structure/eigenpairs.h>
 
 #include <map>
 #include <vector>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/algebra/sparse_ldlt.h>
 #include <ringmotor/structure/cyclic_sector.h>
 #include <ringmotor/structure/sector_stiffness.h>
-#include <ringmotor/structure/sparse_ldlt.h>
 
 #include <array>
 #include <memory>

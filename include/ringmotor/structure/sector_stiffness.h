@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/structure/dense_ldlt.h>
+#include <ringmotor/algebra/dense_ldlt.h>
 #include <ringmotor/structure/sector_elements.h>
 
 #include <algorithm>

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/contact/friction.h>
+#include <ringmotor/contact/solve/contact_newton.h>
+
+#include <string>
+#include <vector>
+
+namespace ringmotor
+{
+  /** The solution of a contact problem. */
+  struct ContactSolution
+  {
+    ContactState state;
+    std::vector<PointVector> motion; ///< gap and slip (m) by point
+    std::vector<PointStatus> status;
+    ContactCertificate certificate;
+    unsigned int n_iterations = 0; ///< linear problems solved
+    std::string how;               ///< what was tried, in words, if Newton's method alone failed
+  };
+
+  /** What to do where Newton's method fails. */
+  enum class Fallback
+  {
+    proximal_points,
+    none
+  };
+
+  /**
+   * Solves a contact problem with friction by the semi-smooth Newton method. Where it does not
+   * converge, or @p start has no forces, the proximal point algorithm leads it to the solution.
+   *
+   * @param seen gaps and slips of a similar problem in the state @p start, where they are known:
+   * the first guess of the touching and the sticking nodes
+   * @param solver keeps factors of the linear systems for similar problems
+   * @throws ComputationError if no method converged to a certified state.
+   */
+  ContactSolution solve_contact(const ContactProblem &problem, const PointFriction &friction,
+                                const ComplementarityConstants &constants,
+                                const ContactState &start, const std::vector<PointVector> &seen,
+                                RowSolver &solver,
+                                const Fallback fallback = Fallback::proximal_points);
+  ContactSolution solve_contact(const ContactProblem &problem, const PointFriction &friction,
+                                const ComplementarityConstants &constants,
+                                const ContactState &start);
+
+  /** The same without friction. */
+  ContactSolution solve_without_friction(const ContactProblem &problem,
+                                         const ComplementarityConstants &constants,
+                                         const ContactState &start);
+} // namespace ringmotor

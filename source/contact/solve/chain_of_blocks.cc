@@ -1,0 +1,381 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/algebra/lu_factors.h>
+#include <ringmotor/contact/solve/chain_of_blocks.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace ringmotor
+{
+  using namespace dealii;
+
+  ChainOfBlocks::ChainOfBlocks(const ContactRows &rows)
+      : rows(rows), problem(rows.contact_problem())
+  {
+    find_blocks();
+    choose_shapes();
+    make_kernel();
+    cut_chains();
+    n_small = n_far + n_cuts + rows.n_rigid();
+    for (Block &block : blocks)
+    {
+      block.own = near_matrix(block, block);
+      if (!factorise(block.own))
+        return;
+      share_columns(block);
+    }
+    make_small_system();
+    regular = n_small == 0 || factorise(small);
+  }
+
+  void ChainOfBlocks::find_blocks()
+  {
+    std::vector<unsigned int> place(problem.n_blocks(), none);
+    for (const unsigned int unknown : rows.unknowns())
+    {
+      if (unknown >= rows.n_of_nodes())
+        break;
+      const unsigned int number = problem.block_of_point(rows.point_of(unknown));
+      if (place[number] == none)
+      {
+        place[number] = blocks.size();
+        blocks.emplace_back();
+        blocks.back().number = number;
+        blocks.back().before = problem.block_before(number);
+      }
+      Block &block                  = blocks[place[number]];
+      const Tensor<1, 3> &by_motion = rows.by_motion(unknown);
+      if (block.before != none && (by_motion[1] != 0. || by_motion[2] != 0.))
+        block.slips.push_back(block.unknowns.size());
+      block.unknowns.push_back(unknown);
+    }
+    for (Block &block : blocks)
+    {
+      if (block.before == block.number) // no slip at all
+        block.before = none;
+      block.place_before = block.before == none ? none : place[block.before];
+      felt.push_back(block.number);
+      if (block.before != none)
+        felt.push_back(block.before);
+    }
+    std::sort(felt.begin(), felt.end());
+    felt.erase(std::unique(felt.begin(), felt.end()), felt.end());
+  }
+
+  void ChainOfBlocks::choose_shapes()
+  {
+    // The first shapes are the most significant. With three the Krylov method takes some 40 steps,
+    // with eight 10.
+    constexpr unsigned int fewest = 3, affordable = 1500;
+    n_shapes = std::min<unsigned int>(problem.n_far_shapes(),
+                                      std::max<unsigned int>(fewest, affordable / felt.size()));
+    n_far    = n_shapes * felt.size();
+    for (Block &block : blocks)
+    {
+      const unsigned int n = block.unknowns.size();
+      for (LAPACKFullMatrix<double> *matrix : {&block.shapes, &block.by_motion, &block.by_slip})
+        matrix->reinit(n, n_shapes);
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int c = 0; c < 3; ++c)
+          for (unsigned int s = 0; s < n_shapes; ++s)
+          {
+            const unsigned int unknown = block.unknowns[i];
+            const double shape         = problem.far_shape(rows.point_of(unknown), c, s);
+            if (c == unknown % 3)
+              block.shapes(i, s) = shape;
+            block.by_motion(i, s) += rows.by_motion(unknown)[c] * shape;
+            if (c > 0)
+              block.by_slip(i, s) += rows.by_motion(unknown)[c] * shape;
+          }
+    }
+  }
+
+  void ChainOfBlocks::make_kernel()
+  {
+    kernel.reinit(n_far, n_shapes * blocks.size());
+    for (unsigned int b = 0; b < blocks.size() && n_shapes > 0; ++b)
+      for (unsigned int g = 0; g < felt.size(); ++g)
+        if (const FullMatrix<double> *of_pair = problem.far_kernel(felt[g], blocks[b].number))
+          for (unsigned int s = 0; s < n_shapes; ++s)
+            for (unsigned int t = 0; t < n_shapes; ++t)
+              kernel(n_shapes * g + s, n_shapes * b + t) = (*of_pair)(s, t);
+  }
+
+  void ChainOfBlocks::cut_chains()
+  {
+    std::vector<unsigned int> after(blocks.size(), none);
+    for (unsigned int b = 0; b < blocks.size(); ++b)
+      if (blocks[b].place_before != none)
+        after[blocks[b].place_before] = b;
+    std::vector<char> is_done(blocks.size(), false);
+    for (unsigned int first = 0; first < blocks.size(); ++first)
+    {
+      if (is_done[first])
+        continue;
+      // Back to where the chain begins or, once around a ring, to where the least is handed on.
+      unsigned int begin = first, b = first;
+      do
+      {
+        if (blocks[b].place_before == none || blocks[b].slips.size() < blocks[begin].slips.size())
+          begin = b;
+        b = blocks[b].place_before;
+      } while (b != none && b != first);
+      cuts.push_back(begin);
+      blocks[begin].is_cut    = true;
+      blocks[begin].first_cut = n_cuts;
+      if (blocks[begin].place_before != none)
+        n_cuts += blocks[begin].slips.size();
+      for (b = begin; b != none && !is_done[b]; b = after[b])
+      {
+        is_done[b] = true;
+        order.push_back(b);
+      }
+    }
+    for (Block &block : blocks)
+      if (block.place_before != none)
+      {
+        const Block &before                   = blocks[block.place_before];
+        const LAPACKFullMatrix<double> matrix = near_matrix(block, before);
+        block.by_before.reinit(block.slips.size(), before.unknowns.size());
+        for (unsigned int i = 0; i < block.slips.size(); ++i)
+          for (unsigned int j = 0; j < before.unknowns.size(); ++j)
+            block.by_before(i, j) = -matrix(block.slips[i], j);
+      }
+  }
+
+  LAPACKFullMatrix<double> ChainOfBlocks::near_matrix(const Block &block, const Block &loaded) const
+  {
+    LAPACKFullMatrix<double> matrix = rows.matrix_of(block.unknowns, loaded.unknowns);
+    const auto add =
+        [&](const LAPACKFullMatrix<double> &motions, const unsigned int moved, const double factor)
+    {
+      const FullMatrix<double> *of_pair = problem.far_kernel(moved, loaded.number);
+      if (!of_pair || n_shapes == 0)
+        return;
+      FullMatrix<double> first_shapes(n_shapes, n_shapes);
+      first_shapes.fill(*of_pair);
+      LAPACKFullMatrix<double> between(n_shapes), by_shapes(motions.m(), n_shapes),
+          entries(matrix.m(), matrix.n());
+      between = first_shapes;
+      motions.mmult(by_shapes, between);
+      by_shapes.mTmult(entries, loaded.shapes);
+      matrix.add(factor, entries);
+    };
+    add(block.by_motion, block.number, -1.);
+    if (block.before != none)
+      add(block.by_slip, block.before, 1.); // slips are differences
+    return matrix;
+  }
+
+  void ChainOfBlocks::share_columns(Block &block) const
+  {
+    const unsigned int n = block.unknowns.size();
+    std::vector<Vector<double>> columns;
+    const auto add = [&](const unsigned int number, const Vector<double> &column)
+    {
+      block.shared.push_back(number);
+      columns.push_back(column);
+    };
+    const auto add_far =
+        [&](const unsigned int of, const LAPACKFullMatrix<double> &motions, const double factor)
+    {
+      const unsigned int place = std::lower_bound(felt.begin(), felt.end(), of) - felt.begin();
+      for (unsigned int s = 0; s < n_shapes; ++s)
+      {
+        Vector<double> column(n);
+        for (unsigned int i = 0; i < n; ++i)
+          column[i] = factor * motions(i, s);
+        add(n_shapes * place + s, column);
+      }
+    };
+    add_far(block.number, block.by_motion, -1.);
+    if (block.before != none)
+      add_far(block.before, block.by_slip, 1.);
+    if (block.is_cut && block.place_before != none)
+      for (unsigned int i = 0; i < block.slips.size(); ++i)
+      {
+        Vector<double> column(n);
+        column[block.slips[i]] = 1.;
+        add(n_far + block.first_cut + i, column);
+      }
+    const LAPACKFullMatrix<double> by_rigid = rows.matrix_of(block.unknowns, rows.rigid_unknowns());
+    for (unsigned int r = 0; r < rows.n_rigid(); ++r)
+    {
+      Vector<double> column(n);
+      for (unsigned int i = 0; i < n; ++i)
+        column[i] = -by_rigid(i, r);
+      if (column.linfty_norm() > 0.)
+        add(n_far + n_cuts + r, column);
+    }
+    block.by_shared.reinit(n, columns.size());
+    for (unsigned int j = 0; j < columns.size(); ++j)
+      for (unsigned int i = 0; i < n; ++i)
+        block.by_shared(i, j) = columns[j][i];
+  }
+
+  LAPACKFullMatrix<double>
+  ChainOfBlocks::forces_by_shared(const Block &block, const LAPACKFullMatrix<double> &before,
+                                  const std::vector<unsigned int> &place_of,
+                                  const unsigned int n_columns) const
+  {
+    LAPACKFullMatrix<double> forces(block.unknowns.size(), n_columns);
+    if (block.continues_chain() && before.n() > 0)
+    {
+      LAPACKFullMatrix<double> handed_on(block.slips.size(), before.n());
+      block.by_before.mmult(handed_on, before);
+      for (unsigned int j = 0; j < before.n(); ++j)
+        for (unsigned int i = 0; i < block.slips.size(); ++i)
+          forces(block.slips[i], j) = handed_on(i, j);
+    }
+    for (unsigned int j = 0; j < block.shared.size(); ++j)
+      for (unsigned int i = 0; i < block.unknowns.size(); ++i)
+        forces(i, place_of[block.shared[j]]) += block.by_shared(i, j);
+    if (n_columns > 0)
+      block.own.solve(forces);
+    return forces;
+  }
+
+  void ChainOfBlocks::make_small_system()
+  {
+    small.reinit(n_small);
+    LAPACKFullMatrix<double> far_forces(kernel.n(), n_small), far_motion(n_far, n_small);
+    LAPACKFullMatrix<double> forces; // of the last block, by columns of the small system
+    std::vector<unsigned int> columns, place_of(n_small, none);
+    for (const unsigned int b : order)
+    {
+      const Block &block = blocks[b];
+      if (!block.continues_chain())
+      {
+        for (const unsigned int column : columns)
+          place_of[column] = none;
+        columns.clear();
+      }
+      for (const unsigned int column : block.shared)
+        if (place_of[column] == none)
+        {
+          place_of[column] = columns.size();
+          columns.push_back(column);
+        }
+      forces = forces_by_shared(block, forces, place_of, columns.size());
+      if (n_shapes > 0)
+      {
+        LAPACKFullMatrix<double> of_shapes(n_shapes, columns.size());
+        block.shapes.Tmmult(of_shapes, forces);
+        for (unsigned int j = 0; j < columns.size(); ++j)
+          for (unsigned int s = 0; s < n_shapes; ++s)
+            far_forces(n_shapes * b + s, columns[j]) = of_shapes(s, j);
+      }
+      add_handed_on(b, forces, columns, small);
+    }
+    if (n_far > 0)
+      kernel.mmult(far_motion, far_forces);
+    for (unsigned int j = 0; j < n_small; ++j)
+      for (unsigned int i = 0; i < n_far; ++i)
+        small(i, j) -= far_motion(i, j);
+    for (unsigned int i = 0; i < n_far + n_cuts; ++i)
+      small(i, i) += 1.;
+    const LAPACKFullMatrix<double> of_rigid =
+        rows.matrix_of(rows.rigid_unknowns(), rows.rigid_unknowns());
+    for (unsigned int r = 0; r < rows.n_rigid(); ++r)
+      for (unsigned int s = 0; s < rows.n_rigid(); ++s)
+        small(n_far + n_cuts + r, n_far + n_cuts + s) += of_rigid(r, s);
+  }
+
+  void ChainOfBlocks::add_handed_on(const unsigned int place,
+                                    const LAPACKFullMatrix<double> &forces,
+                                    const std::vector<unsigned int> &columns,
+                                    LAPACKFullMatrix<double> &matrix) const
+  {
+    for (const unsigned int cut : cuts)
+      if (const Block &after = blocks[cut]; after.place_before == place)
+        for (unsigned int k = 0; k < after.slips.size(); ++k)
+          for (unsigned int j = 0; j < columns.size(); ++j)
+            for (unsigned int i = 0; i < forces.m(); ++i)
+              matrix(n_far + after.first_cut + k, columns[j]) -=
+                  after.by_before(k, i) * forces(i, j);
+    for (unsigned int r = 0; r < rows.n_rigid(); ++r)
+      for (unsigned int i = 0; i < forces.m(); ++i)
+      {
+        const double balance = rows.balance_of(r, blocks[place].unknowns[i]);
+        if (balance != 0.)
+          for (unsigned int j = 0; j < columns.size(); ++j)
+            matrix(n_far + n_cuts + r, columns[j]) += balance * forces(i, j);
+      }
+  }
+
+  std::vector<Vector<double>> ChainOfBlocks::forces(const Vector<double> &vector,
+                                                    const Vector<double> *shared) const
+  {
+    std::vector<Vector<double>> result(blocks.size());
+    for (const unsigned int b : order)
+    {
+      const Block &block  = blocks[b];
+      Vector<double> &own = result[b];
+      own.reinit(block.unknowns.size());
+      for (unsigned int i = 0; i < own.size(); ++i)
+        own[i] = vector[block.unknowns[i]];
+      if (block.continues_chain())
+      {
+        Vector<double> handed_on(block.slips.size());
+        block.by_before.vmult(handed_on, result[block.place_before]);
+        for (unsigned int i = 0; i < handed_on.size(); ++i)
+          own[block.slips[i]] += handed_on[i];
+      }
+      if (shared && !block.shared.empty())
+      {
+        Vector<double> values(block.shared.size());
+        for (unsigned int j = 0; j < values.size(); ++j)
+          values[j] = (*shared)[block.shared[j]];
+        block.by_shared.vmult(own, values, /*adding =*/true);
+      }
+      block.own.solve(own);
+    }
+    return result;
+  }
+
+  Vector<double> ChainOfBlocks::solve_small_system(const std::vector<Vector<double>> &forces,
+                                                   const Vector<double> &vector) const
+  {
+    LAPACKFullMatrix<double> defect(n_small, 1);
+    Vector<double> far_forces(kernel.n()), solution(n_small);
+    for (unsigned int b = 0; b < blocks.size(); ++b)
+    {
+      LAPACKFullMatrix<double> column(forces[b].size(), 1);
+      for (unsigned int i = 0; i < forces[b].size(); ++i)
+      {
+        column(i, 0) = forces[b][i];
+        for (unsigned int s = 0; s < n_shapes; ++s)
+          far_forces[n_shapes * b + s] += blocks[b].shapes(i, s) * forces[b][i];
+      }
+      add_handed_on(b, column, {0}, defect);
+    }
+    for (unsigned int i = n_far; i < n_small; ++i)
+      solution[i] = -defect(i, 0);
+    if (n_far > 0)
+    {
+      Vector<double> far_motion(n_far);
+      kernel.vmult(far_motion, far_forces);
+      std::copy(far_motion.begin(), far_motion.end(), solution.begin());
+    }
+    for (unsigned int r = 0; r < rows.n_rigid(); ++r)
+      solution[n_far + n_cuts + r] += vector[rows.n_of_nodes() + r];
+    small.solve(solution);
+    return solution;
+  }
+
+  void ChainOfBlocks::vmult(Vector<double> &result, const Vector<double> &vector) const
+  {
+    std::vector<Vector<double>> of_blocks = forces(vector, nullptr);
+    result                                = 0.;
+    if (n_small > 0)
+    {
+      const Vector<double> shared = solve_small_system(of_blocks, vector);
+      of_blocks                   = forces(vector, &shared);
+      for (unsigned int r = 0; r < rows.n_rigid(); ++r)
+        result[rows.n_of_nodes() + r] = shared[n_far + n_cuts + r];
+    }
+    for (unsigned int b = 0; b < blocks.size(); ++b)
+      for (unsigned int i = 0; i < of_blocks[b].size(); ++i)
+        result[blocks[b].unknowns[i]] = of_blocks[b][i];
+  }
+} // namespace ringmotor

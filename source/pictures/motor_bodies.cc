@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/pictures/motor_bodies.h>
+#include <ringmotor/structure/mirror.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ringmotor
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Complex = std::complex<double>;
+
+    /**
+     * Forces F on the nodes of a sector's surface are F_1 + i F_2, both with the symmetry
+     * F(-theta) = S conj(F(theta)) of a half sector's real and imaginary fields: the two loads on
+     * the half sector. (A node on the mirror plane counts half.)
+     */
+    std::vector<CondensationLoad> loads_on_half(const std::vector<std::array<Complex, 3>> &forces,
+                                                const SectorSurface &surface)
+    {
+      unsigned int n_half = 0;
+      for (const MirroredNode &node : surface.origin)
+        n_half = std::max(n_half, node.node + 1);
+      const std::size_t n_forms = 3 * n_half;
+      std::vector<CondensationLoad> loads(2, {std::vector<double>(2 * n_forms, 0.), {}, {}});
+      for (unsigned int a = 0; a < forces.size(); ++a)
+      {
+        const auto [node, is_mirrored]     = surface.origin[a];
+        const std::array<Complex, 3> force = is_mirrored ? mirrored(forces[a]) : forces[a];
+        for (unsigned int c = 0; c < 3; ++c)
+        {
+          const Complex first  = 0.5 * force[c],
+                        second = (is_mirrored ? -1. : 1.) * 0.5 * force[c] / Complex(0., 1.);
+          loads[0].forces[3 * node + c] += first.real();
+          loads[0].forces[n_forms + 3 * node + c] += first.imag();
+          loads[1].forces[3 * node + c] += second.real();
+          loads[1].forces[n_forms + 3 * node + c] += second.imag();
+        }
+      }
+      return loads;
+    }
+  } // namespace
+
+  MotorBodies::MotorBodies(const Parameters &parameters, const StatorWave &wave,
+                           const ContactDiscretisation &discretisation,
+                           const unsigned int n_subdivisions)
+      : parameters(parameters), model(motor_model(parameters)), wave(wave),
+        lip_turn(discretisation.lip_turn), tooth_body(parameters, discretisation),
+        rotor_body(parameters, discretisation),
+        mortar(couple(tooth_body.whole_top.surface, rotor_body.whole_lip.surface,
+                      2. * numbers::PI / parameters.motor.n_teeth, discretisation.lip_turn)),
+        rotor_ring(rotor_body.sector, n_subdivisions,
+                   parameters.stator.base_thickness + parameters.stator.tooth_height,
+                   discretisation.lip_turn),
+        tooth_ring(tooth_body.sector, n_subdivisions)
+  {
+  }
+
+  std::vector<MotorBodies::Amplitudes> MotorBodies::lip_forces(const PointSample &at) const
+  {
+    const unsigned int n_teeth = parameters.motor.n_teeth, n_nodes = mortar.nodes.size(),
+                       n_lip = rotor_body.whole_lip.origin.size(), n_waves = n_teeth / 2 + 1;
+    const bool has_friction = model.rotor_gives_way_along;
+    std::vector<Amplitudes> amplitudes(n_waves, Amplitudes(n_lip));
+    for (unsigned int tooth = 0; tooth < n_teeth; ++tooth)
+      for (unsigned int a = 0; a < n_nodes; ++a)
+      {
+        const PointVector &force =
+            at.fields
+                .force[(at.sample * at.fields.n_teeth + tooth % at.fields.n_teeth) * n_nodes + a];
+        if (force == PointVector())
+          continue;
+        for (const MortarCoupling::Weight &weight : mortar.nodes[a].weights)
+          for (unsigned int k = 0; k < n_waves; ++k)
+          {
+            // Waves k and N - k are conjugate to each other; here one stands for both.
+            const double share = (k == 0 || 2 * k == n_teeth ? 1. : 2.) / n_teeth;
+            const auto sector  = static_cast<double>(tooth) + weight.sector;
+            const Complex factor =
+                weight.weight * share * std::polar(1., 2. * numbers::PI * k * sector / n_teeth);
+            for (unsigned int c = 0; c < (has_friction ? 3 : 1); ++c)
+              amplitudes[k][weight.rotor_node][c] += factor * force[c];
+          }
+      }
+    return amplitudes;
+  }
+
+  std::vector<RingBody::Displacement>
+  MotorBodies::static_rotor_motions(const std::vector<PointSample> &samples) const
+  {
+    const unsigned int n_teeth      = parameters.motor.n_teeth;
+    const Condensation condensation = rotor_body.condensed(true);
+    std::vector<std::vector<Amplitudes>> forces;
+    for (const PointSample &at : samples)
+      forces.push_back(lip_forces(at));
+
+    std::vector<RingBody::Displacement> displacements(samples.size(), rotor_ring.at_rest());
+    for (unsigned int k = 0; 2 * k <= n_teeth; ++k)
+    {
+      const std::vector<unsigned int> held = rotor_body.held(k);
+      std::vector<CondensationLoad> loads;
+      for (unsigned int m = 0; m < samples.size(); ++m)
+      {
+        std::vector<CondensationLoad> of_sample = loads_on_half(forces[m][k], rotor_body.whole_lip);
+        // Displacements of supports, see RingContact: rise, then cosine and sine parts of each
+        // near-rigid mode. The rotation is left out.
+        const std::vector<double> &rigid = samples[m].fields.rigid;
+        AssertThrow(!rigid.empty(), ExcMessage("the rigid motions of the rotor are missing"));
+        const std::size_t n_rigid = rigid.size() / samples[m].fields.times.size(),
+                          first   = samples[m].sample * n_rigid;
+        for (unsigned int part = 0; part < 2; ++part)
+        {
+          std::vector<double> &supports = of_sample[part].supports;
+          supports.assign(held.size(), 0.);
+          if (k == 0 && part == 0)
+            supports[0] = rigid[first];
+          else if (k == 1 && n_rigid > 1)
+            for (unsigned int i = 0; i < held.size(); ++i)
+              supports[i] = rigid[first + 1 + 2 * i + part];
+          loads.push_back(std::move(of_sample[part]));
+        }
+      }
+      const std::vector<SectorMotion> motions = condensation.interior(k, held, loads);
+      for (unsigned int m = 0; m < samples.size(); ++m)
+      {
+        const RingBody::Amplitude amplitude =
+            rotor_ring.amplitude(motions[2 * m], motions[2 * m + 1]);
+        for (unsigned int sector = 0; sector < n_teeth; ++sector)
+          rotor_ring.add(sector, std::polar(1., -2. * numbers::PI * k * sector / n_teeth),
+                         amplitude, displacements[m]);
+      }
+    }
+    return displacements;
+  }
+
+  std::vector<RingBody::Displacement>
+  MotorBodies::rotor_motions(const CondensedMotor &motor,
+                             const std::vector<PointSample> &samples) const
+  {
+    std::vector<RingBody::Displacement> displacements = static_rotor_motions(samples);
+    if (motor.has_rotor_modes())
+      add_vibration(motor, samples, displacements);
+    return displacements;
+  }
+
+  std::vector<RingBody::Displacement>
+  MotorBodies::teeth_motions(const std::vector<PointSample> &samples) const
+  {
+    const unsigned int n_teeth = parameters.motor.n_teeth, n_nodes = mortar.nodes.size();
+    const Condensation condensation = tooth_body.condensed(0., true);
+    const Warp &warp                = model.warp;
+    const SectorMotion at_rest      = tooth_body.sector.at_rest();
+    const auto following            = [&](const Condensation &tooth) {
+      return tooth.interior(0, {}, {{{}, tooth_body.foot_motion(wave.foot), {}}}).front();
+    };
+    // Contact forces move a tooth nearly as if it had no inertia.
+    const RingBody::Amplitude free_motion =
+        tooth_ring.amplitude(model.teeth_move_with_inertia
+                                 ? following(tooth_body.condensed(wave.angular_frequency, true))
+                                 : following(condensation),
+                             at_rest);
+    const RingBody::Amplitude lift = tooth_ring.lift(
+        [&](const double theta) { return std::polar(warp.amplitude, warp.n_waves * theta); });
+
+    std::vector<RingBody::Displacement> displacements;
+    for (const auto &[fields, sample, amplitude] : samples)
+    {
+      displacements.push_back(tooth_ring.at_rest());
+      std::vector<unsigned int> pressed;
+      std::vector<CondensationLoad> loads;
+      for (unsigned int tooth = 0; tooth < n_teeth; ++tooth)
+      {
+        const double phase = wave.angular_frequency * fields.times[sample] -
+                             2. * numbers::PI * wave.n_waves * tooth / n_teeth;
+        tooth_ring.add(tooth, std::polar(amplitude / wave.amplitude, phase), free_motion,
+                       displacements.back());
+        const double angle = 2. * numbers::PI * tooth / n_teeth;
+        tooth_ring.add(tooth, std::polar(1., warp.n_waves * angle), lift, displacements.back());
+
+        Amplitudes forces(tooth_body.whole_top.origin.size());
+        bool is_pressed = false;
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          for (unsigned int c = 0; c < 3; ++c)
+          {
+            const double force =
+                fields.force[(sample * fields.n_teeth + tooth % fields.n_teeth) * n_nodes + a][c];
+            forces[mortar.nodes[a].tooth_node][c] = -force;
+            is_pressed                            = is_pressed || force != 0.;
+          }
+        if (is_pressed && model.teeth_give_way)
+        {
+          pressed.push_back(tooth);
+          for (CondensationLoad &load : loads_on_half(forces, tooth_body.whole_top))
+            loads.push_back(std::move(load));
+        }
+      }
+      const std::vector<SectorMotion> motions = condensation.interior(0, {}, loads);
+      for (unsigned int i = 0; i < pressed.size(); ++i)
+        tooth_ring.add(pressed[i], 1., tooth_ring.amplitude(motions[2 * i], motions[2 * i + 1]),
+                       displacements.back());
+    }
+    return displacements;
+  }
+} // namespace ringmotor

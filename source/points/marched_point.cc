@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/parameters/errors.h>
+#include <ringmotor/points/marched_point.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace ringmotor
+{
+  using namespace dealii;
+
+  double remaining_change(const std::vector<double> &means)
+  {
+    constexpr double slowest = 0.9; // ratio still distinguishable from no convergence
+    const std::size_t n      = means.size();
+    if (n < 3)
+      return std::numeric_limits<double>::infinity();
+    const double before = std::abs(means[n - 2] - means[n - 3]),
+                 last   = std::abs(means[n - 1] - means[n - 2]),
+                 ratio  = last < slowest * before ? last / before : slowest;
+    return std::max({before, last, last * ratio / (1. - ratio)});
+  }
+
+  double wandering(const std::vector<double> &means)
+  {
+    constexpr std::size_t enough = 20;
+    constexpr double margin      = 2.;
+    if (means.size() < enough)
+      return std::numeric_limits<double>::infinity();
+    const auto [low, high] = std::minmax_element(means.begin() + means.size() / 2, means.end());
+    return margin * (*high - *low);
+  }
+
+  MarchedRun::MarchedRun(const Parameters &parameters, const CondensedMotor &motor,
+                         const PointRequest &request, const unsigned int n_joined)
+      : load(load_of(parameters.loading, request)), n_parts(parameters.time.n_snapshots),
+        n_joined(n_joined),
+        driver(motor, motor_model(parameters).friction, motor_model(parameters).warp, load.preload)
+  {
+  }
+
+  MarchedSpan MarchedRun::advance(const unsigned int n_steps, const double length)
+  {
+    MarchedSpan span;
+    std::vector<OperatingPoint> parts;
+    std::vector<double> lengths; // of the parts
+    for (unsigned int begin = 0; begin < n_steps; begin += n_joined)
+    {
+      const unsigned int together = std::min(n_joined, n_steps - begin);
+      for (unsigned int part = 0; part < n_parts; ++part)
+      {
+        const double length_of_part = together * length / n_parts;
+        if (std::optional<OperatingPoint> result = add_step(length_of_part, span.fields))
+        {
+          parts.push_back(*result);
+          lengths.push_back(length_of_part);
+        }
+        if (span.fields.times.size() == 1)
+          span.fields.reserve((n_steps + n_joined - 1) / n_joined * n_parts);
+      }
+    }
+    span.mean = mean(parts, lengths);
+    return span;
+  }
+
+  std::optional<OperatingPoint> MarchedRun::add_step(const double length, ContactFields &fields)
+  {
+    const bool is_first = !last.contact;
+    RotorLoad now       = load;
+    if (is_first && now.torque)
+      now.torque = 0.;
+    OperatingState state = driver.step(now, length);
+    taken.add_certificate(state.solution);
+    fields.append(fields_of(state, driver.time()));
+    std::optional<OperatingPoint> result;
+    if (is_first)
+      pass.emplace(state.contact->n_points());
+    else
+      result = evaluate_step(last, state, *pass);
+    pass->add(state.solution);
+    last = std::move(state);
+    return result;
+  }
+
+  namespace
+  {
+    /** Marches a motor until it has settled. */
+    class Settling
+    {
+    public:
+      Settling(const Parameters &parameters, const CondensedMotor &motor,
+               const PointRequest &request);
+
+      /** Of a step, s: a period of the solution is a whole number of them. */
+      double step_length() const;
+
+      /** Continues marching a motor with inertia under decreasing damping, until those initial
+       * transients that decay quickly have died out. */
+      void calm(MarchedRun &run) const;
+      /** Continues marching until the means have settled. @returns the last span */
+      MarchedSpan settle(MarchedRun &run);
+      /** How far the last span may be from their limit. */
+      const PointError &remaining() const { return rest; }
+
+      /** The values that may change, including the rotor's power; zero for prescribed ones. */
+      PointError values_of(const MarchedSpan &span) const;
+      std::vector<double> energies_of(const MarchedSpan &span) const
+      {
+        return rotor_energies(span.fields, pattern);
+      }
+
+    private:
+      void add(const PointError &values);
+      /** Judges speed and torque relative to the largest ones of all operating points; a loss
+       * relative to itself or, if larger, a thousandth of the friction loss at the speed of the
+       * crests. */
+      bool has_settled() const;
+      [[noreturn]] void give_up() const;
+
+      const Time time;
+      const CondensedMotor &motor;
+      const bool of_torque;
+      const double asked; ///< N m or rad/s
+      const RingPattern pattern;
+      const unsigned int n_parts; ///< of a period of the wave, see Repetition
+      const double tolerance;     ///< relative
+      double largest = 0.;        ///< N m, if all friction points one way
+      std::array<std::vector<double>, PointError::members.size()> means;
+      PointError rest;
+    };
+
+    Settling::Settling(const Parameters &parameters, const CondensedMotor &motor,
+                       const PointRequest &request)
+        : time(parameters.time), motor(motor), of_torque(request.control == Control::torque),
+          asked(request.value), pattern{motor.n_waves, motor.n_teeth,
+                                        motor_model(parameters).warp.n_waves},
+          n_parts(repetition_of(pattern).n_parts),
+          tolerance(0.1 * parameters.accuracy.strictest_target())
+    {
+      const Friction friction = motor_model(parameters).friction;
+      const double mu         = std::max(friction.static_coefficient, friction.dynamic_coefficient);
+      for (const CondensedMotor::Node &node : motor.nodes)
+        largest = std::max(largest, mu * parameters.loading.preload * node.radius);
+    }
+
+    double Settling::step_length() const
+    {
+      constexpr double rounding = 1e-3; // of a step given with a few digits
+      const double period       = motor.period() / n_parts;
+      return period / std::ceil(period / time.time_step * (1. - rounding));
+    }
+
+    PointError Settling::values_of(const MarchedSpan &span) const
+    {
+      PointError values;
+      (of_torque ? values.speed : values.torque) = of_torque ? span.mean.speed : span.mean.torque;
+      values.loss                                = span.mean.friction_loss();
+      values.rotor_power = power_per_loss_factor(energies_of(span), motor.angular_frequency) +
+                           span.mean.modal_damping;
+      values.stick_fraction        = span.mean.stick_fraction;
+      values.teeth_in_contact      = span.mean.teeth_in_contact;
+      values.second_stick_fraction = span.mean.second_stick_fraction;
+      values.radial_loss_share     = span.mean.radial_loss_share();
+      return values;
+    }
+
+    void Settling::calm(MarchedRun &run) const
+    {
+      // Amplitudes fall by a factor exp(pi eta) in a period.
+      constexpr double decay = 2.;
+      for (const double loss_factor : {0.3, 0.1, 0.03})
+      {
+        run.damp(loss_factor);
+        const double n_periods = std::ceil(decay / (numbers::PI * loss_factor));
+        run.advance(std::lround(n_periods * motor.period() / step_length()), step_length());
+      }
+      run.damp(0.);
+    }
+
+    MarchedSpan Settling::settle(MarchedRun &run)
+    {
+      // Short periods are combined to a quarter of the wave's: most teeth are in contact for less,
+      // and lose their friction history when they separate.
+      const unsigned int n_periods = (n_parts + 3) / 4;
+      const auto n_steps           = static_cast<unsigned int>(
+          std::lround(n_periods * motor.period() / n_parts / step_length()));
+      constexpr unsigned int most_spans = 60;
+      for (unsigned int number = 0; number < most_spans; ++number)
+      {
+        MarchedSpan span = run.advance(n_steps, step_length());
+        add(values_of(span));
+        if (has_settled())
+          return span;
+      }
+      give_up();
+    }
+
+    void Settling::add(const PointError &values)
+    {
+      for (unsigned int i = 0; i < PointError::members.size(); ++i)
+      {
+        means[i].push_back(values.*PointError::members[i]);
+        rest.*PointError::members[i] = std::min(remaining_change(means[i]), wandering(means[i]));
+      }
+    }
+
+    bool Settling::has_settled() const
+    {
+      // A sticking rotor has no losses that could settle; where friction falls with the velocity,
+      // its oscillations with almost no loss may continue forever. The error bar includes them.
+      constexpr std::size_t patience = 20;
+      constexpr double share         = 1e-3;
+      const double little            = share * largest * motor.crest_speed();
+      return rest.speed <= tolerance * motor.crest_speed() && rest.torque <= tolerance * largest &&
+             rest.loss <= tolerance * std::max(means[2].back(), little) &&
+             (rest.rotor_power <= tolerance * std::max(means[3].back(), little) ||
+              means[3].size() > patience);
+    }
+
+    void Settling::give_up() const
+    {
+      std::ostringstream text;
+      text.precision(4);
+      const auto range =
+          [&](const std::string &name, const std::vector<double> &values, const std::string &unit)
+      {
+        const auto [low, high] =
+            std::minmax_element(values.begin() + values.size() / 2, values.end());
+        text << name << " " << *low << " to " << *high << " " << unit;
+      };
+      text << "the motor does not settle at "
+           << (of_torque ? 1e3 * asked : asked * 30. / numbers::PI)
+           << (of_torque ? " mN m" : " rpm") << ": in the later half of " << means[0].size()
+           << " averaging spans of whole periods, the means have ";
+      if (of_torque)
+        range("speeds from", means[0], "rad/s");
+      else
+        range("torques from", means[1], "N m");
+      range(" and friction losses from", means[2], "W");
+      text << "; choose a larger Accuracy/Contact target, a smaller Time/Time step"
+           << (motor.rotor_mass > 0. ? ", or Effects/Rotor inertia = off" : "");
+      throw ComputationError(text.str());
+    }
+
+    /** The operating point of a span. */
+    CurvePoint point_of(MarchedSpan span, const Settling &settling, const double angular_frequency)
+    {
+      CurvePoint point;
+      point.result         = span.mean;
+      point.rotor_energies = settling.energies_of(span);
+      point.fields         = std::move(span.fields);
+      point.rotor_power    = power_per_loss_factor(point.rotor_energies, angular_frequency) +
+                          point.result.modal_damping;
+      return point;
+    }
+
+    /** The operating point of the steps that `Time` specifies to average over. */
+    CurvePoint find_by_window(const Time &time, MarchedRun &run, Settling &settling,
+                              const double angular_frequency, const bool tells_window)
+    {
+      ContactFields all;
+      const auto advance = [&](const unsigned int n_steps)
+      {
+        MarchedSpan span = run.advance(n_steps, time.time_step);
+        all.append(span.fields);
+        return span;
+      };
+      advance(1); // still without the torque
+      all.reserve(all.times.size() * *time.n_steps);
+      advance(*time.average_from_step - 2);
+      MarchedSpan window = advance(*time.average_to_step - *time.average_from_step + 1);
+      advance(*time.n_steps - *time.average_to_step);
+      const PointError found = settling.values_of(window);
+      CurvePoint point       = point_of(std::move(window), settling, angular_frequency);
+      point.fields           = std::move(all);
+      if (!tells_window)
+        return point;
+      point.tells_window       = true;
+      const PointError settled = settling.values_of(settling.settle(run));
+      for (double PointError::*quantity : PointError::members)
+        point.window.*quantity =
+            std::abs(found.*quantity - settled.*quantity) + settling.remaining().*quantity;
+      return point;
+    }
+  } // namespace
+
+  CurvePoint find_marched(const Parameters &parameters, const CondensedMotor &motor,
+                          const PointRequest &request, const unsigned int n_joined,
+                          const bool tells_window)
+  {
+    MarchedRun run(parameters, motor, request, n_joined);
+    Settling settling(parameters, motor, request);
+    CurvePoint point;
+    if (parameters.time.n_steps)
+      point = find_by_window(parameters.time, run, settling, motor.angular_frequency, tells_window);
+    else
+    {
+      run.advance(1, settling.step_length());
+      if (motor.rotor_mass > 0.)
+        settling.calm(run);
+      point              = point_of(settling.settle(run), settling, motor.angular_frequency);
+      point.window       = settling.remaining();
+      point.tells_window = true;
+    }
+    point.largest_violation = run.effort().largest_violation;
+    point.n_iterations      = run.effort().n_iterations;
+    point.remark            = run.effort().remark;
+    return point;
+  }
+} // namespace ringmotor

@@ -1,0 +1,347 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/timer.h>
+
+#include <ringmotor/motor/relevant.h>
+#include <ringmotor/parameters/errors.h>
+#include <ringmotor/points/marched_point.h>
+#include <ringmotor/points/point_quantities.h>
+#include <ringmotor/points/torque_speed.h>
+#include <ringmotor/structure/shared_work.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace ringmotor
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** The solution by which a point of the steady state was found, without its certificate. */
+    ContactSolution solution_of(const CurvePoint &point)
+    {
+      ContactSolution solution;
+      solution.state  = {point.fields.force, point.fields.rigid};
+      solution.motion = point.fields.motion;
+      if (point.request.control == Control::torque)
+        solution.state.rigid.push_back(point.fields.turn);
+      for (const unsigned char status : point.fields.status)
+        solution.status.push_back(static_cast<PointStatus>(status));
+      return solution;
+    }
+  } // namespace
+
+  const std::vector<std::pair<std::string, PointError PointErrors::*>> &PointErrors::members()
+  {
+    static const std::vector<std::pair<std::string, PointError PointErrors::*>> members{
+        {"meshes of bodies and interface", &PointErrors::mesh},
+        {"modes of rotor and teeth", &PointErrors::modes},
+        {"time step", &PointErrors::time},
+        {"dissipation of the scheme", &PointErrors::scheme},
+        {"averaging window", &PointErrors::window},
+        {by_wave, &PointErrors::wave},
+        {"effects left out", &PointErrors::effects},
+        {"algebra", &PointErrors::algebra},
+        {by_circuits, &PointErrors::drive}};
+    return members;
+  }
+
+  std::vector<std::pair<std::string, PointError>> PointErrors::causes() const
+  {
+    std::vector<std::pair<std::string, PointError>> causes;
+    for (const auto &[name, member] : members())
+      causes.emplace_back(name, this->*member);
+    return causes;
+  }
+
+  PointError PointErrors::total() const
+  {
+    PointError sum;
+    for (const auto &cause : causes())
+      sum += cause.second;
+    return sum;
+  }
+
+  void CurvePoint::add_certificate(const ContactSolution &solution)
+  {
+    largest_violation = std::max(largest_violation, solution.certificate.worst());
+    n_iterations += solution.n_iterations;
+    if (!solution.how.empty())
+      remark = solution.how;
+  }
+
+  WaveLoad wave_load(const CurvePoint &point, const VoltageDrive &drive, const double frequency)
+  {
+    const OperatingPoint &result = point.result;
+    return {result.amplitude, frequency, result.detuning,
+            result.taken_from_wave(drive.rotor_loss_factor * point.rotor_power)};
+  }
+
+  RotorLoad load_of(const Loading &loading, const PointRequest &request)
+  {
+    RotorLoad load{loading.preload, {}, request.value};
+    if (request.control == Control::torque)
+      load.torque = request.value;
+    return load;
+  }
+
+  Parameters with_parts_of_a_step(const Parameters &parameters, const unsigned int n_parts)
+  {
+    Parameters divided       = parameters;
+    divided.time.n_snapshots = (is_marched(parameters) ? parameters.time.n_snapshots : 1) * n_parts;
+    return divided;
+  }
+
+  OperatingPointFinder::OperatingPointFinder(const Parameters &all_parameters,
+                                             const CondensedMotor &motor, PointMemory *memory,
+                                             const CurveSetting &setting,
+                                             const std::optional<VoltageDrive> &drive)
+      : setting(setting), parameters(relevant_for_points(all_parameters)),
+        model(motor_model(parameters)), motor(motor), drive(drive),
+        wave(motor, model, {parameters.time.n_snapshots, setting.n_joined}),
+        amplitude(motor.amplitude), memory(memory)
+  {
+  }
+
+  void OperatingPointFinder::begin(const PointRequest &request, const CurvePoint &start,
+                                   const CurvePoint *start_before)
+  {
+    const RotorLoad load = load_of(parameters.loading, request);
+    SteadyDriver &steady = wave.driver();
+    // With inertia the neighbour on the curve is closer than the same point with other steps, but
+    // not closer than that with a slightly different wave or modes.
+    const bool neighbour_is_nearer =
+        model.has_inertia() && steady.has_state() && !setting.has_changed_motor();
+    if (start.fields.force.empty())
+    {
+      steady.start_from_rest();
+      amplitude = motor.amplitude;
+      detuning  = 0.;
+      return;
+    }
+    if (!neighbour_is_nearer)
+    {
+      begin_with_wave_of(start);
+      steady.go_on_from(load, solution_of(start), start.result.speed);
+      return;
+    }
+    amplitude = start.result.amplitude;
+    if (start_before)
+    {
+      detuning += start.result.detuning - start_before->result.detuning;
+      steady.go_on_by_change(load, solution_of(*start_before), start_before->result.speed,
+                             solution_of(start), start.result.speed);
+    }
+  }
+
+  void OperatingPointFinder::begin_with_wave_of(const CurvePoint &start)
+  {
+    amplitude = start.result.amplitude;
+    detuning  = start.result.detuning;
+  }
+
+  CurvePoint OperatingPointFinder::find(const PointRequest &request, const CurvePoint *start,
+                                        const CurvePoint *start_before)
+  {
+    if (memory)
+      if (std::optional<CurvePoint> known = memory->recall(request))
+      {
+        if (!is_marched(parameters))
+        {
+          wave.driver().go_on_from(load_of(parameters.loading, request), solution_of(*known),
+                                   known->result.speed);
+          begin_with_wave_of(*known);
+        }
+        return *known;
+      }
+    const auto since      = std::chrono::steady_clock::now();
+    const auto from_start = [&]
+    {
+      if (start)
+        begin(request, *start, start_before);
+      return find_steady(request);
+    };
+    // Impacts leave a motor with little damping several states close to each other. Other modes are
+    // to show how far these are apart: their points are not led to the state next to the start.
+    const auto anew = [&]
+    {
+      try
+      {
+        begin_with_wave_of(*start);
+        return find_steady(request);
+      }
+      catch (const ComputationError &)
+      {
+        return from_start();
+      }
+    };
+    CurvePoint point = is_marched(parameters) ? find_marched(parameters, motor, request,
+                                                             setting.n_joined, setting.tells_window)
+                       : start && setting.modes != ModesInUse::requested ? anew()
+                                                                         : from_start();
+    point.request    = request;
+    point.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
+    if (memory)
+      memory->keep(point);
+    return point;
+  }
+
+  namespace
+  {
+    /** Whether the difference between two points, of which @p share counts, is far below the
+     * smallest targets; what it is becomes part of the error bars. */
+    bool are_alike(const CurvePoint &one, const CurvePoint &other, const double share,
+                   const double preload, const CondensedMotor &motor)
+    {
+      constexpr double negligible = 1e-4, little = 1e-2;
+      const double torque = preload * motor.nodes.front().radius,
+                   speed  = motor.crest_speed() * one.result.amplitude / motor.amplitude,
+                   loss   = std::max(one.result.friction_loss(), little * torque * speed);
+      PointError rest     = change(other, one);
+      rest *= share / negligible;
+      return rest.speed <= speed && rest.torque <= torque && rest.loss <= loss;
+    }
+
+    /** What the search for an amplitude or a frequency leaves open. */
+    PointError unsettled(const StableRoot<CurvePoint> &root)
+    {
+      // Logarithms and ratios: values change in proportion to them, at most quadratically.
+      constexpr double of_values = 2.;
+      PointError rest = change(root.other ? root.other->state : CurvePoint(), root.found.state);
+      rest *= root.other ? root.share() : of_values * std::abs(root.found.excess);
+      return rest;
+    }
+  } // namespace
+
+  CurvePoint OperatingPointFinder::find_steady(const PointRequest &request)
+  {
+    if (!drive)
+      return find_at(request, motor.amplitude);
+    const StableRoot<CurvePoint> balanced = balanced_amplitude<CurvePoint>(
+        amplitude,
+        [&](const double of_wave)
+        {
+          CurvePoint point    = find_at(request, of_wave);
+          const double own    = drive->natural_frequency * (1. + point.result.detuning);
+          const double excess = drive->excess(
+              wave_load(point, *drive, drive->frequency.value_or(own)), setting.has_drive_error);
+          return std::make_pair(excess, std::move(point));
+        });
+    CurvePoint point = balanced.found.state;
+    point.unsettled += unsettled(balanced);
+    amplitude = point.result.amplitude;
+    return point;
+  }
+
+  CurvePoint OperatingPointFinder::find_at(const PointRequest &request, const double of_wave)
+  {
+    if (!model.wave_feels_contact)
+      return at_frequency(request, of_wave, motor.angular_frequency);
+    // The frequency at which the state found there has the detuning that this frequency requires.
+    // With inertia the state depends on it, so that mere repetition converges slowly, beside a
+    // resonance not at all.
+    const double natural              = motor.angular_frequency;
+    const StableRoot<CurvePoint> root = stable_root<CurvePoint>(
+        1. + detuning,
+        [&](const double place)
+        {
+          CurvePoint point    = at_frequency(request, of_wave, place * natural);
+          const double excess = place - 1. - point.result.detuning;
+          return std::make_pair(excess, std::move(point));
+        },
+        [&](const StableRoot<CurvePoint> &so_far)
+        {
+          return std::abs(so_far.found.excess) <= shifted_wave::settled ||
+                 (so_far.other && are_alike(so_far.found.state, so_far.other->state, so_far.share(),
+                                            parameters.loading.preload, motor));
+        },
+        shifted_wave::limits);
+    shifted_wave::require_settled(root.end, root.found.place, root.found.excess);
+    CurvePoint point = root.found.state;
+    detuning         = point.result.detuning;
+    point.unsettled += unsettled(root);
+    return point;
+  }
+
+  CurvePoint OperatingPointFinder::at_frequency(const PointRequest &request, const double of_wave,
+                                                const double at)
+  {
+    const OperatingState state = wave.at(load_of(parameters.loading, request), of_wave, at);
+    CurvePoint point;
+    point.request = request;
+    point.result  = evaluate(state);
+    point.add_certificate(state.solution);
+    point.fields         = fields_of(state, 0.);
+    point.rotor_energies = rotor_energies(point.fields, {motor.n_waves, motor.n_teeth, 0});
+    point.rotor_power    = power_per_loss_factor(point.rotor_energies, motor.angular_frequency) +
+                        point.result.modal_damping;
+    return point;
+  }
+
+  std::vector<PointRequest> listed_points(const Loading &loading)
+  {
+    std::vector<PointRequest> requests;
+    for (const double value : loading.values)
+      requests.push_back({loading.control, value});
+    return requests;
+  }
+
+  std::vector<TimedMotor>
+  condense_motors(const std::vector<unsigned int> &levels,
+                  const std::function<CondensedMotor(unsigned int level)> &condense,
+                  const MPI_Comm communicator)
+  {
+    std::vector<std::function<TimedMotor()>> tasks;
+    for (const unsigned int level : levels)
+      tasks.emplace_back(
+          [&condense, level]
+          {
+            Timer timer;
+            TimedMotor motor{condense(level)};
+            motor.seconds = timer.wall_time();
+            return motor;
+          });
+    return shared_work(tasks, communicator);
+  }
+
+  std::vector<CurvePoint> find_points(const Parameters &parameters, const CondensedMotor &motor,
+                                      const CurveSetting &setting,
+                                      const std::vector<PointRequest> &requests,
+                                      MPI_Comm communicator,
+                                      const std::function<void(const CurvePoint &)> &after_point,
+                                      PointMemory *memory, const std::vector<CurvePoint> &starts,
+                                      const std::optional<VoltageDrive> &drive)
+  {
+    const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator),
+                       n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+    OperatingPointFinder finder(with_parts_of_a_step(parameters, setting.n_parts), motor, memory,
+                                setting, drive);
+    // Neighbours on the curve to the same rank: each is the best start for the next one.
+    const auto first_of = [&](const unsigned int r) { return r * requests.size() / n_ranks; };
+    std::vector<CurvePoint> mine;
+    for (std::size_t i = first_of(rank); i < first_of(rank + 1); ++i)
+    {
+      mine.push_back(finder.find(requests[i], starts.empty() ? nullptr : &starts[i],
+                                 starts.empty() || mine.empty() ? nullptr : &starts[i - 1]));
+      after_point(mine.back());
+    }
+    if (n_ranks == 1) // nothing to be packed and unpacked
+      return mine;
+    std::vector<CurvePoint> points;
+    for (const std::vector<CurvePoint> &of_rank : of_all_ranks(mine, communicator))
+      points.insert(points.end(), of_rank.begin(), of_rank.end());
+    return points;
+  }
+
+  PointError change(const CurvePoint &from, const CurvePoint &to)
+  {
+    PointError change;
+    for (double PointError::*const member : PointError::members)
+      change.*member =
+          std::abs(quantity_with(member).value(from) - quantity_with(member).value(to));
+    change.*prescribed(to.request).error = 0.;
+    return change;
+  }
+} // namespace ringmotor

@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The list of effects: what each needs, what it adds to the model, how `auto` chooses, and that
+// disabled effects cost nothing. The frequency of the wave with the rotor on it: its shift is that
+// of Rayleigh's quotient, work of the forces over four times the strain energy, both from the
+// fields alone; without inertia, speeds are proportional to the frequency. Tests of single effects
+// are next to the tests of their physics.
+
+#include "support/motor_model.h"
+#include "support/record.h"
+
+#include <ringmotor/motor/effect.h>
+#include <ringmotor/parameters/errors.h>
+#include <ringmotor/points/effect_on_points.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+
+using namespace ringmotor;
+using namespace ringmotor::tests;
+
+namespace
+{
+  constexpr double rpm = M_PI / 30.;
+
+  const Effect &effect(const std::string &name)
+  {
+    for (const auto &candidate : all_effects())
+      if (candidate->name == name)
+        return *candidate;
+    throw std::logic_error("no effect " + name);
+  }
+
+  Parameters with(const std::string &name, const EffectChoice choice)
+  {
+    Parameters parameters                    = reference_motor();
+    parameters.effects.*(effect(name)).entry = choice;
+    return parameters;
+  }
+
+  void expect_refused(const Parameters &parameters, const EffectStage stage,
+                      const std::vector<std::string> &words)
+  {
+    try
+    {
+      check_effects(parameters, stage);
+      FAIL() << words.front() << " is not refused";
+    }
+    catch (const UserError &error)
+    {
+      for (const std::string &word : words)
+        EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
+    }
+  }
+} // namespace
+
+TEST(Effects, HaveEachAnEntryOfTheirOwn)
+{
+  std::set<std::string> names;
+  for (const auto &one : all_effects())
+  {
+    EXPECT_TRUE(names.insert(one->name).second) << one->name;
+    const Parameters off = with(one->name, EffectChoice::off);
+    for (const auto &other : all_effects())
+      EXPECT_EQ(other->choice(off) == EffectChoice::off,
+                other->choice(reference_motor()) == EffectChoice::off || other == one)
+          << one->name << " " << other->name;
+  }
+  EXPECT_EQ(names.size(), sizeof(Effects) / sizeof(EffectChoice)); // complete
+}
+
+TEST(Effects, SayWhatTheyNeed)
+{
+  Parameters lining = with("Friction lining", EffectChoice::on);
+  expect_refused(lining, EffectStage::contact,
+                 {"Effects/Friction lining = on", "Lining normal stiffness", "N/m^3"});
+  Parameters warped                    = with("Rotor inertia", EffectChoice::on);
+  warped.initial_deformation.amplitude = 4e-6;
+  warped.rotor.radial_bar_stiffness    = 0.;
+  expect_refused(warped, EffectStage::contact,
+                 {"Effects/Rotor inertia = on", "Rotor/Radial bar stiffness = 0", "allowed: off"});
+  warped.effects.rotor_inertia = EffectChoice::automatic; // may not be needed
+  EXPECT_NO_THROW(check_effects(warped, EffectStage::contact));
+  Parameters few    = with("Rotor inertia", EffectChoice::on);
+  few.motor.n_waves = 3;
+  few.motor.n_teeth = 16;
+  expect_refused(few, EffectStage::contact, {"harmonic 5", "allowed: off"});
+  Parameters in_time  = with("Damping", EffectChoice::on);
+  in_time.time.scheme = TimeScheme::marching;
+  expect_refused(in_time, EffectStage::contact,
+                 {"Effects/Damping = on", "Rotor inertia = off", "allowed: off"});
+  expect_refused(with("Spin convection", EffectChoice::on), EffectStage::contact,
+                 {"Effects/Spin convection = on", "not available", "allowed: off"});
+  Parameters marched  = with("Stator back-reaction", EffectChoice::on);
+  marched.time.scheme = TimeScheme::marching;
+  expect_refused(marched, EffectStage::contact, {"Effects/Stator back-reaction = on", "marching"});
+  Parameters plates               = with("Target plates", EffectChoice::on);
+  plates.stator.target_plate_area = 1e-5;
+  expect_refused(plates, EffectStage::stator,
+                 {"Stator/Target plate cross-section = 1e-05 m^2", "4e-07 m^2"});
+  plates.stator.mesh_file = "any.msh";
+  expect_refused(plates, EffectStage::stator, {"Effects/Target plates = on", "any.msh"});
+  Parameters felt                = with("Felt support", EffectChoice::on);
+  felt.support.felt_outer_radius = 0.034;
+  expect_refused(felt, EffectStage::stator, {"Effects/Felt support = on", "Felt outer radius"});
+}
+
+TEST(Effects, DampAStaticRotorOnlyIfThatWasChosen)
+{
+  EXPECT_FALSE(motor_model(with("Damping", EffectChoice::automatic)).rotor_needs_modes());
+  EXPECT_TRUE(motor_model(with("Damping", EffectChoice::on)).rotor_needs_modes());
+  Parameters vibrating            = with("Damping", EffectChoice::automatic);
+  vibrating.effects.rotor_inertia = EffectChoice::on;
+  EXPECT_GT(motor_model(vibrating).rotor_loss_factor, 0.);
+}
+
+TEST(Effects, AreChosenByAThirdOfTheTarget)
+{
+  const auto choice_of = [](const double indicator, const double target)
+  {
+    Parameters parameters = with("Rotor inertia", EffectChoice::automatic);
+    const Scene scene{parameters, nullptr, [&](const Effect &) { return indicator; }};
+    for (const EffectRow &row : choose_effects(parameters, EffectStage::contact, scene, target))
+      if (row.name == "Rotor inertia")
+      {
+        EXPECT_EQ(row.choice == "on", parameters.effects.rotor_inertia == EffectChoice::on);
+      }
+    return parameters.effects.rotor_inertia;
+  };
+  EXPECT_EQ(choice_of(0.011, 0.03), EffectChoice::on);
+  EXPECT_EQ(choice_of(0.009, 0.03), EffectChoice::off);
+  EXPECT_EQ(choice_of(-0.011, 0.03), EffectChoice::on);
+}
+
+TEST(Effects, ThatAreNeededButNotAvailableStopTheProgram)
+{
+  // Up to the target they are in the error bars.
+  // Seven waves of 2 um, of which the tops move 1.5 um along a radius of 34.2 mm.
+  const double indicator = 7. * 1.5e-6 / 34.2e-3;
+  const StatorWave wave  = stator_wave(reference_motor());
+  Parameters parameters  = with("Spin convection", EffectChoice::automatic);
+  const Scene scene{parameters, &wave, {}};
+  const std::vector<EffectRow> rows =
+      choose_effects(parameters, EffectStage::contact, scene, 2. * indicator);
+  EXPECT_EQ(parameters.effects.spin_convection, EffectChoice::off);
+  const auto row = std::find_if(rows.begin(), rows.end(),
+                                [](const EffectRow &r) { return r.name == "Spin convection"; });
+  EXPECT_NEAR(*row->indicator, indicator, 0.2 * indicator);
+  EXPECT_TRUE(row->is_left_out());
+  parameters = with("Spin convection", EffectChoice::automatic);
+  try
+  {
+    choose_effects(parameters, EffectStage::contact, scene, 0.7 * indicator);
+    FAIL() << "is not refused";
+  }
+  catch (const ComputationError &error)
+  {
+    for (const std::string words :
+         {"Effects/Spin convection = auto: it would change the results by", "is not available",
+          "allowed: off, or a larger target"})
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+  }
+}
+
+TEST(Effects, ThatAreLeftOutWidenTheErrorBars)
+{
+  const LeftOut left_out({{"Tooth inertia", 0.02, "off", true},
+                          {"Rotor inertia", 0.03, "off", true},
+                          {"Stator back-reaction", 0.5, "off", false}, // as set by the user
+                          {"Static friction excess", 0.2, "on", true}},
+                         {{"Rotor inertia", {{0.25, 0.004, 0.03, 2.}, 0.03}}});
+  CurvePoint point;
+  point.request                = {Control::torque, 0.05};
+  point.result.speed           = 8.;
+  point.result.tangential_loss = 0.1;
+  const PointError error       = left_out.of(point);
+  EXPECT_NEAR(error.speed, 0.02 * 8. + 0.25, 1e-12);
+  EXPECT_EQ(error.torque, 0.);
+  EXPECT_NEAR(error.loss, 0.02 * 0.1 + 0.03, 1e-12);
+  EXPECT_NEAR(error.rotor_power, 2., 1e-12);
+}
+
+TEST(Effects, ThatAreOffCostNothing)
+{
+  Parameters parameters = reference_motor();
+  for (const auto &one : all_effects())
+    parameters.effects.*one->entry = EffectChoice::off;
+  parameters.effects.tooth_shear = EffectChoice::on;
+  const StatorWave wave          = stator_wave(parameters);
+  const CondensedMotor without = condense_motor(parameters, wave, ContactDiscretisation::level(0));
+  EXPECT_TRUE(without.modes.empty());
+  EXPECT_TRUE(without.coarse_modes.empty());
+  std::vector<EffectRow> rows{{"Rotor inertia", {}, "off"}, {"Tooth vibration", {}, "off"}};
+  add_cost_of_modes(without, rows);
+  for (const EffectRow &row : rows)
+    EXPECT_EQ(row.dofs + row.bytes, 0u) << row.name;
+  parameters.effects.tooth_inertia   = EffectChoice::on;
+  parameters.effects.tooth_vibration = EffectChoice::on;
+  const CondensedMotor with_teeth =
+      condense_motor(parameters, wave, ContactDiscretisation::level(0));
+  add_cost_of_modes(with_teeth, rows);
+  EXPECT_EQ(rows[0].dofs + rows[0].bytes, 0u);
+  EXPECT_GT(rows[1].dofs, 0u);
+}
+
+TEST(ToothInertia, ChangesSpeedsAsItsIndicatorSays)
+{
+  Parameters parameters  = reference_motor();
+  const StatorWave wave  = stator_wave(parameters);
+  const double indicator = *effect("Tooth inertia").indicator({parameters, &wave, {}});
+  const EffectOnPoints change =
+      effect_on_points(parameters, effect("Tooth inertia"), wave,
+                       RotorVibration(parameters, wave.angular_frequency), MPI_COMM_SELF);
+  record("indicator", indicator);
+  record("relative change of the operating points", change.relative);
+  EXPECT_GT(change.relative, indicator / 3.);
+  EXPECT_LT(change.relative, indicator * 3.);
+}
+
+TEST(ToothVibration, ChangesLessThanItsEstimate)
+{
+  // Without operating points an upper limit is estimated.
+  Parameters parameters            = reference_motor();
+  parameters.effects.tooth_inertia = EffectChoice::on;
+  const StatorWave wave            = stator_wave(parameters);
+  const Effect &vibration          = effect("Tooth vibration");
+  const double indicator           = *vibration.indicator({parameters, &wave, {}});
+  const EffectOnPoints change =
+      effect_on_points(parameters, vibration, wave,
+                       RotorVibration(parameters, wave.angular_frequency), MPI_COMM_SELF);
+  record("indicator", indicator);
+  record("relative change of the operating points", change.relative);
+  EXPECT_GT(change.relative, indicator / 30.);
+  EXPECT_LT(change.relative, indicator);
+  // Far below the threshold it is not measured; without inertia of the teeth there is none.
+  const Scene scene{parameters, &wave, [](const Effect &) { return 1.; }, {}, 10. * indicator};
+  EXPECT_EQ(*vibration.indicator(scene), indicator);
+  parameters.effects.tooth_inertia = EffectChoice::off;
+  EXPECT_EQ(*vibration.indicator(scene), 0.);
+  parameters.effects.tooth_vibration = EffectChoice::on;
+  try
+  {
+    check_effects(parameters, EffectStage::contact);
+    FAIL() << "accepted";
+  }
+  catch (const UserError &error)
+  {
+    EXPECT_NE(std::string(error.what())
+                  .find("Effects/Tooth vibration = on is not available with Effects/Tooth inertia"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(EffectRanks, ChangesPointsAlikeOnTwo)
+{
+  Parameters parameters      = reference_motor();
+  parameters.effects.damping = EffectChoice::on;
+  const StatorWave wave      = stator_wave(parameters);
+  const auto change_on       = [&](MPI_Comm communicator)
+  {
+    const RotorVibration vibration(parameters, wave.angular_frequency, communicator);
+    return effect_on_points(parameters, effect("Rotor inertia"), wave, vibration, communicator);
+  };
+  const EffectOnPoints one = change_on(MPI_COMM_SELF), two = change_on(MPI_COMM_WORLD);
+  EXPECT_GT(one.relative, 0.01);
+  EXPECT_NEAR(two.relative, one.relative, 1e-7);
+  for (double PointError::*const quantity : PointError::members)
+    EXPECT_NEAR(two.change.*quantity, one.change.*quantity, 1e-6 * one.change.*quantity);
+}
+
+TEST(StatorBackReaction, TunesTheWaveAsRayleighSays)
+{
+  Parameters parameters                   = reference_motor();
+  parameters.effects.stator_back_reaction = EffectChoice::on;
+  const StatorWave wave                   = stator_wave(parameters);
+  const CondensedMotor motor = condense_motor(parameters, wave, ContactDiscretisation::level(0));
+  parameters.effects.stator_back_reaction = EffectChoice::off;
+  for (const double torque : {0., 0.1})
+  {
+    const CurvePoint given =
+        OperatingPointFinder(parameters, motor).find({Control::torque, torque});
+    Parameters following                   = parameters;
+    following.effects.stator_back_reaction = EffectChoice::on;
+    const CurvePoint own = OperatingPointFinder(following, motor).find({Control::torque, torque});
+    // The work of the forces on the rotor in the motion of the stator's wave, at one time sample.
+    double work                = 0.;
+    const unsigned int n_nodes = motor.nodes.size();
+    for (unsigned int i = 0; i < given.fields.force.size(); ++i)
+      for (unsigned int c = 0; c < 3; ++c)
+        work += given.fields.force[i][c] *
+                (motor.nodes[i % n_nodes].free_motion[c] *
+                 std::polar(1., motor.angular_frequency * given.fields.times[0] -
+                                    2. * M_PI * 7. / 90. * (i / n_nodes)))
+                    .real();
+    const double shift = work / (4. * wave.strain_energy);
+    record("shift of the frequency at 0, 100 mN m (Hz)", 30e3 * shift);
+    EXPECT_NEAR(given.result.detuning, shift, 1e-9 * shift);
+    // An independent estimate for this motor is about 100 Hz.
+    EXPECT_GT(30e3 * shift, 50.);
+    EXPECT_LT(30e3 * shift, 150.);
+    EXPECT_NEAR(*effect("Stator back-reaction").indicator({parameters, &wave, {}}), shift,
+                0.1 * shift);
+    // Static compliance and friction are rate-independent: all speeds increase in proportion.
+    EXPECT_NEAR(own.result.speed / given.result.speed, 1. + shift, 1e-6);
+    EXPECT_NEAR(own.result.friction_loss() / given.result.friction_loss(), 1. + shift, 1e-5);
+  }
+}
+
+TEST(StatorBackReaction, FollowsTheFrequencyOfTheWaveWithInertia)
+{
+  Parameters parameters            = reference_motor();
+  parameters.loading.preload       = 40.;
+  parameters.effects.rotor_inertia = EffectChoice::on;
+  parameters.effects.damping       = EffectChoice::on;
+  const StatorWave wave            = stator_wave(parameters);
+  CondensedMotor motor = condense_motor(parameters, wave, ContactDiscretisation::level(0), 1);
+  Parameters following = parameters;
+  following.effects.stator_back_reaction = EffectChoice::on;
+  const PointRequest request{Control::torque, 0.};
+  const CurvePoint own = OperatingPointFinder(following, motor).find(request);
+  const double shift   = own.result.detuning;
+  record("relative shift of the frequency", shift);
+  EXPECT_GT(shift, 5e-3);
+  motor.angular_frequency *= 1. + shift;
+  const CurvePoint given = OperatingPointFinder(parameters, motor).find(request);
+  EXPECT_NEAR(given.result.detuning, shift, 1e-6 * shift);
+  EXPECT_NEAR(given.result.speed, own.result.speed, 1e-6 * own.result.speed);
+}

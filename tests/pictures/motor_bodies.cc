@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Recovery of the whole rotor and teeth from the contact nodes: where bodies touch they move as in
+// the operating point, which does not involve their interior: teeth at their nodes, the rotor in
+// the weighted mean of the mortar method. (For the interior recovery itself see
+// tests/condensation/condensation.cc.)
+
+#include "support/motor_model.h"
+
+#include <ringmotor/pictures/motor_bodies.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace ringmotor;
+using namespace ringmotor::tests;
+using dealii::Point;
+
+namespace
+{
+  /** Normal, along -theta, radial. */
+  PointVector along_axes(const dealii::Tensor<1, 3> &u, const double theta)
+  {
+    PointVector result;
+    result[0] = u[2];
+    result[1] = u[0] * std::sin(theta) - u[1] * std::cos(theta);
+    result[2] = u[0] * std::cos(theta) + u[1] * std::sin(theta);
+    return result;
+  }
+
+  PointVector motion_at(const RingBody &body, const RingBody::Displacement &displacement,
+                        const double r, const double theta, const double z)
+  {
+    const auto point = body.point_at(Point<3>(r * std::cos(theta), r * std::sin(theta), z));
+    if (!point)
+    {
+      ADD_FAILURE() << "no point at r = " << r << ", theta = " << theta;
+      return {};
+    }
+    return along_axes(displacement[*point], theta);
+  }
+
+  /** With modes of elements of the same degree, on a mesh of the lip that is no finer: nothing of
+   * them is lost. Without those that condense_motor() needs for error bars. */
+  CondensedMotor with_modes(const Parameters &parameters, const StatorWave &wave,
+                            const ContactDiscretisation &discretisation)
+  {
+    const MotorModel model = motor_model(parameters);
+    if (model.rotor_moves_as_whole)
+      return condense_motor(parameters, wave, discretisation, 1);
+    Parameters without            = parameters;
+    without.effects.rotor_inertia = without.effects.damping = EffectChoice::off;
+    CondensedMotor motor = condense_motor(without, wave, discretisation);
+    if (model.rotor_needs_modes())
+    {
+      const ToothBody tooth(parameters, discretisation);
+      const RotorVibration vibration(parameters, wave.angular_frequency);
+      motor.modes =
+          vibration.at(vibration.setting(1), tooth.whole_top.surface, discretisation.lip_turn);
+      motor.modes_level = 1;
+      motor.dynamics    = {model.rotor_loss_factor, InertiaScheme::second_order(0.8),
+                           !model.rotor_vibrates};
+    }
+    return motor;
+  }
+
+  void expect_bodies_follow(const Parameters &parameters, const StatorWave &wave,
+                            const PointRequest &request,
+                            const ContactDiscretisation &discretisation)
+  {
+    const CondensedMotor motor = with_modes(parameters, wave, discretisation);
+    const ContactFields fields = OperatingPointFinder(parameters, motor).find(request).fields;
+    const unsigned int last    = fields.times.size() - 1;
+    const MotorBodies bodies(parameters, wave, discretisation, motor.degree);
+    const RingBody::Displacement
+        rotor = bodies.rotor_motions(motor, {{fields, last, motor.amplitude}}).front(),
+        teeth = bodies.teeth_motions({{fields, last, motor.amplitude}}).front();
+
+    const ToothBody tooth_body(parameters, discretisation);
+    const RotorBody rotor_body(parameters, discretisation);
+    const auto &lip             = rotor_body.whole_lip.surface.nodes;
+    const MortarCoupling mortar = couple(tooth_body.whole_top.surface, rotor_body.whole_lip.surface,
+                                         motor.pitch(), discretisation.lip_turn);
+    const double top            = parameters.stator.base_thickness + parameters.stator.tooth_height;
+    double tooth_error = 0., rotor_error = 0., largest = 0.;
+    for (unsigned int tooth = 0; tooth < motor.n_teeth; ++tooth)
+      for (unsigned int a = 0; a < motor.nodes.size(); ++a)
+      {
+        const std::size_t i =
+            (last * fields.n_teeth + tooth % fields.n_teeth) * motor.nodes.size() + a;
+        const PointVector of_tooth = motion_at(bodies.teeth(), teeth, motor.nodes[a].radius,
+                                               motor.nodes[a].angle + tooth * motor.pitch(), top);
+        PointVector of_rotor;
+        for (const MortarCoupling::Weight &weight : mortar.nodes[a].weights)
+          of_rotor += weight.weight *
+                      motion_at(bodies.rotor(), rotor, lip[weight.rotor_node].place[0],
+                                lip[weight.rotor_node].place[1] + discretisation.lip_turn +
+                                    (static_cast<int>(tooth) + weight.sector) * motor.pitch(),
+                                top);
+        largest     = std::max(largest, fields.rotor[i].norm());
+        tooth_error = std::max(tooth_error, (of_tooth - fields.tooth[i]).norm());
+        rotor_error = std::max(rotor_error, (of_rotor - fields.rotor[i]).norm());
+      }
+    EXPECT_GT(largest, 1e-7);
+    EXPECT_LT(tooth_error, 1e-9 * largest);
+    EXPECT_LT(rotor_error, 1e-9 * largest);
+  }
+
+  ContactDiscretisation coarse()
+  {
+    return ContactDiscretisation::level(0);
+  }
+} // namespace
+
+TEST(MotorBodies, MoveAsTheirContactPointsDo)
+{
+  Parameters parameters        = reference_motor();
+  const StatorWave wave        = stator_wave(parameters);
+  ContactDiscretisation turned = coarse();
+  turned.lip_turn              = 0.3 * 2. * M_PI / parameters.motor.n_teeth;
+  expect_bodies_follow(parameters, wave, {Control::torque, 0.05}, coarse());
+  parameters.rotor.flange_element = ElementKind::shell;
+  expect_bodies_follow(parameters, wave, {Control::torque, 0.05}, turned);
+}
+
+TEST(MotorBodies, TiltAndStandOnWarpedTeeth)
+{
+  Parameters parameters                    = reference_motor();
+  parameters.initial_deformation.amplitude = 4e-6;
+  parameters.initial_deformation.n_waves   = 1;
+  parameters.time.time_step                = 2e-6;
+  parameters.accuracy.contact_target       = 0.5;
+  const StatorWave wave                    = stator_wave(parameters);
+  for (const double bars : {0., 1e9})
+  {
+    parameters.rotor.radial_bar_stiffness = bars;
+    expect_bodies_follow(parameters, wave, {Control::speed, 8.}, coarse());
+  }
+}
+
+TEST(MotorBodies, RepeatThemselvesWithTheWave)
+{
+  Parameters parameters            = reference_motor();
+  parameters.motor.n_waves         = 9;
+  parameters.modes.nodal_diameters = {9};
+  expect_bodies_follow(parameters, stator_wave(parameters), {Control::torque, 0.05}, coarse());
+}
+
+TEST(MotorBodies, VibrateAsTheirContactPointsDo)
+{
+  Parameters parameters            = reference_motor();
+  parameters.effects.rotor_inertia = EffectChoice::on;
+  parameters.effects.damping       = EffectChoice::on;
+  const StatorWave wave            = stator_wave(parameters);
+  expect_bodies_follow(parameters, wave, {Control::torque, 0.05}, coarse());
+  ContactDiscretisation turned     = coarse();
+  turned.lip_turn                  = 0.3 * 2. * M_PI / parameters.motor.n_teeth;
+  parameters.rotor.flange_element  = ElementKind::shell;
+  parameters.effects.rotor_inertia = EffectChoice::off; // hysteretic damping alone
+  expect_bodies_follow(parameters, wave, {Control::torque, 0.05}, turned);
+}
+
+TEST(MotorBodies, VibrateWithARepeatingWave)
+{
+  Parameters parameters            = reference_motor();
+  parameters.effects.rotor_inertia = EffectChoice::on;
+  parameters.motor.n_waves         = 9;
+  parameters.modes.nodal_diameters = {9};
+  expect_bodies_follow(parameters, stator_wave(parameters), {Control::torque, 0.05}, coarse());
+}
+
+TEST(MotorBodies, BounceOnWarpedTeeth)
+{
+  Parameters parameters                    = reference_motor();
+  parameters.motor.n_teeth                 = 30;
+  parameters.effects.rotor_inertia         = EffectChoice::on;
+  parameters.effects.damping               = EffectChoice::on;
+  parameters.initial_deformation.amplitude = 2e-6;
+  parameters.initial_deformation.n_waves   = 1;
+  parameters.time.time_step                = 2e-6;
+  parameters.accuracy.contact_target       = 0.5;
+  expect_bodies_follow(parameters, stator_wave(parameters), {Control::speed, 8.}, coarse());
+}
+
+TEST(MotorBodies, FillTheRing)
+{
+  const Parameters parameters = reference_motor();
+  const StatorWave wave;
+  const MotorBodies bodies(parameters, wave, coarse(), 4);
+  const std::vector<Point<3>> &x = bodies.rotor().points();
+  double volume                  = 0.;
+  for (const auto &cell : bodies.rotor().cells())
+  {
+    std::array<dealii::Tensor<1, 3>, 3> edge; // the mean of four
+    for (unsigned int v = 0; v < 8; ++v)
+      for (unsigned int d = 0; d < 3; ++d)
+        edge[d] += ((v >> d) & 1 ? 0.25 : -0.25) * dealii::Tensor<1, 3>(x[cell[v]]);
+    const double of_cell = cross_product_3d(edge[0], edge[1]) * edge[2];
+    EXPECT_GT(of_cell, 0.);
+    volume += of_cell;
+  }
+  const RotorGeometry &rotor = parameters.rotor;
+  const auto ring            = [](const double inner, const double outer, const double height)
+  { return M_PI * (outer * outer - inner * inner) * height; };
+  const double expected =
+      ring(rotor.ring_inner_radius, rotor.ring_outer_radius,
+           rotor.ring_upper_face - rotor.ring_lower_face) +
+      ring(rotor.lip_inner_radius, rotor.ring_inner_radius, rotor.flange_thickness);
+  EXPECT_NEAR(volume / expected, 1., 1e-3); // arcs are polygons
+}
