@@ -10,31 +10,32 @@ namespace ringmotor
 {
   double VoltageDrive::detuned_square(const WaveLoad &load) const
   {
-    return natural_frequency * natural_frequency * (1. + 2. * load.detuning);
+    return natural_frequency.value * natural_frequency.value * (1. + 2. * load.detuning);
   }
 
   double VoltageDrive::available(const WaveLoad &load) const
   {
-    return force_factor * voltage / load.amplitude;
+    return force_factor.value * voltage / load.amplitude;
   }
 
   double VoltageDrive::damper(const WaveLoad &load) const
   {
-    return (load.power / (load.amplitude * load.amplitude) + internal_loss) / load.frequency;
+    return (load.power / (load.amplitude * load.amplitude) + internal_loss.value) / load.frequency;
   }
 
   std::complex<double> VoltageDrive::stiffness(const WaveLoad &load) const
   {
-    const double square = load.frequency * load.frequency;
-    return {frequency ? modal_mass * (detuned_square(load) - square) : 0., damper(load)};
+    return {spring(load, load.detuning).value, damper(load)};
   }
 
-  double VoltageDrive::spring_error(const double spring, const double detuning_error) const
+  Estimate VoltageDrive::spring(const WaveLoad &load, const Estimate &detuning) const
   {
-    return frequency ? 2. * modal_mass * natural_frequency * natural_frequency *
-                               (natural_frequency_error + detuning_error) +
-                           std::abs(spring) * modal_mass_error
-                     : 0.;
+    if (!frequency)
+      return {};
+    const double square  = load.frequency * load.frequency,
+                 natural = modal_mass.value * natural_frequency.value * natural_frequency.value;
+    return modal_mass.relative() * (modal_mass.value * (detuned_square(load) - square)) +
+           2. * natural * (natural_frequency.relative().deviation() + detuning.deviation());
   }
 
   double VoltageDrive::excess(const WaveLoad &load, const bool with_errors) const
@@ -45,15 +46,15 @@ namespace ringmotor
 
     double force = available(load);
     if (with_errors)
-      force = force * (1. + force_factor_error) + spring_error(needed.real()) +
-              internal_loss_error / load.frequency;
+      force = force * (1. + force_factor.relative_error()) + spring(load, load.detuning).error() +
+              internal_loss.error() / load.frequency;
     return std::max(grows, std::log(std::abs(needed) / force));
   }
 
   std::array<double, 2> VoltageDrive::frequencies(const WaveLoad &load) const
   {
     const double force = available(load), lost = damper(load), square = detuned_square(load),
-                 spring = std::sqrt(std::max(0., force * force - lost * lost)) / modal_mass;
+                 spring = std::sqrt(std::max(0., force * force - lost * lost)) / modal_mass.value;
     return {{std::sqrt(square - spring), std::sqrt(square + spring)}};
   }
 
@@ -61,8 +62,9 @@ namespace ringmotor
                                                          const double at_frequency) const
   {
     const std::complex<double> needed(
-        modal_mass * (detuned_square(load) - at_frequency * at_frequency), damper(load));
-    return std::complex<double>(0., at_frequency) * force_factor * force_factor / needed;
+        modal_mass.value * (detuned_square(load) - at_frequency * at_frequency), damper(load));
+    return std::complex<double>(0., at_frequency) * force_factor.value * force_factor.value /
+           needed;
   }
 
   std::string VoltageDrive::text() const
@@ -74,10 +76,9 @@ namespace ringmotor
       text << *frequency << " rad/s";
     else
       text << "the resonance";
-    for (const double number :
-         {force_factor, modal_mass, natural_frequency, internal_loss, rotor_loss_factor,
-          force_factor_error, modal_mass_error, natural_frequency_error, internal_loss_error})
-      text << " " << number;
-    return text.str() + "\n";
+    for (const Estimate &number : {force_factor, modal_mass, natural_frequency, internal_loss})
+      text << " " << number.value << " " << number.error();
+    text << " " << rotor_loss_factor << "\n";
+    return text.str();
   }
 } // namespace ringmotor

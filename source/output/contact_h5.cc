@@ -23,44 +23,33 @@ namespace ringmotor
       return "points/" + Utilities::int_to_string(point, 3);
     }
 
-    constexpr std::size_t n_errors = PointError::members.size();
-
     std::string attribute_of(const PointQuantity &quantity)
     {
       return name_with_unit(quantity.name, quantity.unit.si);
     }
 
-    /** Error bars by cause, then by entry of PointError. */
-    void write_errors(Hdf5Writer &file, const std::string &name, const PointErrors &errors)
+    std::string group_of(const std::string &point, const std::string &cause)
     {
-      std::vector<double> numbers;
-      std::string causes, quantities;
-      for (const auto &[cause, error] : errors.causes())
-      {
-        for (double PointError::*const member : PointError::members)
-          numbers.push_back(error.*member);
-        causes += (causes.empty() ? "" : ", ") + cause;
-      }
-      for (double PointError::*const member : PointError::members)
-      {
-        const PointQuantity &quantity = quantity_with(member);
-        quantities +=
-            (quantities.empty() ? "" : ", ") + quantity.name + " (" + quantity.unit.si + ")";
-      }
-      std::replace(quantities.begin(), quantities.end(), '_', ' ');
-      file.write(name, numbers, {numbers.size() / n_errors, n_errors}, "SI",
-                 "error bars by cause (" + causes + ") of " + quantities);
+      return point + "/errors/" + cause;
     }
 
-    PointErrors read_errors(const Hdf5Reader &file, const std::string &name)
+    void write_errors(Hdf5Writer &file, const std::string &group, const CurvePoint &point)
     {
-      PointErrors errors;
-      const std::vector<double> numbers =
-          file.read<double>(name, {PointErrors::members().size(), n_errors}, "SI");
-      auto number = numbers.begin();
-      for (const auto &[cause, of_cause] : PointErrors::members())
-        for (double PointError::*const member : PointError::members)
-          (errors.*of_cause).*member = *number++;
+      for (const auto &[cause, error] : point.errors)
+        for (const PointQuantity &quantity : point_quantities())
+          if (quantity.has_own_error())
+            file.set_attribute(group_of(group, cause), attribute_of(quantity),
+                               error[quantity.name]);
+    }
+
+    std::map<std::string, PointError> read_errors(const Hdf5Reader &file, const std::string &group)
+    {
+      std::map<std::string, PointError> errors;
+      for (const char *const cause : causes::all)
+        for (const PointQuantity &quantity : point_quantities())
+          if (quantity.has_own_error())
+            errors[cause][quantity.name] =
+                file.attribute<double>(group_of(group, cause), attribute_of(quantity));
       return errors;
     }
 
@@ -80,7 +69,7 @@ namespace ringmotor
       file.set_attribute(group, "asked_for", point.request.value);
       for (const PointQuantity &quantity : point_quantities())
         file.set_attribute(group, attribute_of(quantity), quantity.value(point));
-      write_errors(file, group + "/errors", point.errors);
+      write_errors(file, group, point);
       file.write(group + "/rotor_energy", point.rotor_energies, {point.rotor_energies.size()}, "J",
                  "strain energy of the rotor by multiple of the wave's frequency");
       file.set_attribute(group, "time_step_s", fields.time_step);
@@ -133,7 +122,7 @@ namespace ringmotor
       require_same_derived(file, path, group, point);
       point.rotor_energies =
           file.read<double>(group + "/rotor_energy", {Hdf5Reader::any_size}, "J");
-      point.errors = read_errors(file, group + "/errors");
+      point.errors = read_errors(file, group);
       return point;
     }
   } // namespace

@@ -28,12 +28,14 @@ namespace ringmotor
   std::string describe(const CurvePoint &point)
   {
     const OperatingPoint &result = point.result;
-    const PointError error       = point.errors.total();
+    const auto with_error        = [&](const std::string &name, const int digits)
+    {
+      const PointQuantity &quantity = quantity_named(name);
+      return text(quantity.estimate(point), quantity.unit, digits);
+    };
     return text(point.request.value, prescribed(point.request).unit, 2) + ": " +
-           (point.request.control == Control::torque
-                ? text({result.speed, error.speed}, units::speed, 2)
-                : text({result.torque, error.torque}, units::torque, 2)) +
-           ", friction loss " + text({result.friction_loss(), error.loss}, units::power, 1) + " (" +
+           with_error(point.request.control == Control::torque ? "speed" : "torque", 2) +
+           ", friction loss " + with_error("friction_loss", 1) + " (" +
            text(result.tangential_loss / units::power.size, 1) + " tangential, " +
            text(result.radial_loss / units::power.size, 1) + " radial), " +
            text(result.teeth_in_contact, 2) + " teeth per wave";
@@ -48,7 +50,8 @@ namespace ringmotor
       std::vector<Quantity> found;
       for (Quantity &quantity : quantities_of(point))
         // The amplitude is prescribed, too, if it has no error.
-        if (quantity.name != given.name && !(quantity.name == "amplitude" && quantity.error == 0.))
+        if (quantity.name != given.name &&
+            !(quantity.name == "amplitude" && quantity.estimate.error() == 0.))
         {
           quantity.name = name_in_summary(quantity.name, point.request);
           found.push_back(quantity);

@@ -18,23 +18,6 @@ namespace ringmotor
               {"speed", units::speed, losses.point.result.speed}};
     }
 
-    /** The quantities of a result with the causes of their errors, from those of one cause each. */
-    template <typename Result>
-    std::vector<Quantity> with_causes(const Result &result,
-                                      const std::vector<std::pair<std::string, Result>> &by_cause,
-                                      std::vector<Quantity> (Result::*const list)() const)
-    {
-      std::vector<Quantity> quantities = (result.*list)();
-      for (const auto &[cause, of_cause] : by_cause)
-      {
-        const std::vector<Quantity> with_one = (of_cause.*list)();
-        for (unsigned int i = 0; i < quantities.size(); ++i)
-          if (quantities[i].error)
-            quantities[i].error_causes[cause] = *with_one[i].error;
-      }
-      return quantities;
-    }
-
     void write_points(const std::string &path, const std::vector<PointLosses> &points,
                       const List list)
     {
@@ -54,7 +37,7 @@ namespace ringmotor
     /** `12.31 +- 0.22 V and ...` */
     std::string describe(const DrivePoint &drive)
     {
-      const std::string driven = drive.voltage.error > 0.
+      const std::string driven = drive.voltage.error() > 0.
                                      ? text(drive.voltage, units::voltage, 2)
                                      : text(drive.amplitude, units::amplitude, 3) + " by " +
                                            text(drive.voltage.value, 2) + " V";
@@ -105,14 +88,12 @@ namespace ringmotor
     {
       Summary::Labels labels;
       for (const Quantity &load : load_of(losses))
-        labels[name_with_unit(load.name, load.unit.si)] = load.value;
+        labels[name_with_unit(load.name, load.unit.si)] = load.value();
       for (const List list : {&LossBudget::losses, &LossBudget::powers})
-        add_quantities(summary, with_causes(losses.budget, losses.by_cause, list), seconds, labels);
+        add_quantities(summary, (losses.budget.*list)(), seconds, labels);
       if (losses.drive)
       {
-        add_quantities(summary,
-                       with_causes(*losses.drive, losses.drive_by_cause, &DrivePoint::quantities),
-                       seconds, labels);
+        add_quantities(summary, losses.drive->quantities(), seconds, labels);
         worst_electrical       = std::max(worst_electrical, losses.drive->imbalance);
         mismatch               = std::max(mismatch, losses.drive->voltage_mismatch);
         const double from_plug = losses.drive->electrical_efficiency.value;

@@ -142,17 +142,18 @@ namespace ringmotor
       }
     };
 
-    Estimate shape_number(const Hdf5Reader &file, const std::string &name)
+    /** @param cause what its error counts as */
+    Estimate shape_number(const Hdf5Reader &file, const std::string &name,
+                          const std::string &cause = causes::wave)
     {
       return {file.attribute<double>("/wave/shape", name),
-              file.attribute<double>("/wave/shape", name + " error")};
+              file.attribute<double>("/wave/shape", name + " error"), cause};
     }
 
-    /** Relative error of the frequency. */
-    double frequency_error(const Hdf5Reader &file)
+    Estimate natural_frequency(const Hdf5Reader &file, const std::string &cause)
     {
-      return file.attribute<double>("/wave", "natural_frequency_error_Hz") /
-             file.attribute<double>("/wave", "natural_frequency_Hz");
+      return {file.attribute<double>("/wave", "natural_frequency_Hz"),
+              file.attribute<double>("/wave", "natural_frequency_error_Hz"), cause};
     }
 
     std::shared_ptr<const TraceInterpolation> trace_of(const Hdf5Reader &file,
@@ -205,7 +206,8 @@ namespace ringmotor
       VoltageDrive drive =
           voltage_drive(*driven, losses, driven->amplitude, *parameters.wave.voltage);
       drive.rotor_loss_factor = parameters.materials.rotor_metal.loss_factor;
-      drive.force_factor_error += 0.5 * difference_of_phases(*driven); // it is their mean
+      drive.force_factor.errors[causes::drive] += // it is the mean of both phases
+          0.5 * difference_of_phases(*driven) * std::abs(drive.force_factor.value);
       return drive;
     }
   } // namespace
@@ -234,21 +236,18 @@ namespace ringmotor
   WaveEnergies read_wave_energies(const std::string &path, const Parameters &parameters)
   {
     const ModesFile file(path, parameters);
-    const Estimate base  = shape_number(file, "strain_energy_base"),
-                   tooth = shape_number(file, "strain_energy_tooth"),
-                   total = shape_number(file, "strain_energy");
     WaveEnergies energies;
     energies.angular_frequency = file.attribute<double>("/wave", "angular_frequency_rad_per_s");
     energies.amplitude         = file.attribute<double>("/wave", "amplitude_m");
-    energies.metal             = {base.value + tooth.value, base.error + tooth.error};
-    energies.piezoceramic      = shape_number(file, "strain_energy_piezoceramic");
-    energies.felt.value =
-        felt_energy(parameters.support, parameters.stator, parameters.motor.n_teeth,
-                    motion_of(trace_of(file, "bottom")));
+    energies.metal =
+        shape_number(file, "strain_energy_base") + shape_number(file, "strain_energy_tooth");
+    energies.piezoceramic = shape_number(file, "strain_energy_piezoceramic");
     // The motion of the lower side is as accurate as the energy of the whole wave.
-    energies.felt.error = energies.felt.value * total.error / total.value;
+    energies.felt = felt_energy(parameters.support, parameters.stator, parameters.motor.n_teeth,
+                                motion_of(trace_of(file, "bottom"))) *
+                    shape_number(file, "strain_energy").relative();
     for (Estimate *energy : {&energies.metal, &energies.piezoceramic, &energies.felt})
-      energy->error += energy->value * frequency_error(file); // losses scale with the frequency
+      *energy = *energy * natural_frequency(file, causes::wave).relative(); // as losses scale
     return energies;
   }
 
@@ -259,17 +258,16 @@ namespace ringmotor
       return {};
     DrivenWave wave;
     wave.amplitude         = file.attribute<double>("/wave", "amplitude_m");
-    wave.natural_frequency = {file.attribute<double>("/wave", "natural_frequency_Hz"),
-                              file.attribute<double>("/wave", "natural_frequency_error_Hz")};
-    wave.modal_mass        = shape_number(file, "modal_mass");
-    wave.electric_energy   = shape_number(file, "electric_energy");
+    wave.natural_frequency = natural_frequency(file, causes::drive);
+    wave.modal_mass        = shape_number(file, "modal_mass", causes::drive);
+    wave.electric_energy   = shape_number(file, "electric_energy", causes::drive);
     for (const Phase phase : both_phases)
     {
       const std::string group = "/circuits/" + name_of(phase);
       const auto number       = [&](const std::string &name)
       {
-        return Estimate{file.attribute<double>(group, name),
-                        file.attribute<double>(group, name + " error")};
+        return Estimate(file.attribute<double>(group, name),
+                        file.attribute<double>(group, name + " error"), causes::drive);
       };
       wave.force_factor[PhaseHarmonics::index(phase)]         = number("force_factor_N_per_V");
       wave.parallel_capacitance[PhaseHarmonics::index(phase)] = number("C0_F");

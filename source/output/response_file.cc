@@ -14,15 +14,12 @@ namespace ringmotor
       for (const ResponsePoint &point : response.points)
       {
         rows.emplace_back();
-        add_entries(rows.back(),
-                    {{"torque", units::torque, response.torque},
-                     {"amplitude", units::amplitude, point.amplitude},
-                     {"frequency", units::hertz, point.frequency.value, point.frequency.error},
-                     {"speed", units::speed, point.speed.value, point.speed.error},
-                     {"motional_conductance", units::conductance, point.conductance.value,
-                      point.conductance.error},
-                     {"motional_susceptance", units::conductance, point.susceptance.value,
-                      point.susceptance.error}});
+        add_entries(rows.back(), {{"torque", units::torque, response.torque},
+                                  {"amplitude", units::amplitude, point.amplitude},
+                                  {"frequency", units::hertz, point.frequency},
+                                  {"speed", units::speed, point.speed},
+                                  {"motional_conductance", units::conductance, point.conductance},
+                                  {"motional_susceptance", units::conductance, point.susceptance}});
         rows.back().emplace_back("state", point.is_stable ? "stable" : "unstable");
       }
     write_table(path, rows);
@@ -33,10 +30,8 @@ namespace ringmotor
     const auto peak      = std::max_element(response.points.begin(), response.points.end(),
                                             [](const ResponsePoint &one, const ResponsePoint &other)
                                             { return one.amplitude < other.amplitude; });
-    const auto kilohertz = [](const ResponsePoint &point)
-    {
-      return text({1e-3 * point.frequency.value, 1e-3 * point.frequency.error}, {"kHz", "kHz", 1.},
-                  3);
+    const auto kilohertz = [](const ResponsePoint &point) {
+      return text(1e-3 * point.frequency, {"kHz", "kHz", 1.}, 3);
     };
     std::string line = "response to the frequency at " + text(1e3 * response.torque, 2) + " mN m: ";
     if (peak == response.points.end())

@@ -27,7 +27,7 @@ namespace ringmotor
         nodal_diameter.push_back(found.mode.nodal_diameter);
         family.push_back(to_string(found.content.family()));
         frequency.push_back(found.frequency.value);
-        error.push_back(found.frequency.error);
+        error.push_back(found.frequency.error());
       }
       const std::vector<std::size_t> dims{modes.size()};
       file.write("modes/nodal_diameter", nodal_diameter, dims, "1",
@@ -99,14 +99,14 @@ namespace ringmotor
       const std::string group = "wave";
       file.set_attribute(group, "nodal_diameter", wave.found.mode.nodal_diameter);
       file.set_attribute(group, "natural_frequency_Hz", wave.found.frequency.value);
-      file.set_attribute(group, "natural_frequency_error_Hz", wave.found.frequency.error);
+      file.set_attribute(group, "natural_frequency_error_Hz", wave.found.frequency.error());
       file.set_attribute(group, "angular_frequency_rad_per_s", wave.angular_frequency);
       file.set_attribute(group, "amplitude_m", wave.amplitude);
       file.set_attribute(group, "relative_error", wave.relative_error());
       for (const Quantity &number : wave.shape)
       {
-        file.set_attribute(group + "/shape", number.name, number.value);
-        file.set_attribute(group + "/shape", number.name + " error", *number.error);
+        file.set_attribute(group + "/shape", number.name, number.value());
+        file.set_attribute(group + "/shape", number.name + " error", number.estimate.error());
       }
       file.set_attribute(
           group, "convention",
@@ -131,8 +131,8 @@ namespace ringmotor
         {
           const std::string group = "circuits/" + name_of(phase),
                             name  = name_with_unit(number.name, number.unit.si);
-          file.set_attribute(group, name, number.value);
-          file.set_attribute(group, name + " error", *number.error);
+          file.set_attribute(group, name, number.value());
+          file.set_attribute(group, name + " error", number.estimate.error());
         }
     }
   } // namespace
@@ -143,7 +143,7 @@ namespace ringmotor
                     "nodal_circles"});
     for (const FoundMode &found : modes)
       table.add_row({found.mode.nodal_diameter, to_string(found.content.family()),
-                     found.frequency.value, found.frequency.error, found.content.axial,
+                     found.frequency.value, found.frequency.error(), found.content.axial,
                      found.content.in_plane, found.content.torsion, found.content.nodal_circles});
     table.write(path);
   }

@@ -24,31 +24,23 @@ namespace ringmotor
       return number;
     }
 
-    std::string owner_of(const Summary::Quantity &quantity)
+    Json to_json(const Summary::Result &result)
     {
-      return "the quantity '" + quantity.name + "'";
-    }
+      const auto &[quantity, seconds, labels] = result;
+      const std::string owner                 = "the quantity '" + quantity.name + "'";
 
-    Json without_error(const Summary::Quantity &quantity)
-    {
       Json json = {{"name", quantity.name}};
-      for (const auto &[key, label] : quantity.labels)
+      for (const auto &[key, label] : labels)
         std::visit([&json, &key = key](const auto &value) { json[key] = value; }, label);
-      json["value"] = finite(quantity.value, owner_of(quantity));
-      json["unit"]  = quantity.unit;
-      return json;
-    }
-
-    Json to_json(const Summary::Quantity &quantity)
-    {
-      const std::string owner = owner_of(quantity);
-
-      Json json            = without_error(quantity);
-      json["error"]        = finite(quantity.error, "the error of " + owner);
+      json["value"] = finite(quantity.value(), owner);
+      json["unit"]  = quantity.unit.si;
+      if (!quantity.has_error)
+        return json;
+      json["error"]        = quantity.estimate.error();
       json["error_causes"] = Json::object();
-      for (const auto &[cause, error] : quantity.error_causes)
+      for (const auto &[cause, error] : quantity.estimate.errors)
         json["error_causes"][cause] = finite(error, "the error '" + cause + "' of " + owner);
-      json["seconds"] = quantity.seconds;
+      json["seconds"] = seconds;
       return json;
     }
 
@@ -93,9 +85,7 @@ namespace ringmotor
                       const double seconds, const Summary::Labels &labels)
   {
     for (const Quantity &quantity : quantities)
-      (quantity.error ? summary.quantities : summary.quantities_without_error)
-          .push_back({quantity.name, quantity.value, quantity.unit.si, quantity.error.value_or(0.),
-                      quantity.error_causes, seconds, labels});
+      summary.results.push_back({quantity, seconds, labels});
   }
 
   std::string describe(const EffectRow &row)
@@ -138,14 +128,15 @@ namespace ringmotor
         {"seconds", seconds},
         {"peak_memory_MB", summary.peak_memory_MB},
         {"dofs", summary.dofs},
-        {"quantities", list(summary.quantities)},
+        {"quantities", Json::array()},
         {"effects", list(summary.effects)},
         {"certificate", {{"holds", is_certified(summary)}, {"checks", list(summary.certificate)}}}};
     if (!summary.variant.base.empty())
       json["variant"] = {{"base", summary.variant.base},
                          {"differences", list(summary.variant.differences)}};
-    for (const Summary::Quantity &quantity : summary.quantities_without_error)
-      json["quantities_without_error"].push_back(without_error(quantity));
+    for (const Summary::Result &result : summary.results)
+      json[result.quantity.has_error ? "quantities" : "quantities_without_error"].push_back(
+          to_json(result));
     // The prm is the user's text and may hold bytes that are not UTF-8: not worth losing a run.
     write_file(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
   }

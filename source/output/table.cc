@@ -72,11 +72,11 @@ namespace ringmotor
 
   void add_entries(NamedRow &row, const std::vector<Quantity> &quantities)
   {
-    for (const auto &[name, unit, value, error, causes] : quantities)
+    for (const auto &[name, unit, estimate, has_error] : quantities)
     {
-      row.emplace_back(name_with_unit(name, unit.shown), value / unit.size);
-      if (error)
-        row.emplace_back(name_with_unit(name + "_error", unit.shown), *error / unit.size);
+      row.emplace_back(name_with_unit(name, unit.shown), estimate.value / unit.size);
+      if (has_error)
+        row.emplace_back(name_with_unit(name + "_error", unit.shown), estimate.error() / unit.size);
     }
   }
 

@@ -23,7 +23,7 @@ namespace ringmotor
 
   std::string text(const Estimate &estimate, const Unit &unit, const int digits)
   {
-    return text(estimate.value / unit.size, digits) + " +- " + text(estimate.error, unit, digits);
+    return text(estimate.value / unit.size, digits) + " +- " + text(estimate.error(), unit, digits);
   }
 
   std::string scientific(const double value)

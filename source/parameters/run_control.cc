@@ -43,26 +43,28 @@ namespace ringmotor
               edge + ", or places TOOTH:RADIUS separated by commas, such as 0:0.0342, 12.25:0.034"};
     }
 
-    Notation<HeldQuantity> quantity_name()
+    /** The name of a quantity as users write it: `teeth in contact`. */
+    Notation<std::string> quantity_name()
     {
-      return selection<HeldQuantity>({{"speed", HeldQuantity::speed},
-                                      {"torque", HeldQuantity::torque},
-                                      {"friction loss", HeldQuantity::friction_loss},
-                                      {"stick fraction", HeldQuantity::stick_fraction},
-                                      {"teeth in contact", HeldQuantity::teeth_in_contact}});
+      std::vector<std::pair<std::string, std::string>> words;
+      for (const std::string &name : held_quantities())
+      {
+        std::string word = name.substr(0, name.find("_per_"));
+        std::replace(word.begin(), word.end(), '_', ' ');
+        words.emplace_back(word, name);
+      }
+      return selection<std::string>(words);
     }
 
     /** Names, each with a target of its own where it has one, or the word that stands for all. */
     Notation<std::vector<QuantityTarget>> quantity_list(const Notation<double> &target)
     {
-      using Targets                     = std::vector<QuantityTarget>;
-      const std::string all             = "all";
-      const Notation<HeldQuantity> name = quantity_name();
-      const Targets everything{{HeldQuantity::speed, {}},
-                               {HeldQuantity::torque, {}},
-                               {HeldQuantity::friction_loss, {}},
-                               {HeldQuantity::stick_fraction, {}},
-                               {HeldQuantity::teeth_in_contact, {}}};
+      using Targets                    = std::vector<QuantityTarget>;
+      const std::string all            = "all";
+      const Notation<std::string> name = quantity_name();
+      Targets everything;
+      for (const std::string &quantity : held_quantities())
+        everything.push_back({quantity, {}});
       const auto write_list = [=](const Targets &targets)
       {
         std::string text;
@@ -99,6 +101,13 @@ namespace ringmotor
                   "loss:0.1"};
     }
   } // namespace
+
+  const std::vector<std::string> &held_quantities()
+  {
+    static const std::vector<std::string> names{"speed", "torque", "friction_loss",
+                                                "stick_fraction", "teeth_in_contact_per_wave"};
+    return names;
+  }
 
   double Accuracy::strictest_target() const
   {

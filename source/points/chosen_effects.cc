@@ -23,8 +23,8 @@ namespace ringmotor
       std::vector<Quantity> quantities;
       const auto add = [&](const std::string &name, const double value, const double on_coarser)
       {
-        const double error = std::abs(value - on_coarser);
-        quantities.push_back({name, units::one, value, error, {{"mesh of the rotor", error}}});
+        quantities.emplace_back(name, units::one,
+                                Estimate(value, std::abs(value - on_coarser), "mesh of the rotor"));
       };
       add("lip_A_r/A_n", lip.radial_ratio(1, angular_frequency),
           coarser.radial_ratio(1, angular_frequency));

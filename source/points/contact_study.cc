@@ -5,21 +5,12 @@
 #include <ringmotor/points/point_quantities.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <sstream>
 
 namespace ringmotor
 {
-  namespace
-  {
-    /** The studied quantities, in the order of StudyRow::results. */
-    constexpr std::array<double PointError::*, 5> studied{
-        {&PointError::speed, &PointError::torque, &PointError::loss, &PointError::stick_fraction,
-         &PointError::teeth_in_contact}};
-  } // namespace
-
   ContactStudy::ContactStudy(const Parameters &parameters, const StatorWave &wave,
                              const RotorVibration &vibration)
       : parameters(parameters), wave(wave), vibration(vibration),
@@ -28,10 +19,11 @@ namespace ringmotor
   {
     const ContactSetting common = common_setting(parameters, period);
     const CondensedMotor &motor = motor_of(common).motor;
-    borne_torque = parameters.friction.dynamic_coefficient * parameters.loading.preload *
-                   motor.nodes.front().radius;
-    stalled     = points_of(common, motor, {{Control::speed, 0.}}).front();
-    crest_speed = motor.crest_speed() * (stalled.result.amplitude / motor.amplitude);
+    stalled                     = points_of(common, motor, {{Control::speed, 0.}}).front();
+    scales = {motor.crest_speed() * (stalled.result.amplitude / motor.amplitude),
+              parameters.friction.dynamic_coefficient * parameters.loading.preload *
+                  motor.nodes.front().radius,
+              stalled.result.torque};
     find_requests();
     all = contact_settings(parameters, {period, motor.constants.normal});
   }
@@ -130,16 +122,17 @@ namespace ringmotor
   std::vector<std::vector<double>>
   ContactStudy::results_of(const std::vector<CurvePoint> &points) const
   {
+    const std::vector<std::string> &studied = held_quantities();
     std::vector<std::vector<double>> results(studied.size());
     for (std::size_t i = 0; i < points.size(); ++i)
     {
       const bool torque_alone = has_curve && i + 1 == points.size();
       for (std::size_t quantity = 0; quantity < studied.size(); ++quantity)
       {
-        const bool is_torque     = studied[quantity] == &PointError::torque;
-        const bool is_prescribed = studied[quantity] == prescribed(points[i].request).error;
+        const bool is_torque     = studied[quantity] == "torque";
+        const bool is_prescribed = studied[quantity] == prescribed(points[i].request).name;
         if (!is_prescribed && (is_torque || !torque_alone))
-          results[quantity].push_back(quantity_with(studied[quantity]).value(points[i]));
+          results[quantity].push_back(quantity_named(studied[quantity]).value(points[i]));
       }
     }
     return results;
@@ -152,22 +145,14 @@ namespace ringmotor
       throw ComputationError("the best setting of the study, the finest interface mesh with short "
                              "steps, has no solution with which others could be compared; choose "
                              "Accuracy/Mode = fixed with a smaller Accuracy/Interface refinement");
-    // Those of CurveSearch: a rotor that barely moves has neither a speed nor a torque to which
-    // errors could be related.
-    constexpr double share = 0.5;
     std::vector<WorkPrecision::Measure> measures;
-    for (std::size_t i = 0; i < studied.size(); ++i)
+    for (std::size_t i = 0; i < best.size(); ++i)
     {
-      double scale = 0.;
+      double largest = 0.;
       for (const double value : best[i])
-        scale = std::max(scale, std::abs(value));
-      if (studied[i] == &PointError::speed)
-        scale = std::max(scale, share * crest_speed);
-      else if (studied[i] == &PointError::torque)
-        scale = std::max(std::abs(stalled.result.torque), share * borne_torque);
-      else if (studied[i] == &PointError::stick_fraction)
-        scale = 1.;
-      measures.push_back({quantity_with(studied[i]).name, scale});
+        largest = std::max(largest, std::abs(value));
+      const std::string &name = held_quantities()[i];
+      measures.push_back({name, scales.of(name, largest)});
     }
     return {rows, measures, static_cast<unsigned int>(rows.size() - 1)};
   }

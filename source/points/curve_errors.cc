@@ -11,40 +11,21 @@ namespace ringmotor
 {
   namespace
   {
-    double PointError::*member_of(const HeldQuantity quantity)
-    {
-      switch (quantity)
-      {
-      case HeldQuantity::speed:
-        return &PointError::speed;
-      case HeldQuantity::torque:
-        return &PointError::torque;
-      case HeldQuantity::friction_loss:
-        return &PointError::loss;
-      case HeldQuantity::stick_fraction:
-        return &PointError::stick_fraction;
-      case HeldQuantity::teeth_in_contact:
-        return &PointError::teeth_in_contact;
-      }
-      Assert(false, dealii::ExcInternalError());
-      return nullptr;
-    }
-
     /** How finely numbers that are counted are resolved: a tooth touches for whole steps, and a
      * contact node sticks or slips as a whole. Two discretisations often count the same. */
     PointError resolution(const CurvePoint &point, const CondensedMotor &motor)
     {
       PointError step;
-      step.teeth_in_contact = static_cast<double>(motor.n_teeth) / motor.n_waves *
-                              point.fields.time_step / motor.period();
+      step["teeth_in_contact_per_wave"] = static_cast<double>(motor.n_teeth) / motor.n_waves *
+                                          point.fields.time_step / motor.period();
       double largest = 0., whole = 0.;
       for (const PointVector &force : point.fields.force)
       {
         largest = std::max(largest, force[0]);
         whole += force[0];
       }
-      step.stick_fraction        = whole > 0. ? largest / whole : 0.;
-      step.second_stick_fraction = step.stick_fraction;
+      for (const char *const fraction : {"stick_fraction", "second_stick_fraction"})
+        step[fraction] = whole > 0. ? largest / whole : 0.;
       return step;
     }
 
@@ -53,9 +34,9 @@ namespace ringmotor
                       const double of_loss)
     {
       PointError error;
-      error.loss = of_loss * point.result.friction_loss();
+      error["friction_loss"] = of_loss * point.result.friction_loss();
       if (point.request.control == Control::torque)
-        error.speed = of_speed * crest_speed;
+        error["speed"] = of_speed * crest_speed;
       return error;
     }
 
@@ -69,8 +50,8 @@ namespace ringmotor
       constexpr std::array<double, ContactDiscretisation::finest_level + 1> of_speed{
           {5e-3, 5e-3, 2.5e-3, 0., 0.}},
           of_loss{{2e-2, 2e-2, 1e-2, 0., 0.}};
-      PointError least     = shares(point, crest_speed, of_speed[level], of_loss[level]);
-      least.stick_fraction = 0.06;
+      PointError least        = shares(point, crest_speed, of_speed[level], of_loss[level]);
+      least["stick_fraction"] = 0.06;
       return least;
     }
 
@@ -95,17 +76,11 @@ namespace ringmotor
     PointError least_of_power(const CurvePoint &point, const PointError &error)
     {
       PointError least;
-      least.loss =
-          std::abs(point.result.torque) * error.speed + std::abs(point.result.speed) * error.torque;
+      least["friction_loss"] = std::abs(point.result.torque) * error["speed"] +
+                               std::abs(point.result.speed) * error["torque"];
       return least;
     }
 
-    /** Raises each error to at least that of @p least. */
-    void raise(PointError &error, const PointError &least)
-    {
-      for (double PointError::*const quantity : PointError::members)
-        error.*quantity = std::max(error.*quantity, least.*quantity);
-    }
   } // namespace
 
   PointError CurveSearch::mesh_error(const unsigned int request)
@@ -123,11 +98,9 @@ namespace ringmotor
     const auto before = is_coarse ? known.end() : known.find(steps.plain(coarser_level - 1));
     if (before != known.end() && before->second.count(request) > 0)
     {
-      PointError expected = change(before->second.at(request), coarser);
-      expected *= margin / ratio;
-      raise(error, expected);
+      error.raise(margin / ratio * change(before->second.at(request), coarser));
     }
-    raise(error, least_mesh_error(reached_level, point, crest_speed(point.result.amplitude)));
+    error.raise(least_mesh_error(reached_level, point, crest_speed(point.result.amplitude)));
     return error;
   }
 
@@ -144,55 +117,55 @@ namespace ringmotor
     }
   } // namespace
 
-  PointErrors CurveSearch::errors_of(const unsigned int request)
+  std::map<std::string, PointError> CurveSearch::errors_of(const unsigned int request)
   {
     const CurveSetting own{reached_level, n_parts[request]}, other = compared_step(request),
                                                              plain = steps.plain(reached_level);
     const CurvePoint &point                                        = point_of(own, request),
                      &unchanged = point_of(unchanged_motor(), request);
-    PointErrors errors;
-    errors.mesh = mesh_error(request);
+    const double crests         = crest_speed(point.result.amplitude);
+    std::map<std::string, PointError> errors;
+    for (const char *const cause : causes::all)
+      errors[cause] = {};
+    errors[causes::meshes] = mesh_error(request);
     // First order, C / n with n steps per pitch: C follows from two values of n.
-    errors.time = change(point, point_of(other, request));
-    errors.time *= other.n_steps() / std::abs(other.n_steps() - own.n_steps());
-    raise(errors.time, resolution(point, motor()));
+    PointError &time = errors[causes::time_step] = other.n_steps() /
+                                                   std::abs(other.n_steps() - own.n_steps()) *
+                                                   change(point, point_of(other, request));
+    time.raise(resolution(point, motor()));
     PointError missing;
-    missing.loss = std::abs(point.result.missing_power());
-    raise(errors.time, missing);
+    missing["friction_loss"] = std::abs(point.result.missing_power());
+    time.raise(missing);
     if (motor().has_modes())
     {
       // From level to level the errors of the meshes are at most halved; those of the harmonics
       // left out decrease with the square of their number, which is multiplied by one and a half.
       constexpr double of_mesh = 0.6, of_harmonics = 1.8;
       const CurvePoint &coarse = point_of(with_modes(ModesInUse::coarse), request);
-      errors.modes             = change(unchanged, coarse);
-      errors.modes *= of_mesh;
-      PointError harmonics =
-          change(coarse, point_of(with_modes(ModesInUse::of_other_harmonics), request));
-      harmonics *= of_harmonics;
-      errors.modes += harmonics;
+      PointError &modes        = errors[causes::modes] =
+          of_mesh * change(unchanged, coarse) +
+          of_harmonics *
+              change(coarse, point_of(with_modes(ModesInUse::of_other_harmonics), request));
       if (motor().has_rotor_modes() && !motor().dynamics.is_hysteretic)
-        raise(errors.modes, least_modes_error(point, motor(), crest_speed(point.result.amplitude)));
-      raise(errors.modes, least_of_power(point, errors.modes));
+        modes.raise(least_modes_error(point, motor(), crests));
+      modes.raise(least_of_power(point, modes));
     }
-    if (has_inertia)
-    {
-      // The dissipation decreases with the third power of the step; quadratically, to be safe.
-      errors.scheme = change(unchanged, point_of(other_scheme(), request));
-      errors.scheme *=
-          share_of_change(motor().dynamics.scheme) * std::pow(plain.n_steps() / own.n_steps(), 2);
-    }
-    errors.wave = change(unchanged, point_of(changed_wave(), request));
+    if (has_inertia) // The dissipation decreases with the third power of the step; quadratically,
+                     // to be safe.
+      errors[causes::scheme] = share_of_change(motor().dynamics.scheme) *
+                               std::pow(plain.n_steps() / own.n_steps(), 2) *
+                               change(unchanged, point_of(other_scheme(), request));
+    errors[causes::wave] = change(unchanged, point_of(changed_wave(), request));
     if (is_driven())
-      errors.drive = change(unchanged, point_of(other_drive(), request));
+      errors[causes::drive] = change(unchanged, point_of(other_drive(), request));
     // What a window given by the user misses does not depend on the steps.
-    errors.window  = parameters.time.n_steps ? point_of(plain, request).window : point.window;
-    errors.effects = left_out.of(point);
-    errors.algebra = change(CurvePoint(), point);
-    errors.algebra *= point.largest_violation;
-    errors.algebra += point.unsettled;
+    errors[causes::window] =
+        parameters.time.n_steps ? point_of(plain, request).window : point.window;
+    errors[causes::effects] = left_out.of(point);
+    PointError &algebra     = errors[causes::algebra] =
+        point.largest_violation * sizes_of(point) + point.unsettled;
     if (!is_driven())
-      errors.algebra.amplitude = 0.; // it is given
+      algebra["amplitude"] = 0.; // it is given
     return errors;
   }
 
@@ -257,40 +230,29 @@ namespace ringmotor
   {
     double worst = 0.;
     for (const CurvePoint &point : points())
-      worst = std::max(worst, relative(point.errors.total()));
+      worst = std::max(worst, relative(point.error()));
     return worst;
   }
 
-  double CurveSearch::scale_of(const HeldQuantity quantity) const
+  QuantityScales CurveSearch::scales() const
   {
-    double largest                  = 0.;
-    double PointError::*const error = member_of(quantity);
-    for (const auto &[request, point] : known.at(steps.plain(reached_level)))
-      largest = std::max(largest, std::abs(quantity_with(error).value(point)));
-    switch (quantity)
-    {
-    case HeldQuantity::speed:
-      return std::max(largest, share_of_scales * crest_speed(largest_amplitude));
-    case HeldQuantity::torque:
-      return std::max(std::abs(stall_torque), share_of_scales * borne_torque());
-    case HeldQuantity::friction_loss:
-    case HeldQuantity::teeth_in_contact:
-      return largest;
-    case HeldQuantity::stick_fraction:
-      return 1.;
-    }
-    Assert(false, dealii::ExcInternalError());
-    return 0.;
+    return {crest_speed(largest_amplitude), borne_torque(), stall_torque};
   }
 
   double CurveSearch::relative(const PointError &error) const
   {
-    const Accuracy &accuracy = parameters.accuracy;
-    double worst             = 0.;
+    const Accuracy &accuracy    = parameters.accuracy;
+    const QuantityScales scales = this->scales();
+    double worst                = 0.;
     for (const QuantityTarget &held : accuracy.quantities)
-      if (const double value = error.*member_of(held.quantity); value > 0.)
-        worst = std::max(worst, value / scale_of(held.quantity) * accuracy.contact_target /
-                                    accuracy.target_of(held));
+      if (const double value = error[held.quantity]; value > 0.)
+      {
+        double largest = 0.;
+        for (const auto &[request, point] : known.at(steps.plain(reached_level)))
+          largest = std::max(largest, std::abs(quantity_named(held.quantity).value(point)));
+        worst = std::max(worst, value / scales.of(held.quantity, largest) *
+                                    accuracy.contact_target / accuracy.target_of(held));
+      }
     return worst;
   }
 } // namespace ringmotor

@@ -151,8 +151,9 @@ namespace ringmotor
 
   bool CurveSearch::stands_still(const CurvePoint &point) const
   {
-    return std::abs(point.result.speed) <=
-           parameters.accuracy.contact_target * share_of_scales * crest_speed(largest_amplitude);
+    return std::abs(point.result.speed) <= parameters.accuracy.contact_target *
+                                               QuantityScales::share *
+                                               crest_speed(largest_amplitude);
   }
 
   void CurveSearch::find_held_torque()

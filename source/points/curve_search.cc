@@ -117,7 +117,7 @@ namespace ringmotor
   {
     double worst = 0.;
     for (const CurvePoint &point : points())
-      worst = std::max(worst, relative(point.errors.drive));
+      worst = std::max(worst, relative(point.errors.at(causes::drive)));
     if (worst > parameters.accuracy.contact_target)
       throw ComputationError(
           "at the given voltage the errors of the circuits of the phases alone change the results "
@@ -139,7 +139,8 @@ namespace ringmotor
 
   std::vector<CurveSearch::Cure> CurveSearch::cures_of(const unsigned int request) const
   {
-    const PointErrors &errors = results[request].errors;
+    const auto error = [&](const char *const cause)
+    { return relative(results[request].errors.at(cause)); };
     std::vector<Cure> cures;
     const auto add = [&](const bool is_possible, const Cure &cure)
     {
@@ -148,13 +149,13 @@ namespace ringmotor
     };
     // Those of teeth are the same at all levels.
     add(modes_level < RotorVibration::finest_level && motors.at(reached_level)->has_rotor_modes(),
-        {Cure::Kind::modes, relative(errors.modes), 0.5});
+        {Cure::Kind::modes, error(causes::modes), 0.5});
     // Where the state jumps with the frequency of the wave, it does so by one contact node and one
     // step.
     add(n_parts[request] < steps.most_parts(),
         {Cure::Kind::step,
-         relative(errors.time) + relative(errors.scheme) + relative(errors.algebra), 0.5});
-    add(reached_level < finest_level, {Cure::Kind::mesh, relative(errors.mesh), 0.35});
+         error(causes::time_step) + error(causes::scheme) + error(causes::algebra), 0.5});
+    add(reached_level < finest_level, {Cure::Kind::mesh, error(causes::meshes), 0.35});
     std::sort(cures.begin(), cures.end(),
               [](const Cure &one, const Cure &other) { return one.error > other.error; });
     return cures;
@@ -167,7 +168,7 @@ namespace ringmotor
     std::set<Cure::Kind> needed;
     for (const unsigned int i : all_requests())
     {
-      double expected = relative(results[i].errors.total());
+      double expected = relative(results[i].error());
       if (expected <= target)
         continue;
       const std::vector<Cure> cures = cures_of(i);

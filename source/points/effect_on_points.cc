@@ -80,13 +80,9 @@ namespace ringmotor
     }
     for (std::size_t i = 0; i < with_it.size(); ++i)
       for (std::size_t j = 0; j < with_it[i].size(); ++j)
-      {
-        const PointError here = change(without_it[i][j], with_it[i][j]);
-        for (double PointError::*const quantity : PointError::members)
-          effect_on.change.*quantity = std::max(effect_on.change.*quantity, here.*quantity);
-      }
-    effect_on.relative = std::max(effect_on.change.speed / no_load.result.speed,
-                                  effect_on.change.torque / stall.result.torque);
+        effect_on.change.raise(change(without_it[i][j], with_it[i][j]));
+    effect_on.relative = std::max(effect_on.change["speed"] / no_load.result.speed,
+                                  effect_on.change["torque"] / stall.result.torque);
     return effect_on;
   }
 
@@ -108,10 +104,8 @@ namespace ringmotor
 
   PointError LeftOut::of(const CurvePoint &point) const
   {
-    PointError error = change(CurvePoint(), point); // its values
-    error *= relative;
-    error += others;
-    error.*prescribed(point.request).error = 0.; // does not change
+    PointError error                      = relative * sizes_of(point) + others;
+    error[prescribed(point.request).name] = 0.; // does not change
     return error;
   }
 } // namespace ringmotor

@@ -45,13 +45,15 @@ namespace ringmotor
     {
       const auto given = both_sides(drive, speed, load);
       std::array<Numbers, 2> errors{};
-      const auto add = [&](double VoltageDrive::*const number, const double error)
+      for (Estimate VoltageDrive::*const number :
+           {&VoltageDrive::force_factor, &VoltageDrive::modal_mass,
+            &VoltageDrive::natural_frequency, &VoltageDrive::internal_loss})
       {
         std::array<Numbers, 2> largest{};
         for (const double sign : {-1., 1.})
         {
           VoltageDrive other = drive;
-          other.*number += sign * error;
+          (other.*number).value += sign * (drive.*number).error();
           const auto changed = both_sides(other, speed, load);
           for (unsigned int side = 0; side < 2; ++side)
             for (unsigned int i = 0; i < given[side].size(); ++i)
@@ -61,12 +63,7 @@ namespace ringmotor
         for (unsigned int side = 0; side < 2; ++side)
           for (unsigned int i = 0; i < given[side].size(); ++i)
             errors[side][i] += largest[side][i];
-      };
-      add(&VoltageDrive::force_factor, drive.force_factor * drive.force_factor_error);
-      add(&VoltageDrive::modal_mass, drive.modal_mass * drive.modal_mass_error);
-      add(&VoltageDrive::natural_frequency,
-          drive.natural_frequency * drive.natural_frequency_error);
-      add(&VoltageDrive::internal_loss, drive.internal_loss_error);
+      }
       return errors;
     }
 
@@ -105,10 +102,11 @@ namespace ringmotor
           const auto estimate = [&](const unsigned int number)
           {
             const double value = found[0][side][number];
-            double error       = errors[side][number];
-            for (const unsigned int other : {1u, 2u})
-              error += margin * std::abs(found[other][side][number] - value);
-            return Estimate{value, error};
+            const auto change  = [&](const unsigned int other)
+            { return margin * std::abs(found[other][side][number] - value); };
+            return Estimate(value, {{causes::drive, errors[side][number]},
+                                    {causes::meshes, change(1)},
+                                    {causes::time_step, change(2)}});
           };
           points[side] = {amplitude, estimate(0), estimate(1), estimate(2), estimate(3), false};
         }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/points/marched_point.h>
+#include <ringmotor/points/point_quantities.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -100,20 +100,16 @@ namespace ringmotor
       /** Continues marching a motor with inertia under decreasing damping, until those initial
        * transients that decay quickly have died out. */
       void calm(MarchedRun &run) const;
-      /** Continues marching until the means have settled. @returns the last span */
-      MarchedSpan settle(MarchedRun &run);
+      /** Continues marching until the means have settled. @returns the point of the last span */
+      CurvePoint settle(MarchedRun &run);
       /** How far the last span may be from their limit. */
       const PointError &remaining() const { return rest; }
 
-      /** The values that may change, including the rotor's power; zero for prescribed ones. */
-      PointError values_of(const MarchedSpan &span) const;
-      std::vector<double> energies_of(const MarchedSpan &span) const
-      {
-        return rotor_energies(span.fields, pattern);
-      }
+      /** The operating point of a span. */
+      CurvePoint point_of(MarchedSpan span) const;
 
     private:
-      void add(const PointError &values);
+      void add(const CurvePoint &point);
       /** Judges speed and torque relative to the largest ones of all operating points; a loss
        * relative to itself or, if larger, a thousandth of the friction loss at the speed of the
        * crests. */
@@ -122,21 +118,20 @@ namespace ringmotor
 
       const Time time;
       const CondensedMotor &motor;
-      const bool of_torque;
-      const double asked; ///< N m or rad/s
+      const PointRequest request;
       const RingPattern pattern;
-      const unsigned int n_parts; ///< of a period of the wave, see Repetition
-      const double tolerance;     ///< relative
-      double largest = 0.;        ///< N m, if all friction points one way
-      std::array<std::vector<double>, PointError::members.size()> means;
+      const unsigned int n_parts;                       ///< of a period of the wave, see Repetition
+      const double tolerance;                           ///< relative
+      double largest = 0.;                              ///< N m, if all friction points one way
+      std::map<std::string, std::vector<double>> means; ///< of all spans, by quantity
       PointError rest;
     };
 
     Settling::Settling(const Parameters &parameters, const CondensedMotor &motor,
                        const PointRequest &request)
-        : time(parameters.time), motor(motor), of_torque(request.control == Control::torque),
-          asked(request.value), pattern{motor.n_waves, motor.n_teeth,
-                                        motor_model(parameters).warp.n_waves},
+        : time(parameters.time), motor(motor),
+          request(request), pattern{motor.n_waves, motor.n_teeth,
+                                    motor_model(parameters).warp.n_waves},
           n_parts(repetition_of(pattern).n_parts),
           tolerance(0.1 * parameters.accuracy.strictest_target())
     {
@@ -153,18 +148,16 @@ namespace ringmotor
       return period / std::ceil(period / time.time_step * (1. - rounding));
     }
 
-    PointError Settling::values_of(const MarchedSpan &span) const
+    CurvePoint Settling::point_of(MarchedSpan span) const
     {
-      PointError values;
-      (of_torque ? values.speed : values.torque) = of_torque ? span.mean.speed : span.mean.torque;
-      values.loss                                = span.mean.friction_loss();
-      values.rotor_power = power_per_loss_factor(energies_of(span), motor.angular_frequency) +
-                           span.mean.modal_damping;
-      values.stick_fraction        = span.mean.stick_fraction;
-      values.teeth_in_contact      = span.mean.teeth_in_contact;
-      values.second_stick_fraction = span.mean.second_stick_fraction;
-      values.radial_loss_share     = span.mean.radial_loss_share();
-      return values;
+      CurvePoint point;
+      point.request        = request;
+      point.result         = span.mean;
+      point.rotor_energies = rotor_energies(span.fields, pattern);
+      point.rotor_power    = power_per_loss_factor(point.rotor_energies, motor.angular_frequency) +
+                          point.result.modal_damping;
+      point.fields = std::move(span.fields);
+      return point;
     }
 
     void Settling::calm(MarchedRun &run) const
@@ -180,7 +173,7 @@ namespace ringmotor
       run.damp(0.);
     }
 
-    MarchedSpan Settling::settle(MarchedRun &run)
+    CurvePoint Settling::settle(MarchedRun &run)
     {
       // Short periods are combined to a quarter of the wave's: most teeth are in contact for less,
       // and lose their friction history when they separate.
@@ -190,76 +183,73 @@ namespace ringmotor
       constexpr unsigned int most_spans = 60;
       for (unsigned int number = 0; number < most_spans; ++number)
       {
-        MarchedSpan span = run.advance(n_steps, step_length());
-        add(values_of(span));
+        CurvePoint point = point_of(run.advance(n_steps, step_length()));
+        add(point);
         if (has_settled())
-          return span;
+          return point;
       }
       give_up();
     }
 
-    void Settling::add(const PointError &values)
+    void Settling::add(const CurvePoint &point)
     {
-      for (unsigned int i = 0; i < PointError::members.size(); ++i)
-      {
-        means[i].push_back(values.*PointError::members[i]);
-        rest.*PointError::members[i] = std::min(remaining_change(means[i]), wandering(means[i]));
-      }
+      const PointError values = values_of(point);
+      for (const PointQuantity &quantity : point_quantities())
+        if (quantity.has_own_error())
+        {
+          std::vector<double> &all = means[quantity.name];
+          all.push_back(values[quantity.name]);
+          rest[quantity.name] = std::min(remaining_change(all), wandering(all));
+        }
     }
 
     bool Settling::has_settled() const
     {
       // A sticking rotor has no losses that could settle; where friction falls with the velocity,
       // its oscillations with almost no loss may continue forever. The error bar includes them.
-      constexpr std::size_t patience = 20;
-      constexpr double share         = 1e-3;
-      const double little            = share * largest * motor.crest_speed();
-      return rest.speed <= tolerance * motor.crest_speed() && rest.torque <= tolerance * largest &&
-             rest.loss <= tolerance * std::max(means[2].back(), little) &&
-             (rest.rotor_power <= tolerance * std::max(means[3].back(), little) ||
-              means[3].size() > patience);
+      constexpr std::size_t patience      = 20;
+      constexpr double share              = 1e-3;
+      const double little                 = share * largest * motor.crest_speed();
+      const std::vector<double> &of_loss  = means.at("friction_loss"),
+                                &of_rotor = means.at("rotor_power_per_loss_factor");
+      return rest["speed"] <= tolerance * motor.crest_speed() &&
+             rest["torque"] <= tolerance * largest &&
+             rest["friction_loss"] <= tolerance * std::max(of_loss.back(), little) &&
+             (rest["rotor_power_per_loss_factor"] <=
+                  tolerance * std::max(of_rotor.back(), little) ||
+              of_rotor.size() > patience);
     }
 
     void Settling::give_up() const
     {
       std::ostringstream text;
       text.precision(4);
+      const bool of_torque = request.control == Control::torque;
       const auto range =
-          [&](const std::string &name, const std::vector<double> &values, const std::string &unit)
+          [&](const std::string &name, const std::string &quantity, const std::string &unit)
       {
+        const std::vector<double> &values = means.at(quantity);
         const auto [low, high] =
             std::minmax_element(values.begin() + values.size() / 2, values.end());
         text << name << " " << *low << " to " << *high << " " << unit;
       };
       text << "the motor does not settle at "
-           << (of_torque ? 1e3 * asked : asked * 30. / numbers::PI)
-           << (of_torque ? " mN m" : " rpm") << ": in the later half of " << means[0].size()
-           << " averaging spans of whole periods, the means have ";
+           << (of_torque ? 1e3 * request.value : request.value * 30. / numbers::PI)
+           << (of_torque ? " mN m" : " rpm") << ": in the later half of "
+           << means.at("speed").size() << " averaging spans of whole periods, the means have ";
       if (of_torque)
-        range("speeds from", means[0], "rad/s");
+        range("speeds from", "speed", "rad/s");
       else
-        range("torques from", means[1], "N m");
-      range(" and friction losses from", means[2], "W");
+        range("torques from", "torque", "N m");
+      range(" and friction losses from", "friction_loss", "W");
       text << "; choose a larger Accuracy/Contact target, a smaller Time/Time step"
            << (motor.rotor_mass > 0. ? ", or Effects/Rotor inertia = off" : "");
       throw ComputationError(text.str());
     }
 
-    /** The operating point of a span. */
-    CurvePoint point_of(MarchedSpan span, const Settling &settling, const double angular_frequency)
-    {
-      CurvePoint point;
-      point.result         = span.mean;
-      point.rotor_energies = settling.energies_of(span);
-      point.fields         = std::move(span.fields);
-      point.rotor_power    = power_per_loss_factor(point.rotor_energies, angular_frequency) +
-                          point.result.modal_damping;
-      return point;
-    }
-
     /** The operating point of the steps that `Time` specifies to average over. */
     CurvePoint find_by_window(const Time &time, MarchedRun &run, Settling &settling,
-                              const double angular_frequency, const bool tells_window)
+                              const bool tells_window)
     {
       ContactFields all;
       const auto advance = [&](const unsigned int n_steps)
@@ -273,16 +263,12 @@ namespace ringmotor
       advance(*time.average_from_step - 2);
       MarchedSpan window = advance(*time.average_to_step - *time.average_from_step + 1);
       advance(*time.n_steps - *time.average_to_step);
-      const PointError found = settling.values_of(window);
-      CurvePoint point       = point_of(std::move(window), settling, angular_frequency);
-      point.fields           = std::move(all);
+      CurvePoint point = settling.point_of(std::move(window));
+      point.fields     = std::move(all);
       if (!tells_window)
         return point;
-      point.tells_window       = true;
-      const PointError settled = settling.values_of(settling.settle(run));
-      for (double PointError::*quantity : PointError::members)
-        point.window.*quantity =
-            std::abs(found.*quantity - settled.*quantity) + settling.remaining().*quantity;
+      point.tells_window = true;
+      point.window       = change(settling.settle(run), point) + settling.remaining();
       return point;
     }
   } // namespace
@@ -295,13 +281,13 @@ namespace ringmotor
     Settling settling(parameters, motor, request);
     CurvePoint point;
     if (parameters.time.n_steps)
-      point = find_by_window(parameters.time, run, settling, motor.angular_frequency, tells_window);
+      point = find_by_window(parameters.time, run, settling, tells_window);
     else
     {
       run.advance(1, settling.step_length());
       if (motor.rotor_mass > 0.)
         settling.calm(run);
-      point              = point_of(settling.settle(run), settling, motor.angular_frequency);
+      point              = settling.settle(run);
       point.window       = settling.remaining();
       point.tells_window = true;
     }

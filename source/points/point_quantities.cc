@@ -2,6 +2,7 @@
 #include <ringmotor/points/point_quantities.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <type_traits>
 
@@ -11,19 +12,18 @@ namespace ringmotor
   {
     using Point = OperatingPoint;
     static const std::vector<PointQuantity> quantities{
-        {"speed", units::speed, &Point::speed, &PointError::speed},
-        {"torque", units::torque, &Point::torque, &PointError::torque},
-        {"friction_loss", units::power, &Point::friction_loss, &PointError::loss},
+        {"speed", units::speed, &Point::speed, "speed"},
+        {"torque", units::torque, &Point::torque, "torque"},
+        {"friction_loss", units::power, &Point::friction_loss, "friction_loss"},
         {"output_power", units::power, &Point::output_power},
         {"teeth_in_contact_per_wave", units::one, &Point::teeth_in_contact,
-         &PointError::teeth_in_contact},
-        {"stick_fraction", units::one, &Point::stick_fraction, &PointError::stick_fraction},
+         "teeth_in_contact_per_wave"},
+        {"stick_fraction", units::one, &Point::stick_fraction, "stick_fraction"},
         {"second_stick_fraction", units::one, &Point::second_stick_fraction,
-         &PointError::second_stick_fraction},
-        {"tangential_loss", units::power, &Point::tangential_loss, &PointError::loss},
-        {"radial_loss", units::power, &Point::radial_loss, &PointError::loss},
-        {"radial_loss_share", units::one, &Point::radial_loss_share,
-         &PointError::radial_loss_share},
+         "second_stick_fraction"},
+        {"tangential_loss", units::power, &Point::tangential_loss, "friction_loss"},
+        {"radial_loss", units::power, &Point::radial_loss, "friction_loss"},
+        {"radial_loss_share", units::one, &Point::radial_loss_share, "radial_loss_share"},
         {"input_power", units::power, &Point::input_power},
         {"exchanged_power", units::power, &Point::gross_power},
         {"power_imbalance", units::one, &Point::power_imbalance},
@@ -32,9 +32,9 @@ namespace ringmotor
         {"modal_power", units::power, &Point::modal_power},
         {"closing_work", units::power, &Point::closing_work},
         {"detuning", units::one, &Point::detuning},
-        {"amplitude", units::amplitude, &Point::amplitude, &PointError::amplitude},
+        {"amplitude", units::amplitude, &Point::amplitude, "amplitude"},
         {"rotor_power_per_loss_factor", units::power, &CurvePoint::rotor_power,
-         &PointError::rotor_power}};
+         "rotor_power_per_loss_factor"}};
     return quantities;
   }
 
@@ -74,32 +74,61 @@ namespace ringmotor
     return members;
   }
 
-  std::vector<Quantity> quantities_of(const CurvePoint &point)
+  Estimate PointQuantity::estimate(const CurvePoint &point) const
   {
-    const PointError total = point.errors.total();
-    const auto causes      = point.errors.causes();
-    std::vector<Quantity> quantities;
-    for (const PointQuantity &quantity : point_quantities())
-    {
-      quantities.push_back({quantity.name, quantity.unit, quantity.value(point)});
-      if (quantity.error == nullptr)
-        continue;
-      quantities.back().error = total.*quantity.error;
-      for (const auto &[cause, error] : causes)
-        quantities.back().error_causes[cause] = error.*quantity.error;
-    }
-    return quantities;
+    Estimate estimate(value(point));
+    for (const auto &[cause, error] : point.errors)
+      estimate.errors[cause] = error[error_of];
+    return estimate;
   }
 
-  const PointQuantity &quantity_with(double PointError::*const error)
+  const PointQuantity &quantity_named(const std::string &name)
   {
-    return *std::find_if(point_quantities().begin(), point_quantities().end(),
-                         [&](const PointQuantity &quantity) { return quantity.error == error; });
+    const auto found =
+        std::find_if(point_quantities().begin(), point_quantities().end(),
+                     [&](const PointQuantity &quantity) { return quantity.name == name; });
+    Assert(found != point_quantities().end(), dealii::ExcMessage(name + " is no quantity"));
+    return *found;
+  }
+
+  std::vector<Quantity> quantities_of(const CurvePoint &point)
+  {
+    std::vector<Quantity> quantities;
+    for (const PointQuantity &quantity : point_quantities())
+      if (quantity.error_of.empty())
+        quantities.emplace_back(quantity.name, quantity.unit, quantity.value(point));
+      else
+        quantities.emplace_back(quantity.name, quantity.unit, quantity.estimate(point));
+    return quantities;
   }
 
   const PointQuantity &prescribed(const PointRequest &request)
   {
-    return quantity_with(request.control == Control::torque ? &PointError::torque
-                                                            : &PointError::speed);
+    return quantity_named(request.control == Control::torque ? "torque" : "speed");
+  }
+
+  PointError values_of(const CurvePoint &point)
+  {
+    PointError values;
+    for (const PointQuantity &quantity : point_quantities())
+      if (quantity.has_own_error())
+        values[quantity.name] = quantity.value(point);
+    values[prescribed(point.request).name] = 0.;
+    return values;
+  }
+
+  PointError change(const CurvePoint &from, const CurvePoint &to)
+  {
+    PointError change;
+    for (const PointQuantity &quantity : point_quantities())
+      if (quantity.has_own_error())
+        change[quantity.name] = std::abs(quantity.value(from) - quantity.value(to));
+    change[prescribed(to.request).name] = 0.;
+    return change;
+  }
+
+  PointError sizes_of(const CurvePoint &point)
+  {
+    return change(CurvePoint(), point);
   }
 } // namespace ringmotor

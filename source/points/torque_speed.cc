@@ -33,34 +33,11 @@ namespace ringmotor
     }
   } // namespace
 
-  const std::vector<std::pair<std::string, PointError PointErrors::*>> &PointErrors::members()
-  {
-    static const std::vector<std::pair<std::string, PointError PointErrors::*>> members{
-        {"meshes of bodies and interface", &PointErrors::mesh},
-        {"modes of rotor and teeth", &PointErrors::modes},
-        {"time step", &PointErrors::time},
-        {"dissipation of the scheme", &PointErrors::scheme},
-        {"averaging window", &PointErrors::window},
-        {by_wave, &PointErrors::wave},
-        {"effects left out", &PointErrors::effects},
-        {"algebra", &PointErrors::algebra},
-        {by_circuits, &PointErrors::drive}};
-    return members;
-  }
-
-  std::vector<std::pair<std::string, PointError>> PointErrors::causes() const
-  {
-    std::vector<std::pair<std::string, PointError>> causes;
-    for (const auto &[name, member] : members())
-      causes.emplace_back(name, this->*member);
-    return causes;
-  }
-
-  PointError PointErrors::total() const
+  PointError CurvePoint::error() const
   {
     PointError sum;
-    for (const auto &cause : causes())
-      sum += cause.second;
+    for (const auto &[cause, error] : errors)
+      sum += error;
     return sum;
   }
 
@@ -199,9 +176,8 @@ namespace ringmotor
       const double torque = preload * motor.nodes.front().radius,
                    speed  = motor.crest_speed() * one.result.amplitude / motor.amplitude,
                    loss   = std::max(one.result.friction_loss(), little * torque * speed);
-      PointError rest     = change(other, one);
-      rest *= share / negligible;
-      return rest.speed <= speed && rest.torque <= torque && rest.loss <= loss;
+      PointError rest     = share / negligible * change(other, one);
+      return rest["speed"] <= speed && rest["torque"] <= torque && rest["friction_loss"] <= loss;
     }
 
     /** What the search for an amplitude or a frequency leaves open. */
@@ -209,9 +185,8 @@ namespace ringmotor
     {
       // Logarithms and ratios: values change in proportion to them, at most quadratically.
       constexpr double of_values = 2.;
-      PointError rest = change(root.other ? root.other->state : CurvePoint(), root.found.state);
-      rest *= root.other ? root.share() : of_values * std::abs(root.found.excess);
-      return rest;
+      return root.other ? root.share() * change(root.other->state, root.found.state)
+                        : of_values * std::abs(root.found.excess) * sizes_of(root.found.state);
     }
   } // namespace
 
@@ -224,7 +199,7 @@ namespace ringmotor
         [&](const double of_wave)
         {
           CurvePoint point    = find_at(request, of_wave);
-          const double own    = drive->natural_frequency * (1. + point.result.detuning);
+          const double own    = drive->natural_frequency.value * (1. + point.result.detuning);
           const double excess = drive->excess(
               wave_load(point, *drive, drive->frequency.value_or(own)), setting.has_drive_error);
           return std::make_pair(excess, std::move(point));
@@ -333,15 +308,5 @@ namespace ringmotor
     for (const std::vector<CurvePoint> &of_rank : of_all_ranks(mine, communicator))
       points.insert(points.end(), of_rank.begin(), of_rank.end());
     return points;
-  }
-
-  PointError change(const CurvePoint &from, const CurvePoint &to)
-  {
-    PointError change;
-    for (double PointError::*const member : PointError::members)
-      change.*member =
-          std::abs(quantity_with(member).value(from) - quantity_with(member).value(to));
-    change.*prescribed(to.request).error = 0.;
-    return change;
   }
 } // namespace ringmotor

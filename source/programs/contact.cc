@@ -346,8 +346,8 @@ namespace ringmotor
       summary.dofs                = motor.n_dofs;
       add_points(summary, search.points());
       add_quantities(summary, effects.lip_quantities, 0.);
-      add_quantities(summary,
-                     {{"clearance", units::length, clearance(given.stator, given.rotor), 0.}}, 0.);
+      const Estimate exact = clearance(given.stator, given.rotor);
+      add_quantities(summary, {{"clearance", units::length, exact}}, 0.);
       summary.effects = effects.rows;
       if (parameters.accuracy.mode == AccuracyMode::adaptive)
         summary.certificate.push_back(

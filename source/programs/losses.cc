@@ -77,13 +77,9 @@ namespace ringmotor
            read_contact_points(from + "/contact/contact.h5", parameters, of_now))
       {
         PointLosses losses{point,
-                           loss_budget(point, wave, parameters.materials, parameters.support),
-                           budgets_by_cause(point, wave, parameters.materials, parameters.support)};
+                           loss_budget(point, wave, parameters.materials, parameters.support)};
         if (driven)
-        {
-          losses.drive          = drive_point(point, losses.budget, *driven);
-          losses.drive_by_cause = drives_by_cause(point, losses.by_cause, *driven);
-        }
+          losses.drive = drive_point(point, losses.budget, *driven);
         points.push_back(std::move(losses));
       }
     }

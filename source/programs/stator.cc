@@ -83,7 +83,7 @@ namespace ringmotor
              (body == Body::tooth ? "tooth" : "n = " + std::to_string(found.mode.nodal_diameter)) +
              ", " + to_string(found.content.family()) +
              ") = " + text(1e-3 * found.frequency.value, 5) + " +- " +
-             text(1e-3 * found.frequency.error, 5) + " kHz";
+             text(1e-3 * found.frequency.error(), 5) + " kHz";
     }
 
     StatorProgram::StatorProgram(const Parameters &parameters)
@@ -163,7 +163,7 @@ namespace ringmotor
         throw ComputationError(
             "the motor's wave was identified on the last mesh only, so that the error of its "
             "shape cannot be estimated; choose a finer mesh");
-      log.line("motor's wave: A_t/A_n = " + text(wave.shape.front().value, 4) +
+      log.line("motor's wave: A_t/A_n = " + text(wave.shape.front().value(), 4) +
                " at the outer edge of the tooth top" +
                (wave.gap_above > 0.
                     ? ", next mode of n = " + std::to_string(parameters.motor.n_waves) + " " +
@@ -315,7 +315,7 @@ namespace ringmotor
         seconds += pass.second;
       for (const FoundMode &found : body.search().modes())
         add_quantities(
-            summary, {on_body_mesh("frequency", units::hertz, found.frequency)}, seconds,
+            summary, {{"frequency", units::hertz, found.frequency}}, seconds,
             {{"n", found.mode.nodal_diameter}, {"family", to_string(found.content.family())}});
       if (body.wave() != nullptr)
         add_wave_quantities(summary, *body.wave(), seconds);
@@ -324,10 +324,11 @@ namespace ringmotor
           add_quantities(summary, body.circuits()->quantities(phase), seconds,
                          {{"phase", name_of(phase)}});
       if (const auto ratio = of_stator ? std::nullopt : inertia_ratio())
-        add_quantities(summary,
-                       {on_body_mesh("(omega/omega_1)^2", units::one,
-                                     {*ratio, 2. * *ratio * body.search().worst_relative_error()})},
-                       seconds);
+        add_quantities(
+            summary,
+            {{"(omega/omega_1)^2", units::one,
+              Estimate(*ratio, 2. * *ratio * body.search().worst_relative_error(), by_body_mesh)}},
+            seconds);
       summary.effects = effects;
       summary.certificate.push_back({"modes counted (Sturm) but not found",
                                      static_cast<double>(body.search().n_missed()), 0.});
@@ -354,7 +355,8 @@ namespace ringmotor
       for (const auto &[name, gap] : {std::make_pair("gap_above", wave.gap_above),
                                       std::make_pair("gap_below", wave.gap_below)})
         if (gap > 0.)
-          add_quantities(summary, {on_body_mesh(name, units::one, {gap, gap_error})}, seconds);
+          add_quantities(summary, {{name, units::one, Estimate(gap, gap_error, by_body_mesh)}},
+                         seconds);
     }
   } // namespace
 

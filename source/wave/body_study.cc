@@ -178,7 +178,7 @@ namespace ringmotor
       if (wave)
         for (const Quantity &quantity : wave->shape)
           if (quantity.name == name)
-            row.results.back().push_back(quantity.value);
+            row.results.back().push_back(quantity.value());
     }
     return row;
   }

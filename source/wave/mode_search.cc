@@ -107,7 +107,7 @@ namespace ringmotor
   {
     double worst = 0.;
     for (const FoundMode &mode : found)
-      worst = std::max(worst, mode.frequency.error / mode.frequency.value);
+      worst = std::max(worst, mode.frequency.relative_error());
     return worst;
   }
 

@@ -53,37 +53,34 @@ namespace ringmotor
     const unsigned int i = PhaseHarmonics::index(phase);
     const auto &before = samples[samples.size() - 2], &last = samples.back();
     const auto &coarse = capacitances[capacitances.size() - 2][i], &fine = capacitances.back()[i];
-    const double of_frequency = last.frequency.error / last.frequency.value;
+    const double of_frequency = last.frequency.relative_error();
     const auto of_branch =
         [&](const std::string &name, const Unit &unit, double MotionalBranch::*const number)
     {
-      return on_body_mesh(name, unit,
-                          shape_estimate(last.branches[i].*number, before.branches[i].*number,
-                                         last.quality_of_mesh, before.quality_of_mesh,
-                                         of_frequency));
+      return Quantity(name, unit,
+                      shape_estimate(last.branches[i].*number, before.branches[i].*number,
+                                     last.quality_of_mesh, before.quality_of_mesh, of_frequency));
     };
     const auto capacitance = [&](const std::string &name, double ParallelCapacitance::*const number,
                                  const double of_other_modes)
     {
-      const double of_mesh = std::abs(fine.*number - coarse.*number);
-      return Quantity{name,
-                      units::capacitance,
-                      fine.*number,
-                      of_mesh + fine.rest + of_other_modes,
-                      {{"body mesh", of_mesh},
-                       {"harmonics of the electrodes", fine.rest},
-                       {"other modes", of_other_modes}}};
+      return Quantity(
+          name, units::capacitance,
+          Estimate(fine.*number, {{by_body_mesh, std::abs(fine.*number - coarse.*number)},
+                                  {"harmonics of the electrodes", fine.rest},
+                                  {"other modes", of_other_modes}}));
     };
     const Quantity c0 =
                        capacitance("C0", &ParallelCapacitance::at_resonance, std::abs(fine.change)),
                    cm = of_branch("Cm", units::motional_capacitance, &MotionalBranch::capacitance);
-    const PhaseCircuit here  = circuit(phase);
-    const double of_coupling = *c0.error / c0.value + *cm.error / cm.value,
-                 k_square = here.coupling_squared(), f_open = here.open_circuit_frequency();
-    return {on_body_mesh("short_circuit_frequency", units::hertz, last.frequency),
-            on_body_mesh("open_circuit_frequency", units::hertz,
-                         {f_open, f_open * (of_frequency + 0.5 * k_square * of_coupling)}),
-            on_body_mesh("k_eff^2", units::one, {k_square, k_square * of_coupling}),
+    const PhaseCircuit here = circuit(phase);
+    const Estimate k_square =
+        here.coupling_squared() * (c0.estimate.relative() * cm.estimate.relative());
+    const double f_open = here.open_circuit_frequency();
+    return {{"short_circuit_frequency", units::hertz, last.frequency},
+            {"open_circuit_frequency", units::hertz,
+             f_open * last.frequency.relative() + 0.5 * f_open * k_square.deviation()},
+            {"k_eff^2", units::one, k_square},
             of_branch("force_factor", units::force_factor, &MotionalBranch::force_factor),
             c0,
             capacitance("free_capacitance", &ParallelCapacitance::free, 0.),

@@ -57,17 +57,11 @@ namespace ringmotor
             {"phase_r", units::angle, motion.phase_r}};
   }
 
-  Quantity on_body_mesh(const std::string &name, const Unit &unit, const Estimate &estimate)
-  {
-    return {name, unit, estimate.value, estimate.error, {{"body mesh", estimate.error}}};
-  }
-
   double WaveResult::relative_error() const
   {
     for (const Quantity &number : shape)
       if (number.name == tangential_ratio)
-        return found.frequency.error / found.frequency.value +
-               std::abs(*number.error / number.value);
+        return found.frequency.relative_error() + number.estimate.relative_error();
     return std::numeric_limits<double>::infinity();
   }
 
@@ -87,11 +81,10 @@ namespace ringmotor
     if (earlier)
     {
       for (unsigned int i = 0; i < now.shape.size(); ++i)
-        wave->shape.push_back(
-            on_body_mesh(now.shape[i].name, now.shape[i].unit,
-                         shape_estimate(now.shape[i].value, earlier->shape[i].value, now.frequency,
-                                        earlier->frequency,
-                                        working->frequency.error / working->frequency.value)));
+        wave->shape.emplace_back(now.shape[i].name, now.shape[i].unit,
+                                 shape_estimate(now.shape[i].value(), earlier->shape[i].value(),
+                                                now.frequency, earlier->frequency,
+                                                working->frequency.relative_error()));
     }
     earlier = now;
   }

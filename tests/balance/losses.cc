@@ -146,30 +146,38 @@ TEST(LossBudget, AddsUpWithItsErrors)
   point.result.radial_loss     = 0.04;
   point.rotor_power            = 2.;
   point.result.amplitude       = 4e-6; // twice that of the energies
-  point.errors.mesh            = {0.08, 0., 0.01, 0.1};
-  point.errors.time            = {0.08, 0., 0.01, 0.1};
-  point.errors.time.amplitude  = 1e-8;
+  const PointError half{
+      {{"speed", 0.08}, {"friction_loss", 0.01}, {"rotor_power_per_loss_factor", 0.1}}};
+  point.errors = {{causes::meshes, half}, {causes::time_step, half}};
+  point.errors[causes::time_step]["amplitude"] = 1e-8;
   Materials materials;
   materials.stator_metal.loss_factor = 1e-3;
   materials.piezoceramic.loss_factor = 2e-3;
   materials.rotor_metal.loss_factor  = 5e-3;
   Support felt;
   felt.felt_loss_factor = 0.3;
-  const WaveEnergies wave{1e5, 2e-6, {1e-3, 1e-6}, {2e-4, 0.}, {1e-6, 0.}};
+  const WaveEnergies wave{1e5, 2e-6, {1e-3, 1e-6, causes::wave}, 2e-4, 1e-6};
   const LossBudget budget = loss_budget(point, wave, materials, felt);
   EXPECT_NEAR(budget.output.value, 0.4, 1e-12);
-  EXPECT_NEAR(budget.output.error, 0.05 * 0.16, 1e-12);
+  EXPECT_NEAR(budget.output.error(), 0.05 * 0.16, 1e-12);
   EXPECT_NEAR(budget.friction.value, 0.1, 1e-12);
   EXPECT_NEAR(budget.stator_metal.value, 2. * 1e5 * 1e-3 * 4e-3, 1e-12);
-  EXPECT_NEAR(budget.stator_metal.error, 2. * 1e5 * 1e-3 * 4. * (1e-6 + 1e-3 * 2. * 0.0025), 1e-12);
-  EXPECT_NEAR(budget.amplitude.error, 1e-8, 1e-20);
+  EXPECT_NEAR(budget.stator_metal.error(), 2. * 1e5 * 1e-3 * 4. * (1e-6 + 1e-3 * 2. * 0.0025),
+              1e-12);
+  EXPECT_NEAR(budget.amplitude.error(), 1e-8, 1e-20);
   EXPECT_NEAR(budget.piezoceramic.value, 2. * 1e5 * 2e-3 * 8e-4, 1e-12);
   EXPECT_NEAR(budget.rotor.value, 5e-3 * 2., 1e-12);
   EXPECT_NEAR(budget.support.value, 2. * 1e5 * 0.3 * 4e-6, 1e-12);
   EXPECT_NEAR(budget.total().value, 0.1 + 0.8 + 0.32 + 0.01 + 0.24, 1e-12);
-  EXPECT_NEAR(budget.total().error, 0.02 + 8e-4 + 1e-3 + 1.36 * 2. * 0.0025, 1e-12);
+  EXPECT_NEAR(budget.total().error(), 0.02 + 8e-4 + 1e-3 + 1.36 * 2. * 0.0025, 1e-12);
   EXPECT_NEAR(budget.efficiency().value, 0.4 / 1.87, 1e-12);
   // The error of a quotient, by changing both parts by their errors.
   const double output = 0.4 - 0.008, loss = 1.47 + 0.0286;
-  EXPECT_NEAR(budget.efficiency().error, 0.4 / 1.87 - output / (output + loss), 1e-3);
+  EXPECT_NEAR(budget.efficiency().error(), 0.4 / 1.87 - output / (output + loss), 1e-3);
+  // By causes, which add up
+  EXPECT_NEAR(budget.output.errors.at(causes::meshes), 0.05 * 0.08, 1e-12);
+  EXPECT_NEAR(budget.total().errors.at(causes::meshes), 0.01 + 5e-3 * 0.1, 1e-12);
+  EXPECT_NEAR(budget.total().errors.at(causes::wave), 2. * 1e5 * 1e-3 * 4. * 1e-6, 1e-12);
+  EXPECT_NEAR(budget.total().errors.at(causes::time_step), 0.01 + 5e-3 * 0.1 + 1.36 * 2. * 0.0025,
+              1e-12);
 }

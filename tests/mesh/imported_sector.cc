@@ -199,6 +199,6 @@ TEST(ImportedSectorLong, ReachesTheReferenceFrequenciesWhenRefined)
     // 1e-4, and the curved slot walls contribute less than 2e-5.
     EXPECT_GT(found.mode.frequency() / reference[i], 1. - 1.2e-4);
     EXPECT_LT(found.mode.frequency() / reference[i], 1. + 3e-4);
-    EXPECT_NEAR(found.frequency.value, reference[i], found.frequency.error + 1e-4 * reference[i]);
+    EXPECT_NEAR(found.frequency.value, reference[i], found.frequency.error() + 1e-4 * reference[i]);
   }
 }

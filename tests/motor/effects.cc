@@ -12,6 +12,7 @@
 #include <ringmotor/motor/effect.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/points/effect_on_points.h>
+#include <ringmotor/points/point_quantities.h>
 
 #include <gtest/gtest.h>
 
@@ -170,16 +171,21 @@ TEST(Effects, ThatAreLeftOutWidenTheErrorBars)
                           {"Rotor inertia", 0.03, "off", true},
                           {"Stator back-reaction", 0.5, "off", false}, // as set by the user
                           {"Static friction excess", 0.2, "on", true}},
-                         {{"Rotor inertia", {{0.25, 0.004, 0.03, 2.}, 0.03}}});
+                         {{"Rotor inertia",
+                           {PointError({{"speed", 0.25},
+                                        {"torque", 0.004},
+                                        {"friction_loss", 0.03},
+                                        {"rotor_power_per_loss_factor", 2.}}),
+                            0.03}}});
   CurvePoint point;
   point.request                = {Control::torque, 0.05};
   point.result.speed           = 8.;
   point.result.tangential_loss = 0.1;
   const PointError error       = left_out.of(point);
-  EXPECT_NEAR(error.speed, 0.02 * 8. + 0.25, 1e-12);
-  EXPECT_EQ(error.torque, 0.);
-  EXPECT_NEAR(error.loss, 0.02 * 0.1 + 0.03, 1e-12);
-  EXPECT_NEAR(error.rotor_power, 2., 1e-12);
+  EXPECT_NEAR(error["speed"], 0.02 * 8. + 0.25, 1e-12);
+  EXPECT_EQ(error["torque"], 0.);
+  EXPECT_NEAR(error["friction_loss"], 0.02 * 0.1 + 0.03, 1e-12);
+  EXPECT_NEAR(error["rotor_power_per_loss_factor"], 2., 1e-12);
 }
 
 TEST(Effects, ThatAreOffCostNothing)
@@ -267,8 +273,10 @@ TEST(EffectRanks, ChangesPointsAlikeOnTwo)
   const EffectOnPoints one = change_on(MPI_COMM_SELF), two = change_on(MPI_COMM_WORLD);
   EXPECT_GT(one.relative, 0.01);
   EXPECT_NEAR(two.relative, one.relative, 1e-7);
-  for (double PointError::*const quantity : PointError::members)
-    EXPECT_NEAR(two.change.*quantity, one.change.*quantity, 1e-6 * one.change.*quantity);
+  for (const PointQuantity &quantity : point_quantities())
+    EXPECT_NEAR(two.change[quantity.name], one.change[quantity.name],
+                1e-6 * one.change[quantity.name])
+        << quantity.name;
 }
 
 TEST(StatorBackReaction, TunesTheWaveAsRayleighSays)

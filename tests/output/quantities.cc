@@ -35,13 +35,17 @@ namespace
     double counter = 1.;
     for (double OperatingPoint::*const member : OperatingPoint::members())
       point.result.*member = counter += 0.37;
-    point.rotor_power            = 1.1e-3;
-    point.rotor_energies         = {1.};
-    point.errors.mesh            = {0.25, 0., 1e-3, 2e-5};
-    point.errors.time            = {0.5, 0., 2e-3, 3e-5};
-    point.errors.drive.amplitude = 1e-3; // of a driven wave
-    point.fields.times           = {0.};
-    point.fields.n_teeth         = 1;
+    point.rotor_power    = 1.1e-3;
+    point.rotor_energies = {1.};
+    for (const char *const cause : causes::all)
+      point.errors[cause] = {};
+    point.errors[causes::meshes] = {
+        {{"speed", 0.25}, {"friction_loss", 1e-3}, {"rotor_power_per_loss_factor", 2e-5}}};
+    point.errors[causes::time_step] = {
+        {{"speed", 0.5}, {"friction_loss", 2e-3}, {"rotor_power_per_loss_factor", 3e-5}}};
+    point.errors[causes::drive]["amplitude"] = 1e-3; // of a driven wave
+    point.fields.times                       = {0.};
+    point.fields.n_teeth                     = 1;
     point.fields.force = point.fields.motion = point.fields.tooth = point.fields.rotor = {{}};
     point.fields.status                                                                = {0};
     return point;
@@ -119,7 +123,7 @@ TEST(PointQuantities, AreInAllOutputs)
     ASSERT_EQ(outputs.csv.count(column), 1u);
     EXPECT_DOUBLE_EQ(outputs.in_csv(column) * quantity.unit.size, value);
     EXPECT_EQ(outputs.csv.count(name_with_unit(quantity.name + "_error", quantity.unit.shown)),
-              quantity.error != nullptr);
+              !quantity.error_of.empty());
     EXPECT_EQ(outputs.in_h5(name_with_unit(quantity.name, quantity.unit.si)), value);
     if (quantity.name == "torque") // prescribed
       continue;
@@ -128,7 +132,7 @@ TEST(PointQuantities, AreInAllOutputs)
     EXPECT_EQ(entry["value"], value);
     EXPECT_EQ(entry["unit"], quantity.unit.si);
     EXPECT_EQ(entry["torque_Nm"], 0.05);
-    EXPECT_EQ(entry.contains("error"), quantity.error != nullptr);
+    EXPECT_EQ(entry.contains("error"), !quantity.error_of.empty());
   }
   EXPECT_EQ(outputs.json.count("torque"), 0u);
 }
@@ -167,16 +171,14 @@ TEST(PointQuantities, ComeBackFromTheFile)
   const CurvePoint point = some_point(), read = Outputs(point).read();
   for (const PointQuantity &quantity : point_quantities())
     EXPECT_EQ(quantity.value(read), quantity.value(point)) << quantity.name;
-  for (const auto &[cause, member] : PointErrors::members())
-    for (double PointError::*const error : PointError::members)
-      EXPECT_EQ((read.errors.*member).*error, (point.errors.*member).*error) << cause;
+  for (const PointQuantity &quantity : point_quantities())
+    EXPECT_EQ(quantity.estimate(read).errors, quantity.estimate(point).errors) << quantity.name;
 }
 
 TEST(PointQuantities, KnowEveryNumberOfAnOperatingPoint)
 {
   // A number missing from the list would be neither averaged nor saved.
   EXPECT_EQ(OperatingPoint::members().size() * sizeof(double), sizeof(OperatingPoint));
-  EXPECT_EQ(PointError::members.size() * sizeof(double), sizeof(PointError));
   const OperatingPoint point = some_point().result;
   std::set<double> numbers;
   for (double OperatingPoint::*const member : OperatingPoint::members())
@@ -192,9 +194,8 @@ TEST(LossQuantities, AreInTheirTableAndInTheSummary)
 {
   PointLosses losses{some_point(), {}, {}};
   losses.point.result.speed = 10.;
-  losses.budget             = {{2e-6, 0.},   {0.5, 0.04}, {0.1, 0.02}, {0.2, 0.},
-                               {0.03, 1e-3}, {0.04, 0.},  {0.05, 0.}};
-  losses.by_cause           = {{"mesh", losses.budget}};
+  losses.budget = {2e-6, {0.5, 0.04, "mesh"}, {0.1, 0.02, "mesh"}, 0.2, {0.03, 1e-3, "mesh"}, 0.04,
+                   0.05};
   const Scratch scratch;
   write_losses(scratch.path("losses.csv"), {losses});
   write_efficiency(scratch.path("efficiency.csv"), {losses});
@@ -211,18 +212,17 @@ TEST(LossQuantities, AreInTheirTableAndInTheSummary)
       SCOPED_TRACE(quantity.name);
       const double factor    = quantity.name == "efficiency" ? 1. : 1e3;
       const std::string unit = quantity.name == "efficiency" ? "" : "_mW";
-      EXPECT_NEAR(std::stod(csv.at(quantity.name + unit)), factor * quantity.value, 1e-12);
-      EXPECT_NEAR(std::stod(csv.at(quantity.name + "_error" + unit)), factor * *quantity.error,
-                  1e-12);
-      const Summary::Quantity &told = summary.quantities.at(n_told++);
-      EXPECT_EQ(told.name, quantity.name);
-      EXPECT_EQ(told.value, quantity.value);
-      EXPECT_EQ(told.unit, unit.empty() ? "1" : "W");
-      EXPECT_EQ(told.error, *quantity.error);
-      EXPECT_EQ(told.error_causes.at("mesh"), *quantity.error);
+      EXPECT_NEAR(std::stod(csv.at(quantity.name + unit)), factor * quantity.value(), 1e-12);
+      EXPECT_NEAR(std::stod(csv.at(quantity.name + "_error" + unit)),
+                  factor * quantity.estimate.error(), 1e-12);
+      const Summary::Result &told = summary.results.at(n_told++);
+      EXPECT_EQ(told.quantity.name, quantity.name);
+      EXPECT_EQ(told.quantity.value(), quantity.value());
+      EXPECT_EQ(told.quantity.unit.si, std::string(unit.empty() ? "1" : "W"));
+      EXPECT_EQ(told.quantity.estimate.errors, quantity.estimate.errors);
       EXPECT_EQ(std::get<double>(told.labels.at("speed_rad_per_s")), 10.);
     }
   }
-  EXPECT_EQ(summary.quantities.size(), n_told);
+  EXPECT_EQ(summary.results.size(), n_told);
   EXPECT_GE(n_told, 10u);
 }

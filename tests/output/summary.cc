@@ -32,17 +32,12 @@ namespace
     summary.peak_memory_MB = 123.5;
     summary.dofs           = 4294967296u;
 
-    Summary::Quantity frequency;
-    frequency.name         = "frequency";
-    frequency.value        = 30004.123456789012;
-    frequency.unit         = "Hz";
-    frequency.error        = 2.;
-    frequency.error_causes = {{"body mesh", 1.5}, {"algebra", 0.5}};
-    frequency.seconds      = 0.75;
-    frequency.labels       = {{"n", 7u}, {"family", std::string("axial")}, {"shift", 0.5}};
-    summary.quantities     = {frequency};
-    summary.effects        = {{"Target plates", 0.01, "off"}, {"Tooth shear", {}, "on"}};
-    summary.certificate    = {{"missed modes", 0., 0.}, {"residual", 1e-12, 1e-9}};
+    summary.results     = {{{"frequency", units::hertz,
+                             Estimate(30004.123456789012, {{"body mesh", 1.5}, {"algebra", 0.5}})},
+                            0.75,
+                            {{"n", 7u}, {"family", std::string("axial")}, {"shift", 0.5}}}};
+    summary.effects     = {{"Target plates", 0.01, "off"}, {"Tooth shear", {}, "on"}};
+    summary.certificate = {{"missed modes", 0., 0.}, {"residual", 1e-12, 1e-9}};
     return summary;
   }
 } // namespace
@@ -101,11 +96,10 @@ TEST(Summary, IsCertifiedOnlyIfSomethingWasCheckedAndEverythingHolds)
 TEST(Summary, RefusesNumbersThatAreNotResults)
 {
   const std::vector<std::pair<std::string, std::function<double &(Summary &)>>> members = {
-      {"the quantity 'frequency'", [](Summary &s) -> double & { return s.quantities[0].value; }},
-      {"the error of the quantity 'frequency'",
-       [](Summary &s) -> double & { return s.quantities[0].error; }},
+      {"the quantity 'frequency'",
+       [](Summary &s) -> double & { return s.results[0].quantity.estimate.value; }},
       {"the error 'algebra' of the quantity 'frequency'",
-       [](Summary &s) -> double & { return s.quantities[0].error_causes["algebra"]; }},
+       [](Summary &s) -> double & { return s.results[0].quantity.estimate.errors["algebra"]; }},
       {"'Target plates'", [](Summary &s) -> double & { return *s.effects[0].indicator; }},
       {"the check 'residual'", [](Summary &s) -> double & { return s.certificate[1].value; }}};
 

@@ -187,8 +187,7 @@ TEST(Reading, NumbersAreShortAndExactInPrint)
   parameters.materials.piezoceramic  = {1. / 3. * 1e11, 0.1 / 3., 7600., 0.};
   parameters.friction.decay_velocity = std::sqrt(2.);
   parameters.loading.values          = {0., 0.05, 1. / 7.};
-  parameters.accuracy.quantities     = {{HeldQuantity::torque, 1. / 30.},
-                                        {HeldQuantity::teeth_in_contact, {}}};
+  parameters.accuracy.quantities     = {{"torque", 1. / 30.}, {"teeth_in_contact_per_wave", {}}};
   parameters.output.history_points   = {{0., 0.0342}, {100. / 7., 1. / 29.}};
   parameters.modes.nodal_diameters   = {0, 2, 3, 4, 9, 44, 45};
   parameters.effects.rotor_inertia   = EffectChoice::automatic;
@@ -203,9 +202,9 @@ TEST(Reading, NumbersAreShortAndExactInPrint)
   EXPECT_EQ(back.friction.decay_velocity, parameters.friction.decay_velocity);
   EXPECT_EQ(back.loading.values, parameters.loading.values);
   ASSERT_EQ(back.accuracy.quantities.size(), 2u);
-  EXPECT_EQ(back.accuracy.quantities[0].quantity, HeldQuantity::torque);
+  EXPECT_EQ(back.accuracy.quantities[0].quantity, "torque");
   EXPECT_EQ(back.accuracy.quantities[0].target, 1. / 30.);
-  EXPECT_EQ(back.accuracy.quantities[1].quantity, HeldQuantity::teeth_in_contact);
+  EXPECT_EQ(back.accuracy.quantities[1].quantity, "teeth_in_contact_per_wave");
   EXPECT_FALSE(back.accuracy.quantities[1].target);
   ASSERT_EQ(back.output.history_points.size(), 2u);
   EXPECT_EQ(back.output.history_points[1].tooth, 100. / 7.);

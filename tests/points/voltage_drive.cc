@@ -95,7 +95,7 @@ TEST(VoltageDrive, HasTwoStableAmplitudesBesideASofteningResonance)
   {
     const double x = std::pow(amplitude / 1e-6, 2);
     return WaveLoad{amplitude, *drive.frequency,
-                    b * x / (2. * drive.modal_mass * natural * natural), 0.};
+                    b * x / (2. * drive.modal_mass.value * natural * natural), 0.};
   };
   const auto from = [&](const double x)
   { return std::pow(amplitude_from(1e-6 * std::sqrt(x), drive, contact) / 1e-6, 2); };
@@ -166,12 +166,12 @@ TEST(VoltageDrive, GrowsWhereTheRotorFeedsIt)
 
 TEST(VoltageDrive, KnowsTheAmplitudeAsWellAsItsNumbers)
 {
-  VoltageDrive drive        = drive_of(20.);
-  drive.force_factor_error  = 0.01;
-  drive.internal_loss_error = 0.02 * drive.internal_loss;
-  const auto free           = [](const double a) { return WaveLoad{a, natural, 0., 0.}; };
-  const double exact        = 5. * natural / 1e11;
-  const auto found          = balanced_amplitude<double>(
+  VoltageDrive drive                   = drive_of(20.);
+  drive.force_factor.errors["phases"]  = 0.01 * drive.force_factor.value;
+  drive.internal_loss.errors["losses"] = 0.02 * drive.internal_loss.value;
+  const auto free    = [](const double a) { return WaveLoad{a, natural, 0., 0.}; };
+  const double exact = 5. * natural / 1e11;
+  const auto found   = balanced_amplitude<double>(
       exact, [&](const double a) { return std::make_pair(drive.excess(free(a), true), a); });
   EXPECT_NEAR(found.found.state / exact, 1.01 / 0.98, 1e-4);
 }
@@ -204,7 +204,7 @@ TEST(FrequencyResponse, TellsWhereSweepsLoseAndRegainTheWave)
   FrequencyResponse response;
   for (const auto &[frequency, is_stable] : std::vector<std::pair<double, bool>>{
            {1., true}, {3., true}, {2.5, false}, {2., false}, {4., true}})
-    response.points.push_back({1e-6, {frequency, 0.}, {}, {}, {}, is_stable});
+    response.points.push_back({1e-6, frequency, {}, {}, {}, is_stable});
   ASSERT_NE(response.regains(), nullptr);
   EXPECT_EQ(response.regains()->frequency.value, 3.);
   ASSERT_NE(response.loses(), nullptr);

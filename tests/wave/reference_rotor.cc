@@ -98,10 +98,10 @@ TEST_P(ReferenceRotor, HasTheFrequenciesOfTheOtherProgram)
       if (row.motor == GetParam() && row.n_waves == n_waves)
       {
         const Estimate &ours   = mode->frequency;
-        const double tolerance = ours.error + row.uncertainty;
+        const double tolerance = ours.error() + row.uncertainty;
         const std::string of   = "n = " + std::to_string(n_waves) + ", " + to_string(row.family);
         for (const double part :
-             {ours.value / row.value - 1., ours.error / ours.value, tolerance / row.value})
+             {ours.value / row.value - 1., ours.error() / ours.value, tolerance / row.value})
           record("relative difference, own error bar, tolerance: " + of, part);
         EXPECT_EQ(to_string(mode->content.family()), to_string(row.family)) << of;
         EXPECT_NEAR(ours.value, row.value, tolerance) << of;

@@ -91,7 +91,7 @@ TEST(RotorLong, HasErrorBarsThatHoldWhatAFarBetterMeshFinds)
         const std::vector<Estimate> found = search_on(0, degree);
         ASSERT_EQ(found.size(), best.size());
         for (unsigned int i = 0; i < found.size(); ++i)
-          EXPECT_NEAR(found[i].value, best[i].value, found[i].error + best[i].error) << degree;
+          EXPECT_NEAR(found[i].value, best[i].value, found[i].error() + best[i].error()) << degree;
       }
     }
 }

@@ -53,13 +53,6 @@ namespace ringmotor
 
   DrivePoint drive_point(const CurvePoint &point, const LossBudget &budget, const DrivenWave &wave);
 
-  /** The same, each with the errors of one cause alone, see budgets_by_cause(); these add up to the
-   * total error. Those of the circuits count with the drive, see PointErrors. */
-  std::vector<std::pair<std::string, DrivePoint>>
-  drives_by_cause(const CurvePoint &point,
-                  const std::vector<std::pair<std::string, LossBudget>> &budgets,
-                  const DrivenWave &wave);
-
   /** The relative difference of the force factors of both phases. Above a percent or so they need
    * different voltages, and drive_point() gives their mean. */
   double difference_of_phases(const DrivenWave &wave);

@@ -5,7 +5,6 @@
 #include <ringmotor/pictures/sector_field.h>
 #include <ringmotor/points/torque_speed.h>
 #include <ringmotor/results/quantity.h>
-#include <ringmotor/wave/frequency_error.h>
 
 namespace ringmotor
 {
@@ -61,11 +60,4 @@ namespace ringmotor
 
   LossBudget loss_budget(const CurvePoint &point, const WaveEnergies &wave,
                          const Materials &materials, const Support &felt);
-
-  /** The same, each with the errors of one cause alone, see PointErrors; these add up to the total
-   * error. The errors of the strain energies count as caused by the stator's wave. */
-  std::vector<std::pair<std::string, LossBudget>> budgets_by_cause(const CurvePoint &point,
-                                                                   const WaveEnergies &wave,
-                                                                   const Materials &materials,
-                                                                   const Support &felt);
 } // namespace ringmotor

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/results/estimate.h>
+
 #include <array>
 #include <complex>
 #include <optional>
@@ -32,17 +34,13 @@ namespace ringmotor
   {
     double voltage = 0.;             ///< V, zero to peak, of each phase
     std::optional<double> frequency; ///< rad/s; none: the drive follows the resonance
-    double force_factor      = 0.;   ///< N/V, the mean of both phases
-    double modal_mass        = 0.;   ///< kg
-    double natural_frequency = 0.;   ///< rad/s, at short circuit and without rotor
-    double internal_loss     = 0.;   ///< W/m^2: D
+    Estimate force_factor;           ///< N/V, the mean of both phases
+    Estimate modal_mass;             ///< kg
+    Estimate natural_frequency;      ///< rad/s, at short circuit and without rotor
+    Estimate internal_loss;          ///< W/m^2: D
 
     double rotor_loss_factor = 0.; ///< of the damping that the rotor's power counts, see
                                    ///< power_per_loss_factor()
-
-    /** Errors of these numbers, relative but for D (W/m^2). */
-    double force_factor_error = 0., modal_mass_error = 0., natural_frequency_error = 0.,
-           internal_loss_error = 0.;
 
     /** K, in N/m. A drive that follows the resonance meets no spring. */
     std::complex<double> stiffness(const WaveLoad &load) const;
@@ -65,9 +63,9 @@ namespace ringmotor
      * same work of the contact in a period: i omega eta^2 / K. */
     std::complex<double> motional_admittance(const WaveLoad &load, const double at_frequency) const;
 
-    /** The error (N/m) of the real part of K, 0 for a drive that follows the resonance.
-     * @param detuning_error absolute */
-    double spring_error(const double spring, const double detuning_error = 0.) const;
+    /** The real part of K with its error (N/m), exactly 0 for a drive that follows the resonance.
+     * @param detuning with its error */
+    Estimate spring(const WaveLoad &load, const Estimate &detuning) const;
 
     /** Identifies all of it. */
     std::string text() const;

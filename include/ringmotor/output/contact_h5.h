@@ -8,7 +8,7 @@
 
 namespace ringmotor
 {
-  constexpr unsigned int contact_format_version = 9;
+  constexpr unsigned int contact_format_version = 10;
 
   /** `contact.h5`: the operating points, with all forces and displacements at the contact points.
    * See doc/files.md. */

@@ -15,9 +15,7 @@ namespace ringmotor
   {
     CurvePoint point;
     LossBudget budget;
-    std::vector<std::pair<std::string, LossBudget>> by_cause; ///< see budgets_by_cause()
-    std::optional<DrivePoint> drive = {};                     ///< with a piezoelectric ceramic
-    std::vector<std::pair<std::string, DrivePoint>> drive_by_cause = {}; ///< see drives_by_cause()
+    std::optional<DrivePoint> drive = {}; ///< with a piezoelectric ceramic
   };
 
   /** `50.00 mN m: output 432.1 +- 2.6 mW, losses ..., efficiency 39.9 +- 0.4 %` */

@@ -21,16 +21,12 @@ namespace ringmotor
     /** What distinguishes quantities of the same name, e.g. n = 7, family = "axial". */
     using Labels = std::map<std::string, std::variant<int, unsigned int, double, std::string>>;
 
-    /** One result with its error bar. */
-    struct Quantity
+    /** One result. */
+    struct Result
     {
-      std::string name;
-      double value = 0.;
-      std::string unit;                           ///< "1" for a pure number
-      double error = 0.;                          ///< absolute, in the unit of the value
-      std::map<std::string, double> error_causes; ///< parts of the error, in the same unit
+      Quantity quantity;
       double seconds = 0.;
-      Labels labels;
+      Labels labels  = {};
     };
 
     /** One check of the results: it holds if the value does not exceed the limit. */
@@ -53,14 +49,12 @@ namespace ringmotor
     std::vector<std::pair<std::string, double>> seconds; ///< per phase, in the order of the run
     double peak_memory_MB = 0.;
     std::uint64_t dofs    = 0;
-    std::vector<Quantity> quantities;
-    std::vector<Quantity> quantities_without_error; ///< their errors are not known
+    std::vector<Result> results;
     std::vector<EffectRow> effects;
     std::vector<Check> certificate;
   };
 
-  /** Adds results to the two lists of quantities, with and without error bars.
-   * @param seconds spent on finding them */
+  /** @param seconds spent on finding them */
   void add_quantities(Summary &summary, const std::vector<Quantity> &quantities,
                       const double seconds, const Summary::Labels &labels = {});
 
@@ -72,9 +66,10 @@ namespace ringmotor
 
   /**
    * Writes a summary as JSON with the keys named as the members above; `seconds` is an object with
-   * one key per phase, the labels of a quantity stand beside its name, and `certificate` is an
-   * object with `holds` (see is_certified()) and `checks`. The list of quantities without errors is
-   * left out if it is empty, and so is `variant` for a file that is based on no other.
+   * one key per phase, and `certificate` is an object with `holds` (see is_certified()) and
+   * `checks`. Results with known errors are listed as `quantities`, others as
+   * `quantities_without_error`; their labels stand beside their names. The latter is left out if it
+   * is empty, and so is `variant` for a file that is based on no other.
    *
    * @throw ComputationError for a number that is not finite, naming it: no file is written
    * @throw UserError if writing fails

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <ringmotor/results/quantity.h>
-#include <ringmotor/wave/frequency_error.h>
 
 #include <string>
 

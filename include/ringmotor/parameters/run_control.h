@@ -18,20 +18,14 @@ namespace ringmotor
     fixed     ///< take degree and refinements as given
   };
 
-  /** A quantity of operating points whose error bar can be held below a target. */
-  enum class HeldQuantity
-  {
-    speed,
-    torque,
-    friction_loss,
-    stick_fraction,
-    teeth_in_contact
-  };
+  /** The names of the quantities of operating points whose error bars can be held below a target,
+   * as in all outputs. */
+  const std::vector<std::string> &held_quantities();
 
   /** The admissible error of one of them. */
   struct QuantityTarget
   {
-    HeldQuantity quantity;
+    std::string quantity;
     std::optional<double> target; ///< relative; none: Accuracy::contact_target
   };
 
@@ -40,7 +34,7 @@ namespace ringmotor
   {
     double target         = 1.e-4; ///< relative error of the results
     double contact_target = 0.1;   ///< relative error of #quantities
-    std::vector<QuantityTarget> quantities{{HeldQuantity::speed, {}}, {HeldQuantity::torque, {}}};
+    std::vector<QuantityTarget> quantities{{"speed", {}}, {"torque", {}}};
     std::optional<double> time_limit; ///< s, for a run of stator or contact
     AccuracyMode mode                 = AccuracyMode::adaptive;
     unsigned int polynomial_degree    = 3; ///< mode fixed only

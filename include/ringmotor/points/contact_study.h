@@ -3,6 +3,7 @@
 
 #include <ringmotor/motor/rotor_modes.h>
 #include <ringmotor/points/contact_settings.h>
+#include <ringmotor/points/quantity_scales.h>
 #include <ringmotor/points/torque_speed.h>
 #include <ringmotor/results/work_precision.h>
 
@@ -51,7 +52,7 @@ namespace ringmotor
     std::vector<CurvePoint> points_of(const ContactSetting &setting, const CondensedMotor &motor,
                                       const std::vector<PointRequest> &requests) const;
     void find_requests();
-    /** The values of each of StudyRow::results at all points. */
+    /** The values of each of the held_quantities() at all points. */
     std::vector<std::vector<double>> results_of(const std::vector<CurvePoint> &points) const;
 
     const Parameters &parameters;
@@ -62,7 +63,7 @@ namespace ringmotor
     std::map<std::string, std::unique_ptr<const Condensed>> motors;
     std::string common_motor; ///< its key among these
     CurvePoint stalled;
-    double crest_speed = 0., borne_torque = 0.; ///< rad/s; N m, of sliding friction
+    QuantityScales scales{};
     std::vector<PointRequest> requests;
     bool has_curve; ///< whose last request is stall, for the torque alone
     std::vector<ContactSetting> all;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <ringmotor/points/effect_on_points.h>
+#include <ringmotor/points/quantity_scales.h>
 
 #include <functional>
 #include <map>
@@ -84,10 +85,6 @@ namespace ringmotor
     StaticFrictionEffect static_friction_effect();
 
   private:
-    /** A rotor pressed so hard that it barely moves has neither a speed nor a torque to which
-     * errors could be related. They are then related to this fraction of the speed of the wave's
-     * crests and of the torque that friction can bear. */
-    static constexpr double share_of_scales = 0.5;
     /** The level compared with @p level to estimate the error of the meshes. */
     static unsigned int compared_with(const unsigned int level)
     {
@@ -137,7 +134,7 @@ namespace ringmotor
     std::vector<unsigned int> all_requests() const;
     /** Computes all points of the reached level with their time steps and error bars. */
     void evaluate();
-    PointErrors errors_of(const unsigned int request);
+    std::map<std::string, PointError> errors_of(const unsigned int request);
     PointError mesh_error(const unsigned int request);
     /** Refines the meshes while their error alone is too large. */
     void refine_meshes();
@@ -216,10 +213,7 @@ namespace ringmotor
     bool is_driven() const { return parameters.wave.drive == Drive::voltage; }
     /** The torque (N m) that friction bears if all contact points slip the same way. */
     double borne_torque() const;
-    /** That to which errors of a quantity are related: the fastest speed or, if larger, half that
-     * of the wave's crests; the torque at stall or half of what friction bears; the largest loss
-     * and number of teeth; 1. */
-    double scale_of(const HeldQuantity quantity) const;
+    QuantityScales scales() const;
     /** The largest relative error of the held quantities, those with a target of their own weighted
      * so that `Contact target` is the limit of all. */
     double relative(const PointError &error) const;

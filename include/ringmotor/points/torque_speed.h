@@ -8,12 +8,14 @@
 #include <ringmotor/points/curve_setting.h>
 #include <ringmotor/points/loaded_wave.h>
 #include <ringmotor/points/operating_point.h>
+#include <ringmotor/points/point_error.h>
 #include <ringmotor/points/rotor_energy.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <array>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,74 +34,21 @@ namespace ringmotor
     }
   };
 
-  /** Errors of an operating point; prescribed quantities have none. */
-  struct PointError
+  /** The causes of the errors of an operating point, as they are named in all outputs. */
+  namespace causes
   {
-    double speed = 0., torque = 0., loss = 0.; ///< rad/s, N m, W
-    double rotor_power    = 0.;                ///< W, see power_per_loss_factor()
-    double stick_fraction = 0., teeth_in_contact = 0.;
-    double amplitude             = 0.; ///< m, of the wave
-    double second_stick_fraction = 0., radial_loss_share = 0.;
-
-    static const std::array<double PointError::*, 9> members;
-
-    PointError &operator*=(const double factor)
-    {
-      for (double PointError::*const member : members)
-        this->*member *= factor;
-      return *this;
-    }
-    PointError &operator+=(const PointError &other)
-    {
-      for (double PointError::*const member : members)
-        this->*member += other.*member;
-      return *this;
-    }
-
-    template <class Archive>
-    void serialize(Archive &archive, const unsigned int)
-    {
-      for (double PointError::*const member : members)
-        archive &this->*member;
-    }
-  };
-
-  inline constexpr std::array<double PointError::*, 9> PointError::members{
-      {&PointError::speed, &PointError::torque, &PointError::loss, &PointError::rotor_power,
-       &PointError::stick_fraction, &PointError::teeth_in_contact, &PointError::amplitude,
-       &PointError::second_stick_fraction, &PointError::radial_loss_share}};
-
-  /** The error bars of an operating point by their causes. */
-  struct PointErrors
-  {
-    PointError mesh;    ///< meshes of bodies and interface
-    PointError modes;   ///< of a rotor with inertia: their mesh and their number
-    PointError time;    ///< time step
-    PointError scheme;  ///< dissipation of the time integration of inertia
-    PointError window;  ///< see CurvePoint::window
-    PointError wave;    ///< the stator's wave, as estimated by the program `stator`
-    PointError effects; ///< left out by `auto`
-    PointError algebra; ///< residual of the laws of contact and friction
-
-    PointError drive; ///< the numbers of VoltageDrive, from the circuits of the phases
-
-    /** Names of causes. */
-    static constexpr const char *by_wave     = "wave of the stator",
-                                *by_circuits = "circuits of the phases";
-    /** All members with their names. */
-    static const std::vector<std::pair<std::string, PointError PointErrors::*>> &members();
-    /** Each of them with its name. */
-    std::vector<std::pair<std::string, PointError>> causes() const;
-    /** The sum of all. */
-    PointError total() const;
-
-    template <class Archive>
-    void serialize(Archive &archive, const unsigned int)
-    {
-      for (const auto &[cause, member] : members())
-        archive &this->*member;
-    }
-  };
+    inline constexpr const char
+        *meshes = "meshes of bodies and interface",
+        *modes = "modes of rotor and teeth", *time_step = "time step",
+        *scheme                = "dissipation of the scheme",
+        *window                = "averaging window",   ///< see CurvePoint::window
+            *wave              = "wave of the stator", ///< as estimated by the program `stator`
+                *effects       = "effects left out",   ///< by `auto`
+                    *algebra   = "algebra", ///< residual of the laws of contact and friction
+                        *drive = "circuits of the phases"; ///< the numbers of VoltageDrive
+    inline constexpr std::array<const char *, 9> all{
+        {meshes, modes, time_step, scheme, window, wave, effects, algebra, drive}};
+  } // namespace causes
 
   /** An operating point and the effort to find it. */
   struct CurvePoint
@@ -112,7 +61,7 @@ namespace ringmotor
      * value, if the point reports that. */
     PointError window;
     bool tells_window = false;
-    PointErrors errors;
+    std::map<std::string, PointError> errors; ///< by cause
     double largest_violation = 0.; ///< of the laws of contact and friction, see ContactCertificate
     /** What the search for the amplitude and the frequency of the wave leaves open, see StableRoot:
      * where the state jumps with them, the whole jump. */
@@ -121,6 +70,9 @@ namespace ringmotor
     double seconds            = 0.;
     std::string remark; ///< what was tried if Newton's method alone did not suffice
     ContactFields fields;
+
+    /** The sum of all causes. */
+    PointError error() const;
 
     /** Adds what the solver reports of a state. */
     void add_certificate(const ContactSolution &solution);
@@ -227,8 +179,4 @@ namespace ringmotor
               MPI_Comm communicator, const std::function<void(const CurvePoint &)> &after_point,
               PointMemory *memory = nullptr, const std::vector<CurvePoint> &starts = {},
               const std::optional<VoltageDrive> &drive = {});
-
-  /** The change of a point from one discretisation, or one wave, to another. Prescribed quantities
-   * do not change. */
-  PointError change(const CurvePoint &from, const CurvePoint &to);
 } // namespace ringmotor

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/results/estimate.h>
+
 #include <deal.II/base/numbers.h>
 
-#include <map>
-#include <optional>
 #include <string>
 
 namespace ringmotor
@@ -36,11 +36,22 @@ namespace ringmotor
   /** A result, with all that the outputs report of it. */
   struct Quantity
   {
+    /** Without an error bar, because it is not known. */
+    Quantity(const std::string &name, const Unit &unit, const double value)
+        : name(name), unit(unit), estimate(value), has_error(false)
+    {
+    }
+    Quantity(const std::string &name, const Unit &unit, const Estimate &estimate)
+        : name(name), unit(unit), estimate(estimate), has_error(true)
+    {
+    }
+
+    double value() const { return estimate.value; }
+
     std::string name; ///< the same in all outputs
     Unit unit;
-    double value;                                    ///< in SI units, like the errors
-    std::optional<double> error                = {}; ///< absolute; none if it is not known
-    std::map<std::string, double> error_causes = {}; ///< parts of the error
+    Estimate estimate; ///< in SI units
+    bool has_error;
   };
 
   /** A name that carries a unit: `speed_rad_per_s`; that of a pure number carries none. */

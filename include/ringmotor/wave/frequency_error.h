@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/results/estimate.h>
+
 namespace ringmotor
 {
-  /** A number with its error bar, in the same unit. */
-  struct Estimate
-  {
-    double value = 0.;
-    double error = 0.;
-  };
+  /** The cause of an error. */
+  inline constexpr const char *by_body_mesh = "body mesh";
 
   /** The result of one computation on one mesh for a mode's frequency. */
   struct FrequencySample
@@ -19,7 +17,7 @@ namespace ringmotor
   };
 
   /**
-   * The frequency with its error bar.
+   * The frequency with its error bar, whose cause is the body mesh.
    *
    * The relative excess of a computed eigenvalue is kappa times the indicator. On sectors of three
    * different stators and four rotors (with and without bars, flange solid or shell; 8 modes of 0

@@ -23,9 +23,6 @@ namespace ringmotor
   /** Position at rest, amplitudes and phases of a tooth point: the columns of `ellipses.csv`. */
   std::vector<Quantity> quantities_of(const PointResult &result);
 
-  /** A quantity whose only error is that of the body's mesh. */
-  Quantity on_body_mesh(const std::string &name, const Unit &unit, const Estimate &estimate);
-
   /** The motor's travelling wave at its amplitude: what the contact needs of the stator. */
   struct WaveResult
   {

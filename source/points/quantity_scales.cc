@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/points/quantity_scales.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ringmotor
+{
+  double QuantityScales::of(const std::string &quantity, const double largest) const
+  {
+    if (quantity == "speed")
+      return std::max(largest, share * crest_speed);
+    if (quantity == "torque")
+      return std::max(std::abs(stall_torque), share * borne_torque);
+    return quantity == "stick_fraction" ? 1. : largest;
+  }
+} // namespace ringmotor
