@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/motor/condensed_motor.h>
 #include <ringmotor/motor/effects/list.h>
+#include <ringmotor/parameters/accuracy_budget.h>
 #include <ringmotor/parameters/errors.h>
 
 #include <chrono>
@@ -31,9 +32,6 @@ namespace ringmotor
       text << 100. * share << " %";
       return text.str();
     }
-    /** Above which `auto` includes an effect. */
-    constexpr double share_of_target = 1. / 3.;
-
     /** Whether `auto` includes an effect. One that this motor cannot have is left out as long as
      * the error bars may have it. @throws ComputationError if they may not */
     bool auto_includes(const Effect &effect, const double indicator, const Parameters &parameters,
@@ -42,7 +40,7 @@ namespace ringmotor
       const double size          = std::abs(indicator);
       const std::string obstacle = effect.obstacle(parameters);
       if (obstacle.empty())
-        return effect.is_free() || size > share_of_target * target;
+        return effect.is_free() || size > AccuracyBudget::effect(target);
       if (size > target)
         throw ComputationError("Effects/" + effect.name +
                                " = auto: it would change the results by " + per_cent(indicator) +
@@ -110,7 +108,7 @@ namespace ringmotor
                                         const Scene &scene, const double target)
   {
     Scene whole     = scene;
-    whole.threshold = share_of_target * target;
+    whole.threshold = AccuracyBudget::effect(target);
     // Rayleigh quotients are cheap, operating points are not.
     Scene cheap = whole;
     if (stage != EffectStage::stator)

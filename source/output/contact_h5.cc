@@ -4,6 +4,7 @@
 #include <ringmotor/output/hdf5.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/parameters/short_text.h>
+#include <ringmotor/points/error_cause.h>
 #include <ringmotor/points/point_quantities.h>
 
 #include <deal.II/base/utilities.h>
@@ -45,11 +46,11 @@ namespace ringmotor
     std::map<std::string, PointError> read_errors(const Hdf5Reader &file, const std::string &group)
     {
       std::map<std::string, PointError> errors;
-      for (const char *const cause : causes::all)
+      for (const auto &cause : all_error_causes())
         for (const PointQuantity &quantity : point_quantities())
           if (quantity.has_own_error())
-            errors[cause][quantity.name] =
-                file.attribute<double>(group_of(group, cause), attribute_of(quantity));
+            errors[cause->name][quantity.name] =
+                file.attribute<double>(group_of(group, cause->name), attribute_of(quantity));
       return errors;
     }
 

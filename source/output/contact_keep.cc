@@ -10,10 +10,6 @@
 #include <ringmotor/parameters/fingerprint.h>
 
 #include <filesystem>
-#include <iomanip>
-#include <limits>
-#include <map>
-#include <sstream>
 
 namespace ringmotor
 {
@@ -88,23 +84,18 @@ namespace ringmotor
     }
 
   private:
-    std::string key_for(const PointRequest &request) const
-    {
-      std::ostringstream text;
-      text << std::setprecision(std::numeric_limits<double>::max_digits10) << key
-           << (request.control == Control::torque ? "torque " : "speed ") << request.value << "\n";
-      return text.str();
-    }
+    std::string key_for(const PointRequest &request) const { return key + request.text() + "\n"; }
     std::string path_for(const std::string &its_key) const { return folder + fingerprint(its_key); }
 
     const std::string folder, key;
     Counts &counts;
   };
 
-  ContactKeep::ContactKeep(const std::string &folder, const StatorWave &wave, const bool resumes,
-                           Log &log, const MPI_Comm communicator)
-      : motors(folder + "kept/"), points_folder(motors + "points/"), wave(wave), resumes(resumes),
-        log(log), communicator(communicator)
+  ContactKeep::ContactKeep(const std::string &folder, const Parameters &parameters,
+                           const StatorWave &wave, const bool resumes, Log &log,
+                           const MPI_Comm communicator)
+      : motors(folder + "kept/"), points_folder(motors + "points/"), parameters(parameters),
+        wave(wave), resumes(resumes), log(log), communicator(communicator)
   {
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
     {
@@ -118,9 +109,19 @@ namespace ringmotor
     Utilities::MPI::broadcast(communicator, 0); // no rank continues before the folders exist
   }
 
-  std::optional<TimedMotor> ContactKeep::read(const unsigned int level, const std::string &path,
-                                              const std::string &key)
+  ContactKeep::Place ContactKeep::place_of(const unsigned int level,
+                                           const std::optional<unsigned int> &modes_level) const
   {
+    const std::string modes = modes_level ? "_modes_" + std::to_string(*modes_level) : "";
+    return {motors + "interface_mesh_" + std::to_string(level) + modes,
+            condensation_key(parameters, wave, level) + modes};
+  }
+
+  std::optional<TimedMotor>
+  ContactKeep::recall_motor(const unsigned int level,
+                            const std::optional<unsigned int> &modes_level)
+  {
+    const auto [path, key] = place_of(level, modes_level);
     Timer timer;
     KeptContent kept;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
@@ -135,52 +136,21 @@ namespace ringmotor
     return TimedMotor{from_bytes<CondensedMotor>(bytes), timer.wall_time()};
   }
 
-  std::vector<TimedMotor> ContactKeep::condensed(const Parameters &parameters,
-                                                 const std::vector<unsigned int> &levels,
-                                                 const std::optional<unsigned int> &modes_level,
-                                                 const Condense &condense)
+  void ContactKeep::keep_motor(const unsigned int level,
+                               const std::optional<unsigned int> &modes_level,
+                               const CondensedMotor &motor)
   {
-    const std::string modes = modes_level ? "_modes_" + std::to_string(*modes_level) : "";
-    const auto its_path     = [&](const unsigned int level)
-    { return motors + "interface_mesh_" + std::to_string(level) + modes; };
-    const auto its_key = [&](const unsigned int level)
-    { return condensation_key(parameters, wave, level) + modes; };
-
-    std::map<unsigned int, TimedMotor> known;
-    std::vector<unsigned int> missing;
-    for (const unsigned int level : levels)
-      if (std::optional<TimedMotor> kept = read(level, its_path(level), its_key(level)))
-        known.emplace(level, std::move(*kept));
-      else
-        missing.push_back(level);
-    if (!missing.empty())
-    {
-      std::vector<TimedMotor> computed = condense(missing);
-      for (std::size_t i = 0; i < missing.size(); ++i)
-      {
-        if (Utilities::MPI::this_mpi_process(communicator) == 0)
-          write_kept_file(its_path(missing[i]), its_key(missing[i]), to_bytes(computed[i].motor));
-        known.emplace(missing[i], std::move(computed[i]));
-      }
-    }
-    std::vector<TimedMotor> all;
-    for (const unsigned int level : levels)
-      all.push_back(std::move(known.at(level)));
-    return all;
+    const auto [path, key] = place_of(level, modes_level);
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      write_kept_file(path, key, to_bytes(motor));
   }
 
-  std::vector<CurvePoint>
-  ContactKeep::points(const Parameters &parameters, const CondensedMotor &motor,
-                      const CurveSetting &setting, const std::vector<PointRequest> &requests,
-                      const std::function<void(const CurvePoint &)> &after_point,
-                      const std::vector<CurvePoint> &starts)
+  std::unique_ptr<PointMemory> ContactKeep::points(const Parameters &varied,
+                                                   const Discretisation &discretisation)
   {
-    const std::string key = points_key(parameters, wave, setting.level) + setting.text() +
-                            "\nmodes " + std::to_string(motor.modes_level) + "\n" +
-                            (setting.tells_window ? "with its window\n" : "");
-    Points memory(points_folder, key, counts);
-    return find_points(parameters, motor, setting, requests, communicator, after_point, &memory,
-                       starts, wave.drive);
+    const std::string key = points_key(varied, wave, discretisation.level) + discretisation.text() +
+                            "\nmodes " + std::to_string(discretisation.modes_level) + "\n";
+    return std::make_unique<Points>(points_folder, key, counts);
   }
 
   void ContactKeep::report()

@@ -206,7 +206,7 @@ namespace ringmotor
       VoltageDrive drive =
           voltage_drive(*driven, losses, driven->amplitude, *parameters.wave.voltage);
       drive.rotor_loss_factor = parameters.materials.rotor_metal.loss_factor;
-      drive.force_factor.errors[causes::drive] += // it is the mean of both phases
+      drive.force_factor.errors[causes::circuits] += // it is the mean of both phases
           0.5 * difference_of_phases(*driven) * std::abs(drive.force_factor.value);
       return drive;
     }
@@ -258,16 +258,16 @@ namespace ringmotor
       return {};
     DrivenWave wave;
     wave.amplitude         = file.attribute<double>("/wave", "amplitude_m");
-    wave.natural_frequency = natural_frequency(file, causes::drive);
-    wave.modal_mass        = shape_number(file, "modal_mass", causes::drive);
-    wave.electric_energy   = shape_number(file, "electric_energy", causes::drive);
+    wave.natural_frequency = natural_frequency(file, causes::circuits);
+    wave.modal_mass        = shape_number(file, "modal_mass", causes::circuits);
+    wave.electric_energy   = shape_number(file, "electric_energy", causes::circuits);
     for (const Phase phase : both_phases)
     {
       const std::string group = "/circuits/" + name_of(phase);
       const auto number       = [&](const std::string &name)
       {
         return Estimate(file.attribute<double>(group, name),
-                        file.attribute<double>(group, name + " error"), causes::drive);
+                        file.attribute<double>(group, name + " error"), causes::circuits);
       };
       wave.force_factor[PhaseHarmonics::index(phase)]         = number("force_factor_N_per_V");
       wave.parallel_capacitance[PhaseHarmonics::index(phase)] = number("C0_F");

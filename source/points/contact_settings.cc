@@ -371,19 +371,4 @@ namespace ringmotor
   {
     return Collection(parameters, motor).collect();
   }
-
-  CurveSetting steps_of(const Parameters &parameters, const double period, const double n_steps)
-  {
-    constexpr double nearly = 0.99; // given step lengths are rounded
-    const Motor &motor      = parameters.motor;
-    const double undivided =
-        is_marched(parameters)
-            ? period / parameters.time.time_step * parameters.time.n_snapshots
-            : motor.n_teeth / static_cast<double>(std::gcd(motor.n_waves, motor.n_teeth));
-    CurveSetting steps;
-    steps.n_parts = std::max(1., std::ceil(nearly * n_steps / undivided));
-    while (2 * steps.n_joined * nearly * n_steps <= undivided)
-      steps.n_joined *= 2;
-    return steps;
-  }
 } // namespace ringmotor

@@ -2,6 +2,7 @@
 #include <ringmotor/motor/relevant.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/points/contact_study.h>
+#include <ringmotor/points/point_finder.h>
 #include <ringmotor/points/point_quantities.h>
 
 #include <algorithm>
@@ -90,9 +91,10 @@ namespace ringmotor
                                                   const CondensedMotor &motor,
                                                   const std::vector<PointRequest> &wanted) const
   {
-    return find_points(
-        setting.parameters, motor, steps_of(setting.parameters, period, setting.n_steps), wanted,
-        MPI_COMM_SELF, [](const CurvePoint &) {}, nullptr, {}, wave.drive);
+    const StepChoice steps(setting.parameters, period);
+    const Discretisation discretisation{0, setting.modes_level, steps.at_least(setting.n_steps)};
+    return find_points(setting.parameters, motor, discretisation, wave.drive, wanted,
+                       MPI_COMM_SELF);
   }
 
   StudyRow ContactStudy::compute(const ContactSetting &setting)

@@ -1,76 +1,142 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Which operating points a search looks for: those that are listed, or those along a curve.
+#include <ringmotor/parameters/accuracy_budget.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/parameters/short_text.h>
-#include <ringmotor/points/curve_points.h>
-#include <ringmotor/points/curve_search.h>
+#include <ringmotor/points/curve_requests.h>
+
+#include <deal.II/base/point.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace ringmotor
 {
-  void CurveSearch::find_ends()
+  using namespace dealii;
+
+  const std::vector<double> &shares_for_shape()
   {
-    const CurveSetting setting = steps.plain(reached_level);
-    requests                   = {{Control::speed, 0.}};
-    if (needs_shape()) // two ranks find both at the same time
-      requests.push_back({Control::torque, 0.});
-    find_points_of(setting, all_requests(), /*from_rest =*/true);
-    stalled           = point_of(setting, 0);
-    stall_torque      = stalled.result.torque;
-    largest_amplitude = motor().amplitude;
-    if (may_stand_still())
+    static const std::vector<double> shares{0., 0.3, 0.6, 0.8, 0.9, 0.97};
+    return shares;
+  }
+
+  std::vector<PointRequest> points_along_curve(const std::vector<CurvePoint> &shape,
+                                               const unsigned int n_points)
+  {
+    Assert(shape.size() > 1 && n_points > 1, ExcInternalError());
+    // Motors operate where torque changes their speed little: a fall of the speed to zero counts
+    // less than a rise of the torque to stall.
+    constexpr double weight = 0.4;
+    const double torque = shape.back().result.torque, speed = shape.front().result.speed / weight;
+    Assert(torque != 0. && speed != 0., ExcMessage("a curve without extent has no shape"));
+    std::vector<Point<2>> corners;
+    for (const CurvePoint &point : shape)
+      corners.emplace_back(point.result.torque / torque, point.result.speed / speed);
+    double length = 0.;
+    for (std::size_t i = 1; i < corners.size(); ++i)
+      length += corners[i - 1].distance(corners[i]);
+
+    std::vector<PointRequest> requests{{Control::torque, 0.}};
+    double before         = 0.; // the length up to a corner
+    std::size_t from      = 0;
+    const auto of_segment = [&] { return corners[from].distance(corners[from + 1]); };
+    for (unsigned int i = 1; i + 1 < n_points; ++i)
     {
-      outline = {stalled};
-      find_held_torque();
+      const double place = length * i / (n_points - 1);
+      while (from + 2 < corners.size() && before + of_segment() < place)
+        before += of_segment(), ++from;
+      const Tensor<1, 2> along = corners[from + 1] - corners[from];
+      const Point<2> here      = corners[from] + (place - before) / of_segment() * along;
+      const bool is_steep      = std::abs(along[1]) > 1.001 * weight * std::abs(along[0]);
+      if (!is_steep)
+        requests.push_back({Control::torque, here[0] * torque});
+      else
+        requests.push_back({Control::speed, here[1] * speed});
     }
-    else if (needs_shape())
-      outline = {point_of(setting, 1), stalled};
+    requests.push_back({Control::speed, 0.});
+    return requests;
   }
 
-  void CurveSearch::find_driven_ends()
-  {
-    // Of several waves that a voltage may sustain, the one of a free rotor is the largest. Others
-    // decay from it, whatever the load and the number of ranks.
-    requests = {{Control::torque, 0.}};
-    find_points_of(steps.plain(reached_level), {0}, /*from_rest =*/true);
-    const CurvePoint free = point_of(steps.plain(reached_level), 0);
-    outline               = {free};
-    largest_amplitude     = free.result.amplitude;
-    stalled.request       = {Control::speed, 0.};
-    if (!parameters.loading.values.empty())
-      return;
-    known.clear();
-    requests     = {stalled.request};
-    stalled      = point_of(steps.plain(reached_level), 0);
-    stall_torque = stalled.result.torque;
-  }
-
-  void CurveSearch::find_requests(const unsigned int n_parts_to_start_with)
+  CurveRequests::CurveRequests(const Parameters &parameters, PointTable &table,
+                               const Discretisation &first)
+      : parameters(parameters), table(table), first(first)
   {
     if (is_driven())
       find_driven_ends();
     else
       find_ends();
     require_bearable_torques();
-    requests =
-        parameters.loading.values.empty() ? points_of_curve() : listed_points(parameters.loading);
-    known.clear();
-    recognise(outline);
-    if (!is_driven() || parameters.loading.values.empty())
-      recognise({stalled});
-    n_parts.assign(requests.size(), n_parts_to_start_with);
+    requests = is_listed() ? listed_points(parameters.loading) : points_of_curve();
+    table.begin_with(first, outline);
+    if (!is_driven() || !is_listed())
+      table.insert(first, stalled);
   }
 
-  void CurveSearch::require_bearable_torques() const
+  void CurveRequests::find_ends()
+  {
+    const PointRequest stall{Control::speed, 0.}, no_load{Control::torque, 0.};
+    std::vector<PointRequest> ends{stall};
+    if (needs_shape()) // two ranks find both at the same time
+      ends.push_back(no_load);
+    table.fill(first, ends, PointTable::Start::rest);
+    stalled           = find(stall);
+    stall_torque      = stalled.result.torque;
+    largest_amplitude = motor().amplitude;
+    // Where so many points stick at rest, friction may balance any torque.
+    constexpr double sticking = 0.5;
+    if (stalled.result.stick_fraction > sticking)
+    {
+      outline = {stalled};
+      find_held_torque();
+    }
+    else if (needs_shape())
+      outline = {find(no_load), stalled};
+  }
+
+  void CurveRequests::find_driven_ends()
+  {
+    // Of several waves that a voltage may sustain, the one of a free rotor is the largest. Others
+    // decay from it, whatever the load and the number of ranks.
+    const PointRequest stall{Control::speed, 0.}, no_load{Control::torque, 0.};
+    table.fill(first, {no_load}, PointTable::Start::rest);
+    outline           = {find(no_load)};
+    largest_amplitude = outline.front().result.amplitude;
+    stalled.request   = stall;
+    if (is_listed())
+      return;
+    table.begin_with(first, outline);
+    stalled      = find(stall);
+    stall_torque = stalled.result.torque;
+  }
+
+  void CurveRequests::find_held_torque()
+  {
+    // The computed torque is meaningless. The largest of some fractions of what friction can bear
+    // under which the rotor stands still is prescribed instead, if it stands still without load.
+    for (const double share : {0., 0.04, 0.1, 0.25})
+    {
+      table.begin_with(first, outline);
+      const CurvePoint held = find({Control::torque, share * scales(motor()).borne_torque});
+      if (!stands_still(held))
+        return;
+      outline.push_back(held);
+      if (share == 0.)
+        continue;
+      stalled      = held;
+      stall_torque = held.request.value;
+    }
+  }
+
+  void CurveRequests::require_bearable_torques() const
   {
     // At a given voltage the wave may be weaker at stall than under torques beyond that of stall.
     double outermost = 0.;
     for (const CondensedMotor::Node &node : motor().nodes)
       outermost = std::max(outermost, node.radius);
-    const double at_most = borne_torque() * outermost / motor().nodes.front().radius;
-    const double most    = is_driven() ? at_most : rotor_sticks() ? borne_torque() : stall_torque;
+    const double borne   = scales(motor()).borne_torque,
+                 at_most = borne * outermost / motor().nodes.front().radius,
+                 most    = is_driven()      ? at_most
+                           : rotor_sticks() ? borne
+                                            : stall_torque;
     const auto check     = [&](const std::string &entry, const double torque)
     {
       if (torque >= most)
@@ -87,20 +153,12 @@ namespace ringmotor
         check("Wave/Response torques", torque);
   }
 
-  void CurveSearch::recognise(const std::vector<CurvePoint> &points)
+  bool CurveRequests::needs_shape() const
   {
-    for (const CurvePoint &point : points)
-      for (const unsigned int i : all_requests())
-        if (requests[i] == point.request)
-          known[steps.plain(reached_level)][i] = point;
+    return !is_listed() && parameters.loading.n_curve_points > 2;
   }
 
-  bool CurveSearch::needs_shape() const
-  {
-    return parameters.loading.values.empty() && parameters.loading.n_curve_points > 2;
-  }
-
-  std::vector<PointRequest> CurveSearch::points_of_curve()
+  std::vector<PointRequest> CurveRequests::points_of_curve()
   {
     if (is_driven())
       return falling_speeds();
@@ -108,25 +166,22 @@ namespace ringmotor
       return rising_torques();
     if (!needs_shape())
       return {{Control::torque, 0.}, {Control::speed, 0.}};
-    known.clear();
-    requests.clear();
+    table.begin_with(first, outline);
+    std::vector<PointRequest> rising;
     for (const double share : shares_for_shape())
-      requests.push_back({Control::torque, share * stall_torque});
-    recognise(outline);
-    const CurveSetting setting = steps.plain(reached_level);
-    find_points_of(setting, all_requests());
-    std::vector<CurvePoint> shape;
-    for (const unsigned int i : all_requests())
-      shape.push_back(point_of(setting, i));
-    shape.push_back(stalled);
-    outline = shape;
+      rising.push_back({Control::torque, share * stall_torque});
+    table.fill(first, rising);
+    outline.clear();
+    for (const PointRequest &request : rising)
+      outline.push_back(find(request));
+    outline.push_back(stalled);
     // Without load, a rotor that hardly slips on the wave may stand still: its curve has no shape.
-    return stands_still(shape.front())
+    return stands_still(outline.front())
                ? rising_torques()
-               : points_along_curve(shape, parameters.loading.n_curve_points);
+               : points_along_curve(outline, parameters.loading.n_curve_points);
   }
 
-  std::vector<PointRequest> CurveSearch::falling_speeds() const
+  std::vector<PointRequest> CurveRequests::falling_speeds() const
   {
     const CurvePoint &free     = outline.front();
     const unsigned int n_parts = parameters.loading.n_curve_points - 1;
@@ -139,7 +194,7 @@ namespace ringmotor
     return falling;
   }
 
-  std::vector<PointRequest> CurveSearch::rising_torques() const
+  std::vector<PointRequest> CurveRequests::rising_torques() const
   {
     const unsigned int n_parts = parameters.loading.n_curve_points - 1;
     std::vector<PointRequest> rising;
@@ -149,46 +204,17 @@ namespace ringmotor
     return rising;
   }
 
-  bool CurveSearch::stands_still(const CurvePoint &point) const
+  bool CurveRequests::stands_still(const CurvePoint &point) const
   {
-    return std::abs(point.result.speed) <= parameters.accuracy.contact_target *
-                                               QuantityScales::share *
-                                               crest_speed(largest_amplitude);
+    return std::abs(point.result.speed) <= AccuracyBudget(parameters.accuracy).standstill() *
+                                               QuantityScales::share * scales(motor()).crest_speed;
   }
 
-  void CurveSearch::find_held_torque()
+  QuantityScales CurveRequests::scales(const CondensedMotor &motor) const
   {
-    // Where friction balances any torque at rest, the computed one is meaningless. The largest of
-    // some fractions of what friction can bear under which the rotor stands still is prescribed
-    // instead, if it stands still without load.
-    for (const double share : {0., 0.04, 0.1, 0.25})
-    {
-      known.clear();
-      requests              = {{Control::torque, share * borne_torque()}};
-      const CurvePoint held = point_of(steps.plain(reached_level), 0);
-      if (!stands_still(held))
-        return;
-      outline.push_back(held);
-      if (share == 0.)
-        continue;
-      stalled      = held;
-      stall_torque = held.request.value;
-    }
-  }
-
-  double CurveSearch::borne_torque() const
-  {
-    return parameters.friction.dynamic_coefficient * parameters.loading.preload *
-           motor().nodes.front().radius;
-  }
-
-  double CurveSearch::crest_speed(const double amplitude) const
-  {
-    return motor().crest_speed() * (amplitude / motor().amplitude);
-  }
-
-  bool CurveSearch::may_stand_still() const
-  {
-    return stalled.result.stick_fraction > 0.5;
+    return {motor.crest_speed() * (largest_amplitude / motor.amplitude),
+            parameters.friction.dynamic_coefficient * parameters.loading.preload *
+                motor.nodes.front().radius,
+            stall_torque};
   }
 } // namespace ringmotor

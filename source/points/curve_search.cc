@@ -6,43 +6,38 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <set>
 
 namespace ringmotor
 {
   namespace
   {
-    /** The same motor with a wave of larger tangential and radial, but not axial, motion, with
-     * other modes, or with another scheme. */
-    CondensedMotor changed(const CondensedMotor &motor, const CurveSetting &setting)
+    unsigned int first_modes_level(const Accuracy &accuracy)
     {
-      CondensedMotor other = motor;
-      for (CondensedMotor::Node &node : other.nodes)
-        for (const unsigned int c : {1u, 2u})
-          node.free_motion[c] *= setting.wave_factor;
-      if (setting.modes == ModesInUse::coarse)
-        other.modes = other.coarse_modes;
-      if (setting.modes == ModesInUse::of_other_harmonics)
-        other.modes = other.modes_of_other_harmonics;
-      if (setting.has_other_scheme)
-        other.dynamics.scheme = other.dynamics.scheme.dissipating_otherwise();
-      return other;
+      return accuracy.mode == AccuracyMode::fixed  ? accuracy.rotor_modes
+             : AccuracyBudget(accuracy).is_loose() ? 1
+                                                   : RotorVibration::usual_level;
     }
 
-    /** Targets from which on the modes of level 1 are likely to suffice. */
-    constexpr double loose_target = 0.08;
+    const Variation dynamic_friction_alone{"dynamic friction alone", [](Parameters &parameters) {
+                                             parameters.effects.static_friction_excess =
+                                                 EffectChoice::off;
+                                           }};
   } // namespace
 
-  CurveSearch::CurveSearch(const Parameters &parameters, const double wave_error,
-                           const double period, const Sources &sources, const LeftOut &left_out)
-      : parameters(parameters), wave_error(wave_error), steps(parameters, period), sources(sources),
-        left_out(left_out), has_inertia(motor_model(parameters).has_inertia()),
-        finest_level(ContactDiscretisation::finest_level - (has_inertia ? 1 : 0)),
-        modes_level(
-            parameters.accuracy.mode == AccuracyMode::fixed     ? parameters.accuracy.rotor_modes
-            : parameters.accuracy.contact_target < loose_target ? RotorVibration::usual_level
-                                                                : 1)
+  CurveSearch::CurveSearch(const Parameters &parameters, const StatorWave &wave,
+                           PointSource &source, Progress &progress, const LeftOut &left_out)
+      : parameters(parameters), budget(parameters.accuracy), wave_error(wave.relative_error),
+        left_out(left_out), progress(progress),
+        steps(parameters, 2. * dealii::numbers::PI / wave.angular_frequency),
+        table(parameters, steps, source), scene{parameters,
+                                                this->left_out,
+                                                steps,
+                                                table,
+                                                0,
+                                                first_modes_level(parameters.accuracy),
+                                                motor_model(parameters).has_inertia()},
+        finest_level(ContactDiscretisation::finest_level - (scene.has_inertia ? 1 : 0)),
+        balance(steps.most_parts())
   {
   }
 
@@ -55,9 +50,12 @@ namespace ringmotor
           "the relative error of the stator's wave is " + short_text(wave_error) +
           ", but Accuracy/Contact target = " + short_text(accuracy.strictest_target()) +
           "; run the program stator with these parameters (and Accuracy/Mode = adaptive) first");
-    reached_level = is_fixed ? accuracy.interface_refinement : 1;
-    condense({reached_level, compared_with(reached_level)});
-    find_requests(steps.first_parts());
+    scene.level = is_fixed ? accuracy.interface_refinement : 1;
+    table.condense({scene.level, ErrorScene::compared_with(scene.level)}, scene.modes_level);
+    requests = std::make_unique<const CurveRequests>(parameters, table, scene.plain());
+    errors   = std::make_unique<const HeldErrors>(parameters, *requests, scene);
+    for (const PointRequest &request : requests->all())
+      n_parts[request] = steps.first_parts();
     while (true)
     {
       if (!is_fixed)
@@ -67,7 +65,7 @@ namespace ringmotor
         return;
       // The power balance needs the shortest steps, which are worth their cost on the last mesh
       // only.
-      if (worst_error() > accuracy.contact_target)
+      if (errors->worst_of(results) > budget.whole())
         refine();
       else if (powers_balance())
         return;
@@ -76,225 +74,165 @@ namespace ringmotor
 
   void CurveSearch::refine_meshes()
   {
-    // Short steps and other waves are worth their cost only on the final meshes, and take a share
-    // of the target.
-    constexpr double share = 0.9;
-    const double target    = parameters.accuracy.contact_target;
     while (true)
     {
-      find_on_both_meshes();
       double worst = 0.;
-      for (const unsigned int i : all_requests())
-        worst = std::max(worst, relative(mesh_error(i)));
-      if (worst > target && reached_level == finest_level)
-        refuse(worst);
-      if (worst <= share * target || reached_level == finest_level)
+      for (const auto &cause : all_error_causes())
+        if (cause->cure == Cure::meshes)
+        {
+          for (const Discretisation &needed : cause->needs(scene))
+            table.fill(needed, requests->all());
+          for (const PointRequest &request : requests->all())
+            worst = std::max(worst, errors->relative(cause->of(request, scene.plain(), scene)));
+        }
+      if (worst > budget.whole() && scene.level == finest_level)
+        errors->refuse(worst, "on the finest interface mesh");
+      if (worst <= budget.meshes() || scene.level == finest_level)
         return;
       take_finer_meshes();
-    }
-  }
-
-  void CurveSearch::take_finer_meshes()
-  {
-    sources.before_refinement(reached_level + 1, motor_seconds[reached_level],
-                              point_seconds(steps.plain(reached_level)));
-    ++reached_level;
-    outline.clear();
-    motors.erase(motors.begin(), motors.lower_bound(compared_with(reached_level)));
-  }
-
-  void CurveSearch::take_finer_modes()
-  {
-    ++modes_level;
-    motors.clear();
-    condense({reached_level, compared_with(reached_level)});
-    if (!is_marched(parameters)) // where nothing starts from known points
-      with_coarser_modes = std::move(known);
-    known.clear();
-  }
-
-  void CurveSearch::require_accurate_drive() const
-  {
-    double worst = 0.;
-    for (const CurvePoint &point : points())
-      worst = std::max(worst, relative(point.errors.at(causes::drive)));
-    if (worst > parameters.accuracy.contact_target)
-      throw ComputationError(
-          "at the given voltage the errors of the circuits of the phases alone change the results "
-          "by " +
-          short_text(worst) +
-          ", Accuracy/Contact target = " + short_text(parameters.accuracy.contact_target) +
-          (parameters.wave.frequency ? "; close to the resonance the frequency must be known well"
-                                     : "") +
-          ": run the program stator with a smaller Accuracy/Target first, or choose a larger "
-          "Contact target");
-  }
-
-  void CurveSearch::shorten_step(const unsigned int request, const unsigned int parts)
-  {
-    if (is_marched(parameters)) // fields at many times, from which nothing starts
-      known[{reached_level, n_parts[request]}][request].fields = {};
-    n_parts[request] = parts;
-  }
-
-  std::vector<CurveSearch::Cure> CurveSearch::cures_of(const unsigned int request) const
-  {
-    const auto error = [&](const char *const cause)
-    { return relative(results[request].errors.at(cause)); };
-    std::vector<Cure> cures;
-    const auto add = [&](const bool is_possible, const Cure &cure)
-    {
-      if (is_possible && cure.error > 0.)
-        cures.push_back(cure);
-    };
-    // Those of teeth are the same at all levels.
-    add(modes_level < RotorVibration::finest_level && motors.at(reached_level)->has_rotor_modes(),
-        {Cure::Kind::modes, error(causes::modes), 0.5});
-    // Where the state jumps with the frequency of the wave, it does so by one contact node and one
-    // step.
-    add(n_parts[request] < steps.most_parts(),
-        {Cure::Kind::step,
-         error(causes::time_step) + error(causes::scheme) + error(causes::algebra), 0.5});
-    add(reached_level < finest_level, {Cure::Kind::mesh, error(causes::meshes), 0.35});
-    std::sort(cures.begin(), cures.end(),
-              [](const Cure &one, const Cure &other) { return one.error > other.error; });
-    return cures;
-  }
-
-  void CurveSearch::refine()
-  {
-    require_accurate_drive();
-    const double target = parameters.accuracy.contact_target;
-    std::set<Cure::Kind> needed;
-    for (const unsigned int i : all_requests())
-    {
-      double expected = relative(results[i].error());
-      if (expected <= target)
-        continue;
-      const std::vector<Cure> cures = cures_of(i);
-      double incurable              = expected;
-      for (const Cure &cure : cures)
-        incurable -= cure.error;
-      if (cures.empty() || incurable > target)
-        refuse(worst_error(), "with the finest meshes, modes and steps that reduce it");
-      for (const Cure &cure : cures)
-        if (expected > target)
-        {
-          expected -= (1. - cure.remains) * cure.error;
-          needed.insert(cure.kind);
-          if (cure.kind == Cure::Kind::step)
-            shorten_step(i, 2 * n_parts[i]);
-        }
-    }
-    if (needed.count(Cure::Kind::mesh) > 0)
-      take_finer_meshes();
-    if (needed.count(Cure::Kind::modes) > 0)
-      take_finer_modes();
-  }
-
-  void CurveSearch::refuse(const double error, const std::string &where) const
-  {
-    throw ComputationError(
-        "the relative error of " + parameters.accuracy.names_of_quantities() + " is still " +
-        short_text(error) + " " + where +
-        ", but Accuracy/Contact target = " + short_text(parameters.accuracy.contact_target) +
-        "; choose a larger one" + (is_marched(parameters) ? ", or a smaller Time/Time step" : "") +
-        (parameters.loading.control == Control::speed
-             ? "; where the torque changes much with the speed, as near no load, prescribe torques"
-             : ""));
-  }
-
-  void CurveSearch::condense(const std::vector<unsigned int> &levels)
-  {
-    std::vector<unsigned int> missing;
-    for (const unsigned int level : levels)
-      if (motors.count(level) == 0)
-        missing.push_back(level);
-    if (missing.empty())
-      return;
-    std::vector<TimedMotor> condensed = sources.motors(missing, modes_level);
-    for (std::size_t i = 0; i < missing.size(); ++i)
-    {
-      motor_seconds[missing[i]] = condensed[i].seconds;
-      motors[missing[i]] = std::make_unique<const CondensedMotor>(std::move(condensed[i].motor));
-    }
-  }
-
-  const CondensedMotor &CurveSearch::motor_of(const unsigned int level)
-  {
-    condense({level});
-    return *motors.at(level);
-  }
-
-  bool CurveSearch::needs_window(const CurveSetting &setting) const
-  {
-    return is_marched(parameters) && parameters.time.n_steps &&
-           setting == steps.plain(reached_level);
-  }
-
-  void CurveSearch::find_points_of(CurveSetting setting, const std::vector<unsigned int> &wanted,
-                                   const bool from_rest)
-  {
-    setting.tells_window = needs_window(setting);
-    std::vector<unsigned int> missing;
-    for (const unsigned int request : wanted)
-    {
-      const auto point = known[setting].find(request);
-      if (point == known[setting].end() || (setting.tells_window && !point->second.tells_window))
-        missing.push_back(request);
-    }
-    if (missing.empty())
-      return;
-    const std::vector<CurvePoint> starts = starts_for(setting, missing, from_rest);
-    std::vector<PointRequest> asked;
-    for (const unsigned int request : missing)
-      asked.push_back(requests[request]);
-    const CondensedMotor &motor = motor_of(setting.level);
-    std::vector<CurvePoint> points =
-        setting.has_changed_motor()
-            ? sources.points(parameters, changed(motor, setting), setting, asked, starts)
-            : sources.points(parameters, motor, setting, asked, starts);
-    for (unsigned int i = 0; i < missing.size(); ++i)
-      known[setting][missing[i]] = std::move(points[i]);
-  }
-
-  std::vector<unsigned int> CurveSearch::all_requests() const
-  {
-    std::vector<unsigned int> all(requests.size());
-    std::iota(all.begin(), all.end(), 0u);
-    return all;
-  }
-
-  void CurveSearch::find_on_both_meshes()
-  {
-    find_points_of(steps.plain(reached_level), all_requests());
-    find_points_of(steps.plain(compared_with(reached_level)), all_requests());
-  }
-
-  void CurveSearch::find_with_own_steps()
-  {
-    for (const unsigned int parts : std::set<unsigned int>(n_parts.begin(), n_parts.end()))
-    {
-      std::vector<unsigned int> these;
-      for (const unsigned int i : all_requests())
-        if (n_parts[i] == parts)
-          these.push_back(i);
-      find_points_of({reached_level, parts}, these);
     }
   }
 
   void CurveSearch::evaluate()
   {
     // As many together as possible, to share them among the ranks.
-    find_on_both_meshes();
-    for (const CurveSetting &setting : changed_motors())
-      find_points_of(setting, all_requests());
-    find_with_own_steps();
+    for (const auto &cause : all_error_causes())
+      for (const Discretisation &needed : cause->needs(scene))
+        table.fill(needed, requests->all());
+    std::map<Discretisation, std::vector<PointRequest>> by_steps;
+    for (const PointRequest &request : requests->all())
+      by_steps[own(request)].push_back(request);
+    for (const auto &[discretisation, these] : by_steps)
+      table.fill(discretisation, these);
     results.clear();
-    for (const unsigned int i : all_requests())
+    for (const PointRequest &request : requests->all())
     {
-      results.push_back(point_of({reached_level, n_parts[i]}, i));
-      results.back().errors = errors_of(i);
+      results.push_back(table.at(own(request), request));
+      for (const auto &cause : all_error_causes())
+        results.back().errors[cause->name] = cause->of(request, own(request), scene);
     }
+  }
+
+  bool CurveSearch::powers_balance()
+  {
+    bool is_balanced = true;
+    for (const PointRequest &request : requests->all())
+    {
+      const unsigned int parts =
+          balance.parts_for(table.at(own(request), request), scene.level, n_parts.at(request));
+      if (parts == n_parts.at(request))
+        continue;
+      shorten_steps(request, parts);
+      is_balanced = false;
+    }
+    return is_balanced;
+  }
+
+  std::map<Cure, double> CurveSearch::curable_errors(const CurvePoint &point) const
+  {
+    const std::map<Cure, bool> is_possible{
+        {Cure::meshes, scene.level < finest_level},
+        // Those of teeth are the same at all levels.
+        {Cure::modes,
+         scene.modes_level < RotorVibration::finest_level && motor().has_rotor_modes()},
+        {Cure::steps, n_parts.at(point.request) < steps.most_parts()}};
+    std::map<Cure, double> curable;
+    for (const auto &cause : all_error_causes())
+      if (cause->cure && is_possible.at(*cause->cure))
+        curable[*cause->cure] += errors->relative(point.errors.at(cause->name));
+    return curable;
+  }
+
+  void CurveSearch::refine()
+  {
+    for (const auto &cause : all_error_causes())
+      errors->require_bearable(*cause, results);
+    const double target = budget.whole();
+    std::set<Cure> needed;
+    for (const CurvePoint &point : results)
+    {
+      double expected = errors->relative(point.error());
+      if (expected <= target)
+        continue;
+      std::vector<std::pair<double, Cure>> cures; // of the largest error first
+      double incurable = expected;
+      for (const auto &[cure, error] : curable_errors(point))
+        if (error > 0.)
+        {
+          cures.emplace_back(error, cure);
+          incurable -= error;
+        }
+      std::sort(cures.rbegin(), cures.rend());
+      if (cures.empty() || incurable > target)
+        errors->refuse(errors->worst_of(results),
+                       "with the finest meshes, modes and steps that reduce it");
+      for (const auto &[error, cure] : cures)
+        if (expected > target)
+        {
+          expected -= (1. - remaining_part(cure)) * error;
+          needed.insert(cure);
+          if (cure == Cure::steps)
+            shorten_steps(point.request, 2 * n_parts.at(point.request));
+        }
+    }
+    take(needed);
+  }
+
+  void CurveSearch::take(const std::set<Cure> &cures)
+  {
+    if (cures.count(Cure::meshes) > 0)
+      take_finer_meshes();
+    if (cures.count(Cure::modes) > 0)
+    {
+      ++scene.modes_level;
+      table.drop_motors(0, scene.modes_level);
+      table.condense({scene.level, ErrorScene::compared_with(scene.level)}, scene.modes_level);
+    }
+  }
+
+  void CurveSearch::take_finer_meshes()
+  {
+    progress.before_refinement(scene.level + 1, table.motor_seconds(scene.level, scene.modes_level),
+                               table.seconds(scene.plain()));
+    ++scene.level;
+    table.leave_first_curve();
+    table.drop_motors(ErrorScene::compared_with(scene.level), scene.modes_level);
+  }
+
+  void CurveSearch::shorten_steps(const PointRequest &request, const unsigned int parts)
+  {
+    if (is_marched(parameters))
+      table.drop_fields(own(request), request);
+    n_parts.at(request) = parts;
+  }
+
+  Parameters CurveSearch::frozen() const
+  {
+    unsigned int most_parts = 0;
+    for (const auto &[request, parts] : n_parts)
+      most_parts = std::max(most_parts, parts);
+    Parameters frozen                    = with_parts_of_a_step(parameters, most_parts);
+    frozen.accuracy.mode                 = AccuracyMode::fixed;
+    frozen.accuracy.interface_refinement = scene.level;
+    frozen.accuracy.rotor_modes          = scene.modes_level;
+    return frozen;
+  }
+
+  CurveSearch::StaticFrictionEffect CurveSearch::static_friction_effect()
+  {
+    const PointRequest middle = requests->all()[(requests->all().size() - 1) / 2];
+    // Differences do not need steps so short that powers balance.
+    const Discretisation plain = scene.plain();
+    const CurvePoint &before   = table.at(plain, middle);
+    const auto signed_change   = [&](const CurvePoint &from, const CurvePoint &to)
+    {
+      return middle.control == Control::torque ? to.result.speed - from.result.speed
+                                               : to.result.torque - from.result.torque;
+    };
+    return {table.at(own(middle), middle),
+            signed_change(before, table.at(plain.with(dynamic_friction_alone), middle)),
+            signed_change(before, table.at(plain.with(plain.steps.halved()), middle)),
+            signed_change(table.at(scene.plain(ErrorScene::compared_with(scene.level)), middle),
+                          before)};
   }
 } // namespace ringmotor

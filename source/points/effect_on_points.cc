@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/points/effect_on_points.h>
+#include <ringmotor/points/point_finder.h>
 #include <ringmotor/points/point_quantities.h>
 #include <ringmotor/structure/shared_work.h>
 

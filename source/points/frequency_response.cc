@@ -73,12 +73,12 @@ namespace ringmotor
     {
     public:
       Estimator(const Parameters &parameters, const VoltageDrive &drive, const CondensedMotor &fine,
-                const CondensedMotor &coarse, const CurveSetting &setting)
+                const CondensedMotor &coarse, const Discretisation &discretisation)
           : drive(drive), feels_contact(motor_model(parameters).wave_feels_contact),
-            wave_frequency(fine.angular_frequency), finders{{finder(parameters, fine, setting),
-                                                             finder(parameters, coarse, setting),
-                                                             finder(parameters, fine,
-                                                                    setting.halved())}}
+            wave_frequency(fine.angular_frequency),
+            finders{{finder(parameters, fine, discretisation),
+                     finder(parameters, coarse, discretisation),
+                     finder(parameters, fine, discretisation.with(discretisation.steps.halved()))}}
       {
       }
 
@@ -104,7 +104,7 @@ namespace ringmotor
             const double value = found[0][side][number];
             const auto change  = [&](const unsigned int other)
             { return margin * std::abs(found[other][side][number] - value); };
-            return Estimate(value, {{causes::drive, errors[side][number]},
+            return Estimate(value, {{causes::circuits, errors[side][number]},
                                     {causes::meshes, change(1)},
                                     {causes::time_step, change(2)}});
           };
@@ -134,11 +134,12 @@ namespace ringmotor
                          wave_frequency * (feels_contact ? 1. + point.result.detuning : 1.));
       }
 
-      static std::unique_ptr<OperatingPointFinder>
-      finder(const Parameters &parameters, const CondensedMotor &motor, const CurveSetting &setting)
+      static std::unique_ptr<OperatingPointFinder> finder(const Parameters &parameters,
+                                                          const CondensedMotor &motor,
+                                                          const Discretisation &discretisation)
       {
         return std::make_unique<OperatingPointFinder>(
-            with_parts_of_a_step(parameters, setting.n_parts), motor, nullptr, setting);
+            with_parts_of_a_step(parameters, discretisation.steps.n_parts), motor, discretisation);
       }
 
       const VoltageDrive &drive;
@@ -166,11 +167,11 @@ namespace ringmotor
 
   FrequencyResponse frequency_response(const Parameters &parameters, const VoltageDrive &drive,
                                        const CondensedMotor &fine, const CondensedMotor &coarse,
-                                       const CurveSetting &setting, const double torque)
+                                       const Discretisation &discretisation, const double torque)
   {
     const PointRequest request{Control::torque, torque};
     FrequencyResponse response{torque, {}, {}};
-    Estimator estimator(parameters, drive, fine, coarse, setting);
+    Estimator estimator(parameters, drive, fine, coarse, discretisation);
     std::vector<ResponsePoint> above;
     try
     {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/parameters/accuracy_budget.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/points/marched_point.h>
 #include <ringmotor/points/point_quantities.h>
+#include <ringmotor/points/rotor_energy.h>
 
 #include <algorithm>
 #include <cmath>
@@ -133,7 +135,7 @@ namespace ringmotor
           request(request), pattern{motor.n_waves, motor.n_teeth,
                                     motor_model(parameters).warp.n_waves},
           n_parts(repetition_of(pattern).n_parts),
-          tolerance(0.1 * parameters.accuracy.strictest_target())
+          tolerance(AccuracyBudget(parameters.accuracy).marched_means())
     {
       const Friction friction = motor_model(parameters).friction;
       const double mu         = std::max(friction.static_coefficient, friction.dynamic_coefficient);
@@ -248,8 +250,7 @@ namespace ringmotor
     }
 
     /** The operating point of the steps that `Time` specifies to average over. */
-    CurvePoint find_by_window(const Time &time, MarchedRun &run, Settling &settling,
-                              const bool tells_window)
+    CurvePoint find_by_window(const Time &time, MarchedRun &run, const Settling &settling)
     {
       ContactFields all;
       const auto advance = [&](const unsigned int n_steps)
@@ -265,31 +266,25 @@ namespace ringmotor
       advance(*time.n_steps - *time.average_to_step);
       CurvePoint point = settling.point_of(std::move(window));
       point.fields     = std::move(all);
-      if (!tells_window)
-        return point;
-      point.tells_window = true;
-      point.window       = change(settling.settle(run), point) + settling.remaining();
       return point;
     }
   } // namespace
 
   CurvePoint find_marched(const Parameters &parameters, const CondensedMotor &motor,
-                          const PointRequest &request, const unsigned int n_joined,
-                          const bool tells_window)
+                          const PointRequest &request, const unsigned int n_joined)
   {
     MarchedRun run(parameters, motor, request, n_joined);
     Settling settling(parameters, motor, request);
     CurvePoint point;
     if (parameters.time.n_steps)
-      point = find_by_window(parameters.time, run, settling, tells_window);
+      point = find_by_window(parameters.time, run, settling);
     else
     {
       run.advance(1, settling.step_length());
       if (motor.rotor_mass > 0.)
         settling.calm(run);
-      point              = settling.settle(run);
-      point.window       = settling.remaining();
-      point.tells_window = true;
+      point                 = settling.settle(run);
+      point.unsettled_means = settling.remaining();
     }
     point.largest_violation = run.effort().largest_violation;
     point.n_iterations      = run.effort().n_iterations;

@@ -15,8 +15,9 @@
 #include <ringmotor/points/chosen_effects.h>
 #include <ringmotor/points/contact_study.h>
 #include <ringmotor/points/curve_search.h>
+#include <ringmotor/points/frequency_response.h>
+#include <ringmotor/programs/contact_progress.h>
 #include <ringmotor/programs/interruption.h>
-#include <ringmotor/programs/price_forecast.h>
 #include <ringmotor/programs/program.h>
 #include <ringmotor/programs/run_results.h>
 #include <ringmotor/programs/run_study.h>
@@ -50,26 +51,20 @@ namespace ringmotor
       void study(const bool resumes);
 
     private:
-      std::vector<TimedMotor> condense(const std::vector<unsigned int> &levels,
-                                       const unsigned int modes_level);
-      std::vector<CurvePoint> find(const Parameters &of_points, const CondensedMotor &motor,
-                                   const CurveSetting &setting,
-                                   const std::vector<PointRequest> &requests,
-                                   const std::vector<CurvePoint> &starts);
-      void report();
-      void report_static_friction();
-      void report_effects();
-      /** Those for `Wave/Response torques`, by one rank alone. */
-      void find_responses();
-      void warn_of_long_steps();
-      void warn_of_weak_waves();
-
-      void write_results();
-      void write_fields();
-      Summary make_summary() const;
-
       /** Switches effects that are `auto` on or off, by their influence. */
       ChosenEffects choose_effects();
+
+      void report(CurveSearch &search);
+      void report_static_friction(CurveSearch &search);
+      void report_effects(const CurveSearch &search);
+      void warn_of_long_steps(const CurveSearch &search);
+      void warn_of_weak_waves(const CurveSearch &search);
+      /** Those for `Wave/Response torques`, by one rank alone. */
+      void find_responses(const CurveSearch &search);
+
+      void write_results(const CurveSearch &search);
+      void write_fields(const CurveSearch &search);
+      Summary make_summary(const CurveSearch &search) const;
 
       std::unique_ptr<TimeLimit> time_limit; ///< until results are written
       const Parameters &given;
@@ -79,10 +74,7 @@ namespace ringmotor
       Phases phases;
       const StatorWave wave;
       ChosenEffects effects;
-      const Parameters &parameters;    ///< no effect of the contact is `auto`
-      std::optional<ContactKeep> keep; ///< of run()
-      PriceForecast prices{log};
-      CurveSearch search;
+      const Parameters &parameters; ///< no effect of the contact is `auto`
       std::vector<FrequencyResponse> responses;
     };
 
@@ -105,17 +97,7 @@ namespace ringmotor
           given(parameters), folder(results_folder("contact", parameters)),
           is_root_rank(Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0), log(is_root_rank),
           wave(read_stator_wave(parameters.output.directory + "/stator/modes.h5", parameters)),
-          effects(choose_effects()), parameters(effects.parameters()),
-          search(this->parameters, wave.relative_error, 2. * numbers::PI / wave.angular_frequency,
-                 {[this](const std::vector<unsigned int> &levels, const unsigned int modes_level)
-                  { return condense(levels, modes_level); },
-                  [this](const Parameters &of_points, const CondensedMotor &motor,
-                         const CurveSetting &setting, const std::vector<PointRequest> &requests,
-                         const std::vector<CurvePoint> &starts)
-                  { return find(of_points, motor, setting, requests, starts); },
-                  [this](const unsigned int level, const double of_motor, const double of_points)
-                  { prices.before_mesh(level, of_motor, of_points); }},
-                 effects.left_out())
+          effects(choose_effects()), parameters(effects.parameters())
     {
       for (const std::string &warning : check_for_contact(parameters))
         log.line("warning: " + warning);
@@ -144,17 +126,20 @@ namespace ringmotor
 
     void ContactProgram::run(const bool resumes)
     {
-      keep.emplace(folder, wave, resumes, log, MPI_COMM_WORLD);
+      ContactKeep keep(folder, parameters, wave, resumes, log, MPI_COMM_WORLD);
       if (is_root_rank)
         tell_when_interrupted(
             "contact: interrupted; the operating points found so far are kept in " + folder +
             "kept: continue with --resume");
+      ContactProgress progress(log, phases);
+      ComputedPoints source(parameters, wave, effects.vibration(), keep, progress, MPI_COMM_WORLD);
+      CurveSearch search(parameters, wave, source, progress, effects.left_out());
       search.find();
-      report();
-      find_responses();
+      report(search);
+      find_responses(search);
       time_limit.reset();
-      write_results();
-      keep->report();
+      write_results(search);
+      keep.report();
     }
 
     void ContactProgram::study(const bool resumes)
@@ -163,47 +148,7 @@ namespace ringmotor
       run_study(folder, "contact", given, study, resumes, log);
     }
 
-    std::vector<TimedMotor> ContactProgram::condense(const std::vector<unsigned int> &levels,
-                                                     const unsigned int modes_level)
-    {
-      const bool needs_modes = motor_model(parameters).rotor_needs_modes();
-      const auto one         = [&](const unsigned int level)
-      {
-        const auto scope = phases.measure("condensation, interface mesh " + std::to_string(level));
-        return condense_motor(parameters, wave, ContactDiscretisation::level(level), modes_level,
-                              &effects.vibration());
-      };
-      const auto all = [&](const std::vector<unsigned int> &missing)
-      {
-        if (needs_modes) // by all ranks together, before each condenses other motors
-        {
-          const auto scope = phases.measure("vibrations of the rotor");
-          effects.vibration().prepare(modes_level);
-        }
-        return condense_motors(missing, one, MPI_COMM_WORLD);
-      };
-      std::vector<TimedMotor> motors = keep->condensed(
-          parameters, levels, needs_modes ? std::make_optional(modes_level) : std::nullopt, all);
-      for (std::size_t i = 0; i < levels.size(); ++i)
-        log.line("interface mesh " + std::to_string(levels[i]) + ": " +
-                 std::to_string(motors[i].motor.nodes.size()) + " contact nodes per tooth, " +
-                 std::to_string(motors[i].motor.n_dofs) + " dofs condensed");
-      return motors;
-    }
-
-    std::vector<CurvePoint> ContactProgram::find(const Parameters &of_points,
-                                                 const CondensedMotor &motor,
-                                                 const CurveSetting &setting,
-                                                 const std::vector<PointRequest> &requests,
-                                                 const std::vector<CurvePoint> &starts)
-    {
-      const auto scope = phases.measure("operating points, " + setting.text());
-      prices.before_points(motor, setting, requests.size());
-      const auto after_point = [&](const CurvePoint &point) { prices.after_point(point); };
-      return keep->points(of_points, motor, setting, requests, after_point, starts);
-    }
-
-    void ContactProgram::report()
+    void ContactProgram::report(CurveSearch &search)
     {
       for (const CurvePoint &point : search.points())
         log.line(describe(point));
@@ -216,13 +161,13 @@ namespace ringmotor
         if (!point.remark.empty())
           log.line("note: at " + text(1e3 * point.result.torque, 2) +
                    " mN m Newton's method did not converge directly: " + point.remark);
-      report_static_friction();
-      warn_of_weak_waves();
-      warn_of_long_steps();
-      report_effects();
+      report_static_friction(search);
+      warn_of_weak_waves(search);
+      warn_of_long_steps(search);
+      report_effects(search);
     }
 
-    void ContactProgram::report_static_friction()
+    void ContactProgram::report_static_friction(CurveSearch &search)
     {
       if (search.rotor_sticks() || !has_static_excess(motor_model(parameters).friction))
         return;
@@ -238,7 +183,7 @@ namespace ringmotor
                ", the finer mesh by " + change(effect.finer_mesh));
     }
 
-    void ContactProgram::find_responses()
+    void ContactProgram::find_responses(const CurveSearch &search)
     {
       if (!is_root_rank || !wave.drive)
         return;
@@ -246,12 +191,13 @@ namespace ringmotor
       for (const double torque : parameters.wave.response_torques)
       {
         responses.push_back(frequency_response(parameters, *wave.drive, search.motor(),
-                                               search.compared_motor(), search.setting(), torque));
+                                               search.compared_motor(), search.discretisation(),
+                                               torque));
         log.line(describe(responses.back()));
       }
     }
 
-    void ContactProgram::report_effects()
+    void ContactProgram::report_effects(const CurveSearch &search)
     {
       add_cost_of_modes(search.motor(), effects.rows);
       for (const EffectRow &row : effects.rows)
@@ -259,7 +205,7 @@ namespace ringmotor
           log.line(describe(row));
     }
 
-    void ContactProgram::warn_of_weak_waves()
+    void ContactProgram::warn_of_weak_waves(const CurveSearch &search)
     {
       if (!wave.drive)
         return;
@@ -282,7 +228,7 @@ namespace ringmotor
                  " to " + text(1e6 * largest, 2) + " um");
     }
 
-    void ContactProgram::warn_of_long_steps()
+    void ContactProgram::warn_of_long_steps(const CurveSearch &search)
     {
       const CondensedMotor &motor = search.motor();
       double shortest             = std::numeric_limits<double>::infinity();
@@ -298,9 +244,9 @@ namespace ringmotor
                  "Time/Snapshots (steady)");
     }
 
-    void ContactProgram::write_results()
+    void ContactProgram::write_results(const CurveSearch &search)
     {
-      require_certified(make_summary());
+      require_certified(make_summary(search));
       if (!is_root_rank)
         return;
       {
@@ -322,24 +268,25 @@ namespace ringmotor
         write_contact_h5(folder + "contact.h5", given, wave, search.motor(), search.points());
       }
       if (parameters.output.vtu)
-        write_fields();
-      write_summary(folder + "summary.json", make_summary());
+        write_fields(search);
+      write_summary(folder + "summary.json", make_summary(search));
       log.line("results in " + folder);
     }
 
-    void ContactProgram::write_fields()
+    void ContactProgram::write_fields(const CurveSearch &search)
     {
       const auto scope    = phases.measure("fields for ParaView");
       const double height = parameters.stator.base_thickness + parameters.stator.tooth_height;
       write_contact_surfaces(folder, search.motor(), search.points(), height);
-      const MotorBodies bodies(parameters, wave, ContactDiscretisation::level(search.level()));
+      const MotorBodies bodies(parameters, wave,
+                               ContactDiscretisation::level(search.discretisation().level));
       const StatorAtWave stator{
           read_wave_body(parameters.output.directory + "/stator/modes.h5", given), wave.amplitude,
           motor_model(parameters).warp};
       write_motor_bodies(folder, search.motor(), bodies, stator, search.points(), height);
     }
 
-    Summary ContactProgram::make_summary() const
+    Summary ContactProgram::make_summary(const CurveSearch &search) const
     {
       Summary summary             = begin_summary("contact", given, phases);
       const CondensedMotor &motor = search.motor();

@@ -6,6 +6,7 @@
 #include <ringmotor/output/summary.h>
 #include <ringmotor/output/text.h>
 #include <ringmotor/output/vtu.h>
+#include <ringmotor/parameters/accuracy_budget.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/programs/program.h>
 #include <ringmotor/programs/run_results.h>
@@ -343,7 +344,7 @@ namespace ringmotor
       if (parameters.accuracy.mode == AccuracyMode::adaptive && body.wave() != nullptr)
         summary.certificate.push_back({"relative error of the wave, for the contact",
                                        body.wave()->relative_error(),
-                                       wave_target(parameters.accuracy)});
+                                       AccuracyBudget(parameters.accuracy).wave()});
       return summary;
     }
 

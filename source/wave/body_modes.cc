@@ -4,6 +4,7 @@
 #include <ringmotor/mesh/rotor_sector.h>
 #include <ringmotor/mesh/stator_sector.h>
 #include <ringmotor/motor/relevant.h>
+#include <ringmotor/parameters/accuracy_budget.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/wave/body_modes.h>
 #include <ringmotor/wave/frequency_shift.h>
@@ -83,11 +84,6 @@ namespace ringmotor
     return table;
   }
 
-  double wave_target(const Accuracy &accuracy)
-  {
-    return 0.2 * accuracy.strictest_target();
-  }
-
   BodyModes::BodyModes(const Parameters &all_parameters, MPI_Comm ranks)
       : given(all_parameters), parameters(relevant_for_modes(all_parameters)),
         share_modes(request_for(parameters).nodal_diameters.size() > 1 ? ranks : MPI_COMM_SELF),
@@ -117,7 +113,7 @@ namespace ringmotor
 
     after_pass(compute({scout_degree, scout_level}));
     const Accuracy &accuracy = parameters.accuracy;
-    const double by_wave     = wave() ? wave_target(accuracy) / wave_to_frequency_error : 1.;
+    const double by_wave = wave() ? AccuracyBudget(accuracy).wave() / wave_to_frequency_error : 1.;
     aim_at(by_wave < accuracy.target);
     // Errors scale as (h k)^(2p), k a wave number: what is q times harder for degree 2 is q^2 times
     // harder for degree 4.
@@ -129,7 +125,7 @@ namespace ringmotor
     after_pass(compute_pass(discretisation.degree));
     const auto excess = [&]() { return mode_search->worst_relative_error() / accuracy.target; };
     const auto excess_of_wave = [&]()
-    { return wave() ? wave()->relative_error() / wave_target(accuracy) : 0.; };
+    { return wave() ? wave()->relative_error() / AccuracyBudget(accuracy).wave() : 0.; };
     while (excess() > 1. || excess_of_wave() > 1.)
     {
       aim_at(excess_of_wave() > excess());

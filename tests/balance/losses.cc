@@ -6,6 +6,8 @@
 #include "../support/motor_model.h"
 
 #include <ringmotor/balance/loss_budget.h>
+#include <ringmotor/points/point_finder.h>
+#include <ringmotor/points/rotor_energy.h>
 
 #include <gtest/gtest.h>
 

@@ -12,6 +12,7 @@
 #include <ringmotor/motor/effect.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/points/effect_on_points.h>
+#include <ringmotor/points/point_finder.h>
 #include <ringmotor/points/point_quantities.h>
 
 #include <gtest/gtest.h>

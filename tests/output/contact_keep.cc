@@ -8,11 +8,13 @@
 #include "support/motor_model.h"
 
 #include <ringmotor/motor/relevant.h>
+#include <ringmotor/motor/rotor_modes.h>
 #include <ringmotor/output/contact_keep.h>
 #include <ringmotor/output/files.h>
 #include <ringmotor/output/kept_file.h>
 #include <ringmotor/parameters/entries.h>
 #include <ringmotor/parameters/prm_file.h>
+#include <ringmotor/points/point_source.h>
 
 #include <gtest/gtest.h>
 
@@ -215,7 +217,7 @@ namespace
 
     ContactKeep keep(const bool resumes)
     {
-      return ContactKeep(scratch.path(""), *wave, resumes, log, MPI_COMM_SELF);
+      return ContactKeep(scratch.path(""), parameters, *wave, resumes, log, MPI_COMM_SELF);
     }
 
     /** The bytes of a motor, and the log's text. */
@@ -228,12 +230,22 @@ namespace
 
     CondensedMotor condensed(ContactKeep store)
     {
-      const auto condense = [this](const std::vector<unsigned int> &)
-      {
-        return std::vector<TimedMotor>{
-            {condense_motor(parameters, *wave, ContactDiscretisation::level(0)), 0.}};
-      };
-      return store.condensed(parameters, {0}, {}, condense).front().motor;
+      Progress silent;
+      const RotorVibration vibration(parameters, wave->angular_frequency);
+      return ComputedPoints(parameters, *wave, vibration, store, silent, MPI_COMM_SELF)
+          .motors({0}, RotorVibration::usual_level)
+          .front()
+          .motor;
+    }
+
+    /** The points of requests on the coarsest mesh. */
+    std::vector<CurvePoint> points(ContactKeep &store, const CondensedMotor &motor,
+                                   const std::vector<PointRequest> &wanted)
+    {
+      Progress silent;
+      const RotorVibration vibration(parameters, wave->angular_frequency);
+      return ComputedPoints(parameters, *wave, vibration, store, silent, MPI_COMM_SELF)
+          .points({}, motor, wanted, {});
     }
 
     static std::string without_seconds(std::vector<CurvePoint> points)
@@ -299,14 +311,12 @@ TEST_F(ContactKeepFiles, PointsThatAreMissingComeOutTheSameToTheLastBit)
   const CondensedMotor motor             = condensed(keep(false));
   for (const unsigned int n_left : {1u, 2u, 3u})
   {
-    const auto points = [&](ContactKeep store, const unsigned int n)
-    {
-      return without_seconds(
-          store.points(parameters, motor, {}, {requests.begin(), requests.begin() + n}));
+    const auto first = [&](ContactKeep store, const unsigned int n) {
+      return without_seconds(points(store, motor, {requests.begin(), requests.begin() + n}));
     };
-    const std::string whole = points(keep(false), 3);
-    points(keep(false), n_left);
-    EXPECT_TRUE(points(keep(true), 3) == whole) << n_left;
+    const std::string whole = first(keep(false), 3);
+    first(keep(false), n_left);
+    EXPECT_TRUE(first(keep(true), 3) == whole) << n_left;
   }
 }
 
@@ -317,11 +327,12 @@ TEST_F(ContactKeepFiles, PointsAreThereUnlessDamagedOrOfAnotherLoad)
   {
     said.str("");
     ContactKeep store = keep(true);
-    store.points(parameters, motor, {}, requests);
+    points(store, motor, requests);
     store.report();
     return said.str().substr(said.str().find('\n'));
   };
-  keep(false).points(parameters, motor, {}, requests);
+  ContactKeep first = keep(false);
+  points(first, motor, requests);
   EXPECT_NE(report().find("3 operating points, including those for error bars, were available; "
                           "nothing was left to compute"),
             std::string::npos);

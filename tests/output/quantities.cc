@@ -12,6 +12,7 @@
 #include <ringmotor/output/contact_summary.h>
 #include <ringmotor/output/hdf5.h>
 #include <ringmotor/output/losses_files.h>
+#include <ringmotor/points/error_cause.h>
 #include <ringmotor/points/point_quantities.h>
 
 #include <gtest/gtest.h>
@@ -37,15 +38,15 @@ namespace
       point.result.*member = counter += 0.37;
     point.rotor_power    = 1.1e-3;
     point.rotor_energies = {1.};
-    for (const char *const cause : causes::all)
-      point.errors[cause] = {};
+    for (const auto &cause : all_error_causes())
+      point.errors[cause->name] = {};
     point.errors[causes::meshes] = {
         {{"speed", 0.25}, {"friction_loss", 1e-3}, {"rotor_power_per_loss_factor", 2e-5}}};
     point.errors[causes::time_step] = {
         {{"speed", 0.5}, {"friction_loss", 2e-3}, {"rotor_power_per_loss_factor", 3e-5}}};
-    point.errors[causes::drive]["amplitude"] = 1e-3; // of a driven wave
-    point.fields.times                       = {0.};
-    point.fields.n_teeth                     = 1;
+    point.errors[causes::circuits]["amplitude"] = 1e-3; // of a driven wave
+    point.fields.times                          = {0.};
+    point.fields.n_teeth                        = 1;
     point.fields.force = point.fields.motion = point.fields.tooth = point.fields.rotor = {{}};
     point.fields.status                                                                = {0};
     return point;

@@ -8,6 +8,7 @@
 #include "support/motor_model.h"
 
 #include <ringmotor/pictures/motor_bodies.h>
+#include <ringmotor/points/point_finder.h>
 
 #include <gtest/gtest.h>
 

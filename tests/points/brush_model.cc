@@ -7,7 +7,7 @@
 #include "support/motor_model.h"
 #include "support/record.h"
 
-#include <ringmotor/points/torque_speed.h>
+#include <ringmotor/points/point_finder.h>
 
 #include <gtest/gtest.h>
 

@@ -98,15 +98,15 @@ TEST(ContactSettings, StayWithinAGivenDiscretisation)
 TEST(ContactSettings, GiveAPeriodEnoughSteps)
 {
   Parameters parameters = reference_motor(); // ninety different teeth
-  EXPECT_EQ(steps_of(parameters, period, 90.).n_parts, 1u);
-  EXPECT_EQ(steps_of(parameters, period, 180.).n_parts, 2u);
-  EXPECT_EQ(steps_of(parameters, period, 45.).n_joined, 2u);
+  EXPECT_EQ(StepChoice(parameters, period).at_least(90.).n_parts, 1u);
+  EXPECT_EQ(StepChoice(parameters, period).at_least(180.).n_parts, 2u);
+  EXPECT_EQ(StepChoice(parameters, period).at_least(45.).n_joined, 2u);
   parameters.motor.n_waves = 9; // ten of them
-  EXPECT_EQ(steps_of(parameters, period, 180.).n_parts, 18u);
+  EXPECT_EQ(StepChoice(parameters, period).at_least(180.).n_parts, 18u);
   parameters.time.scheme    = TimeScheme::marching;
   parameters.time.time_step = period / 60.;
-  EXPECT_EQ(steps_of(parameters, period, 240.).n_parts, 4u);
-  EXPECT_EQ(steps_of(parameters, period, 30.).n_joined, 2u);
+  EXPECT_EQ(StepChoice(parameters, period).at_least(240.).n_parts, 4u);
+  EXPECT_EQ(StepChoice(parameters, period).at_least(30.).n_joined, 2u);
 }
 
 TEST(ContactStudy, ComesCloserToAFinerMeshWithCellsAndDegree)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The choice of operating points on a torque-speed curve, for polygons.
 
-#include <ringmotor/points/curve_points.h>
+#include <ringmotor/points/curve_requests.h>
 
 #include <gtest/gtest.h>
 

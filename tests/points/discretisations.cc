@@ -6,7 +6,7 @@
 #include "support/motor_model.h"
 #include "support/record.h"
 
-#include <ringmotor/points/torque_speed.h>
+#include <ringmotor/points/point_finder.h>
 
 #include <gtest/gtest.h>
 
@@ -29,12 +29,10 @@ namespace
 
   Found find(const Parameters &parameters, const StatorWave &wave, const unsigned int level)
   {
-    CurveSetting setting{level};
-    setting.n_parts = 4; // errors of the step are far below those of the meshes
+    constexpr unsigned int n_parts = 4; // errors of the step are far below those of the meshes
     const CondensedMotor motor =
         condense_motor(parameters, wave, ContactDiscretisation::level(level));
-    OperatingPointFinder finder(with_parts_of_a_step(parameters, setting.n_parts), motor, nullptr,
-                                setting);
+    OperatingPointFinder finder(with_parts_of_a_step(parameters, n_parts), motor);
     Found found{{}, {}, motor.n_dofs};
     for (unsigned int i = 0; i < 2; ++i)
     {

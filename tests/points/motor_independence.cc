@@ -11,7 +11,8 @@
 #include <ringmotor/motor/rotor_modes.h>
 #include <ringmotor/output/kept_file.h>
 #include <ringmotor/parameters/errors.h>
-#include <ringmotor/points/torque_speed.h>
+#include <ringmotor/points/point_finder.h>
+#include <ringmotor/points/point_source.h>
 
 #include <gtest/gtest.h>
 
@@ -22,6 +23,23 @@ using namespace ringmotor::tests;
 
 namespace
 {
+  class NothingKept : public PointStore
+  {
+    std::optional<TimedMotor> recall_motor(const unsigned int,
+                                           const std::optional<unsigned int> &) override
+    {
+      return {};
+    }
+    void keep_motor(const unsigned int, const std::optional<unsigned int> &,
+                    const CondensedMotor &) override
+    {
+    }
+    std::unique_ptr<PointMemory> points(const Parameters &, const Discretisation &) override
+    {
+      return nullptr;
+    }
+  };
+
   constexpr double rpm = M_PI / 30.;
 
   ContactDiscretisation coarse()
@@ -161,7 +179,7 @@ TEST(MotorIndependenceRanks, SameResultsOnTwo)
   const CondensedMotor motor = condense_motor(parameters, stator_wave(parameters), coarse());
   const std::vector<PointRequest> requests = listed_points(parameters.loading);
   const auto curve_on                      = [&](MPI_Comm communicator)
-  { return find_points(parameters, motor, {}, requests, communicator, [](const CurvePoint &) {}); };
+  { return find_points(parameters, motor, {}, {}, requests, communicator); };
   const std::vector<CurvePoint> one = curve_on(MPI_COMM_SELF), two = curve_on(MPI_COMM_WORLD);
   ASSERT_EQ(one.size(), 5u);
   ASSERT_EQ(two.size(), 5u);
@@ -194,13 +212,12 @@ TEST(MotorIndependenceRanks, SameVibrationsAndMotorsOnTwo)
   }
   EXPECT_GT(n_modes, 20u);
 
-  two.prepare(1); // by both ranks together, before each condenses a motor of its own
   const auto motors_on = [&](const RotorVibration &vibration, MPI_Comm communicator)
   {
-    const auto condense = [&](const unsigned int level) {
-      return condense_motor(parameters, wave, ContactDiscretisation::level(level), 1, &vibration);
-    };
-    return condense_motors({0, 1}, condense, communicator);
+    NothingKept store;
+    Progress silent;
+    return ComputedPoints(parameters, wave, vibration, store, silent, communicator)
+        .motors({0, 1}, 1);
   };
   const std::vector<TimedMotor> alone  = motors_on(two, MPI_COMM_SELF),
                                 shared = motors_on(two, MPI_COMM_WORLD);

@@ -9,7 +9,7 @@
 #include "support/record.h"
 
 #include <ringmotor/motor/marching.h>
-#include <ringmotor/points/torque_speed.h>
+#include <ringmotor/points/point_finder.h>
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <ringmotor/parameters/parameters.h>
 #include <ringmotor/pictures/sector_field.h>
-#include <ringmotor/points/torque_speed.h>
+#include <ringmotor/points/curve_point.h>
 #include <ringmotor/results/quantity.h>
 
 namespace ringmotor

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <ringmotor/motor/lip_amplification.h>
-#include <ringmotor/points/torque_speed.h>
+#include <ringmotor/points/point_finder.h>
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/points/torque_speed.h>
+#include <ringmotor/points/point_finder.h>
 
 #include <string>
 #include <vector>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <ringmotor/output/log.h>
-#include <ringmotor/points/torque_speed.h>
+#include <ringmotor/points/point_store.h>
 
 #include <string>
 
@@ -23,36 +23,27 @@ namespace ringmotor
    * damaged or belongs to other parameters, another wave or another build of the program is
    * computed again.
    *
-   * All members are called on all ranks of @p communicator together, unlike most functions in this
-   * folder.
+   * All members but those of points are called on all ranks of @p communicator together, unlike
+   * most functions in this folder.
    */
-  class ContactKeep
+  class ContactKeep : public PointStore
   {
   public:
     /**
      * Removes the points of earlier runs unless this run @p resumes.
      * @param folder of the results, which exists; ends in a slash
+     * @param parameters, wave which must outlive this object
      * @throws UserError if the file system refuses
      */
-    ContactKeep(const std::string &folder, const StatorWave &wave, const bool resumes, Log &log,
-                MPI_Comm communicator);
+    ContactKeep(const std::string &folder, const Parameters &parameters, const StatorWave &wave,
+                const bool resumes, Log &log, MPI_Comm communicator);
 
-    /** Computes motors of some levels. */
-    using Condense =
-        std::function<std::vector<TimedMotor>(const std::vector<unsigned int> &levels)>;
-    /** Condensed motors with ContactDiscretisation::level(): read or, if missing, computed.
-     * @param modes_level of their rotor; none if it has no modes */
-    std::vector<TimedMotor> condensed(const Parameters &parameters,
-                                      const std::vector<unsigned int> &levels,
-                                      const std::optional<unsigned int> &modes_level,
-                                      const Condense &condense);
-
-    /** find_points(): missing points are computed and kept immediately. */
-    std::vector<CurvePoint> points(
-        const Parameters &parameters, const CondensedMotor &motor, const CurveSetting &setting,
-        const std::vector<PointRequest> &requests,
-        const std::function<void(const CurvePoint &)> &after_point = [](const CurvePoint &) {},
-        const std::vector<CurvePoint> &starts                      = {});
+    std::optional<TimedMotor> recall_motor(const unsigned int level,
+                                           const std::optional<unsigned int> &modes_level) override;
+    void keep_motor(const unsigned int level, const std::optional<unsigned int> &modes_level,
+                    const CondensedMotor &motor) override;
+    std::unique_ptr<PointMemory> points(const Parameters &varied,
+                                        const Discretisation &discretisation) override;
 
     /** Removes what is kept in the folder of the results, and reports how much that was.
      * @throws UserError if the file system refuses */
@@ -69,10 +60,15 @@ namespace ringmotor
     };
     class Points;
 
-    std::optional<TimedMotor> read(const unsigned int level, const std::string &path,
-                                   const std::string &key);
+    /** The file of a motor, and what it must belong to. */
+    struct Place
+    {
+      std::string path, key;
+    };
+    Place place_of(const unsigned int level, const std::optional<unsigned int> &modes_level) const;
 
     const std::string motors, points_folder;
+    const Parameters &parameters;
     const StatorWave &wave;
     const bool resumes;
     Log &log;

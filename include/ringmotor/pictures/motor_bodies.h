@@ -5,7 +5,7 @@
 #include <ringmotor/motor/motor_model.h>
 #include <ringmotor/motor/rotor_modes.h>
 #include <ringmotor/pictures/ring_body.h>
-#include <ringmotor/points/torque_speed.h>
+#include <ringmotor/points/curve_point.h>
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <ringmotor/motor/contact_bodies.h>
-#include <ringmotor/points/curve_setting.h>
+#include <ringmotor/points/discretisation.h>
 
 #include <optional>
 #include <string>
@@ -50,7 +50,4 @@ namespace ringmotor
    */
   std::vector<ContactSetting> contact_settings(const Parameters &parameters,
                                                const StudiedMotor &motor);
-
-  /** The parts and joints of steps that give a period at least @p n_steps steps. */
-  CurveSetting steps_of(const Parameters &parameters, const double period, const double n_steps);
 } // namespace ringmotor

@@ -3,8 +3,8 @@
 
 #include <ringmotor/motor/rotor_modes.h>
 #include <ringmotor/points/contact_settings.h>
+#include <ringmotor/points/curve_point.h>
 #include <ringmotor/points/quantity_scales.h>
-#include <ringmotor/points/torque_speed.h>
 #include <ringmotor/results/work_precision.h>
 
 #include <map>

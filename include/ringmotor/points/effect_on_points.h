@@ -3,7 +3,7 @@
 
 #include <ringmotor/motor/effect.h>
 #include <ringmotor/motor/rotor_modes.h>
-#include <ringmotor/points/torque_speed.h>
+#include <ringmotor/points/curve_point.h>
 
 #include <map>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/points/torque_speed.h>
+#include <ringmotor/points/point_finder.h>
 #include <ringmotor/wave/frequency_error.h>
 
 #include <string>
@@ -48,9 +48,9 @@ namespace ringmotor
    *
    * Errors are twice the changes from @p coarse, the motor on other meshes, and from steps of half
    * the length, and those of the drive.
-   * @param setting that of @p fine
+   * @param discretisation that of @p fine
    */
   FrequencyResponse frequency_response(const Parameters &parameters, const VoltageDrive &drive,
                                        const CondensedMotor &fine, const CondensedMotor &coarse,
-                                       const CurveSetting &setting, const double torque);
+                                       const Discretisation &discretisation, const double torque);
 } // namespace ringmotor

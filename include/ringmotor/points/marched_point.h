@@ -2,7 +2,7 @@
 #pragma once
 
 #include <ringmotor/motor/marching.h>
-#include <ringmotor/points/torque_speed.h>
+#include <ringmotor/points/curve_point.h>
 
 #include <optional>
 
@@ -62,14 +62,11 @@ namespace ringmotor
    * Finds an operating point by marching. Averages over whole periods of the solution once their
    * means have settled to a tenth of `Accuracy/Contact target`, the steps being shortened so that a
    * period is a whole number of them; the fields are those of the last period. If `Time` specifies
-   * steps to average over, the point has their means and the fields of all requested steps, and its
-   * difference from the settled means is an error of it, see CurvePoint::window; this is left at
-   * zero if @p tells_window is false, which saves the steps until the means have settled.
+   * steps to average over, the point has their means and the fields of all requested steps.
    * @p n_joined of these steps are joined into one, as far as the window allows.
    *
    * @throws ComputationError if a step fails or the means do not settle
    */
   CurvePoint find_marched(const Parameters &parameters, const CondensedMotor &motor,
-                          const PointRequest &request, const unsigned int n_joined = 1,
-                          const bool tells_window = true);
+                          const PointRequest &request, const unsigned int n_joined = 1);
 } // namespace ringmotor

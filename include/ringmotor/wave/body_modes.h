@@ -34,15 +34,11 @@ namespace ringmotor
     double seconds      = 0.; ///< wall clock
   };
 
-  /** The largest admissible WaveResult::relative_error() of the stator's wave, which leaves room
-   * for the errors of the contact: a fifth of `Accuracy/Contact target`. */
-  double wave_target(const Accuracy &accuracy);
-
   /**
    * The modes of a body of the motor (`Modes/Body`), from a mesh of its sector that is refined
    * until the frequencies meet `Accuracy/Target` and the motor's wave, if it is among the modes,
-   * meets wave_target() (or, with `Accuracy/Mode = fixed`, from the requested mesh). For a stator,
-   * only relevant_for_wave() of the parameters, `Modes` and `Accuracy` are used.
+   * meets AccuracyBudget::wave() (or, with `Accuracy/Mode = fixed`, from the requested mesh). For a
+   * stator, only relevant_for_wave() of the parameters, `Modes` and `Accuracy` are used.
    */
   class BodyModes
   {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <deal.II/base/mpi.h>
-#include <deal.II/base/timer.h>
-
 #include <ringmotor/motor/relevant.h>
+#include <ringmotor/motor/warp.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/points/marched_point.h>
+#include <ringmotor/points/point_finder.h>
 #include <ringmotor/points/point_quantities.h>
-#include <ringmotor/points/torque_speed.h>
+#include <ringmotor/points/rotor_energy.h>
 #include <ringmotor/structure/shared_work.h>
 
 #include <algorithm>
@@ -15,7 +14,12 @@
 
 namespace ringmotor
 {
-  using namespace dealii;
+  WaveLoad wave_load(const CurvePoint &point, const VoltageDrive &drive, const double frequency)
+  {
+    const OperatingPoint &result = point.result;
+    return {result.amplitude, frequency, result.detuning,
+            result.taken_from_wave(drive.rotor_loss_factor * point.rotor_power)};
+  }
 
   namespace
   {
@@ -33,51 +37,15 @@ namespace ringmotor
     }
   } // namespace
 
-  PointError CurvePoint::error() const
-  {
-    PointError sum;
-    for (const auto &[cause, error] : errors)
-      sum += error;
-    return sum;
-  }
-
-  void CurvePoint::add_certificate(const ContactSolution &solution)
-  {
-    largest_violation = std::max(largest_violation, solution.certificate.worst());
-    n_iterations += solution.n_iterations;
-    if (!solution.how.empty())
-      remark = solution.how;
-  }
-
-  WaveLoad wave_load(const CurvePoint &point, const VoltageDrive &drive, const double frequency)
-  {
-    const OperatingPoint &result = point.result;
-    return {result.amplitude, frequency, result.detuning,
-            result.taken_from_wave(drive.rotor_loss_factor * point.rotor_power)};
-  }
-
-  RotorLoad load_of(const Loading &loading, const PointRequest &request)
-  {
-    RotorLoad load{loading.preload, {}, request.value};
-    if (request.control == Control::torque)
-      load.torque = request.value;
-    return load;
-  }
-
-  Parameters with_parts_of_a_step(const Parameters &parameters, const unsigned int n_parts)
-  {
-    Parameters divided       = parameters;
-    divided.time.n_snapshots = (is_marched(parameters) ? parameters.time.n_snapshots : 1) * n_parts;
-    return divided;
-  }
-
   OperatingPointFinder::OperatingPointFinder(const Parameters &all_parameters,
-                                             const CondensedMotor &motor, PointMemory *memory,
-                                             const CurveSetting &setting,
-                                             const std::optional<VoltageDrive> &drive)
-      : setting(setting), parameters(relevant_for_points(all_parameters)),
-        model(motor_model(parameters)), motor(motor), drive(drive),
-        wave(motor, model, {parameters.time.n_snapshots, setting.n_joined}),
+                                             const CondensedMotor &motor,
+                                             const Discretisation &discretisation,
+                                             const std::optional<VoltageDrive> &drive,
+                                             PointMemory *memory)
+      : n_joined(discretisation.steps.n_joined),
+        variation(discretisation.variation ? *discretisation.variation : Variation()),
+        parameters(relevant_for_points(all_parameters)), model(motor_model(parameters)),
+        motor(motor), drive(drive), wave(motor, model, {parameters.time.n_snapshots, n_joined}),
         amplitude(motor.amplitude), memory(memory)
   {
   }
@@ -90,7 +58,7 @@ namespace ringmotor
     // With inertia the neighbour on the curve is closer than the same point with other steps, but
     // not closer than that with a slightly different wave or modes.
     const bool neighbour_is_nearer =
-        model.has_inertia() && steady.has_state() && !setting.has_changed_motor();
+        model.has_inertia() && steady.has_state() && variation.name.empty();
     if (start.fields.force.empty())
     {
       steady.start_from_rest();
@@ -140,8 +108,7 @@ namespace ringmotor
         begin(request, *start, start_before);
       return find_steady(request);
     };
-    // Impacts leave a motor with little damping several states close to each other. Other modes are
-    // to show how far these are apart: their points are not led to the state next to the start.
+    // Impacts leave a motor with little damping several states close to each other.
     const auto anew = [&]
     {
       try
@@ -154,10 +121,9 @@ namespace ringmotor
         return from_start();
       }
     };
-    CurvePoint point = is_marched(parameters) ? find_marched(parameters, motor, request,
-                                                             setting.n_joined, setting.tells_window)
-                       : start && setting.modes != ModesInUse::requested ? anew()
-                                                                         : from_start();
+    CurvePoint point = is_marched(parameters) ? find_marched(parameters, motor, request, n_joined)
+                       : start && variation.starts_from_neighbours ? anew()
+                                                                   : from_start();
     point.request    = request;
     point.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
     if (memory)
@@ -201,7 +167,7 @@ namespace ringmotor
           CurvePoint point    = find_at(request, of_wave);
           const double own    = drive->natural_frequency.value * (1. + point.result.detuning);
           const double excess = drive->excess(
-              wave_load(point, *drive, drive->frequency.value_or(own)), setting.has_drive_error);
+              wave_load(point, *drive, drive->frequency.value_or(own)), variation.has_drive_errors);
           return std::make_pair(excess, std::move(point));
         });
     CurvePoint point = balanced.found.state;
@@ -255,44 +221,18 @@ namespace ringmotor
     return point;
   }
 
-  std::vector<PointRequest> listed_points(const Loading &loading)
-  {
-    std::vector<PointRequest> requests;
-    for (const double value : loading.values)
-      requests.push_back({loading.control, value});
-    return requests;
-  }
-
-  std::vector<TimedMotor>
-  condense_motors(const std::vector<unsigned int> &levels,
-                  const std::function<CondensedMotor(unsigned int level)> &condense,
-                  const MPI_Comm communicator)
-  {
-    std::vector<std::function<TimedMotor()>> tasks;
-    for (const unsigned int level : levels)
-      tasks.emplace_back(
-          [&condense, level]
-          {
-            Timer timer;
-            TimedMotor motor{condense(level)};
-            motor.seconds = timer.wall_time();
-            return motor;
-          });
-    return shared_work(tasks, communicator);
-  }
-
   std::vector<CurvePoint> find_points(const Parameters &parameters, const CondensedMotor &motor,
-                                      const CurveSetting &setting,
+                                      const Discretisation &discretisation,
+                                      const std::optional<VoltageDrive> &drive,
                                       const std::vector<PointRequest> &requests,
-                                      MPI_Comm communicator,
-                                      const std::function<void(const CurvePoint &)> &after_point,
-                                      PointMemory *memory, const std::vector<CurvePoint> &starts,
-                                      const std::optional<VoltageDrive> &drive)
+                                      MPI_Comm communicator, const std::vector<CurvePoint> &starts,
+                                      PointMemory *memory, Progress *progress)
   {
-    const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator),
-                       n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-    OperatingPointFinder finder(with_parts_of_a_step(parameters, setting.n_parts), motor, memory,
-                                setting, drive);
+    using namespace dealii::Utilities::MPI;
+    const unsigned int rank    = this_mpi_process(communicator),
+                       n_ranks = n_mpi_processes(communicator);
+    OperatingPointFinder finder(with_parts_of_a_step(parameters, discretisation.steps.n_parts),
+                                motor, discretisation, drive, memory);
     // Neighbours on the curve to the same rank: each is the best start for the next one.
     const auto first_of = [&](const unsigned int r) { return r * requests.size() / n_ranks; };
     std::vector<CurvePoint> mine;
@@ -300,7 +240,8 @@ namespace ringmotor
     {
       mine.push_back(finder.find(requests[i], starts.empty() ? nullptr : &starts[i],
                                  starts.empty() || mine.empty() ? nullptr : &starts[i - 1]));
-      after_point(mine.back());
+      if (progress)
+        progress->after_point(mine.back());
     }
     if (n_ranks == 1) // nothing to be packed and unpacked
       return mine;

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/points/causes/list.h>
+#include <ringmotor/points/error_cause.h>
+#include <ringmotor/points/point_quantities.h>
+
+namespace ringmotor
+{
+  namespace
+  {
+    std::vector<std::unique_ptr<const ErrorCause>> make_causes()
+    {
+      std::vector<std::unique_ptr<const ErrorCause>> list;
+      for (const auto make : {causes::of_meshes, causes::of_modes, causes::of_time_step,
+                              causes::of_scheme, causes::of_window, causes::of_wave,
+                              causes::of_effects, causes::of_algebra, causes::of_circuits})
+        list.push_back(make());
+      return list;
+    }
+  } // namespace
+
+  const std::vector<std::unique_ptr<const ErrorCause>> &all_error_causes()
+  {
+    static const std::vector<std::unique_ptr<const ErrorCause>> list = make_causes();
+    return list;
+  }
+
+  double remaining_part(const Cure cure)
+  {
+    return cure == Cure::meshes ? 0.35 : 0.5;
+  }
+
+  PointError ErrorScene::change_by(const Variation &variation, const PointRequest &request) const
+  {
+    return change(table.at(for_variations(), request),
+                  table.at(for_variations().with(variation), request));
+  }
+
+  PointError shares_of(const CurvePoint &point, const double crest_speed, const double of_speed,
+                       const double of_loss)
+  {
+    PointError error;
+    error["friction_loss"] = of_loss * point.result.friction_loss();
+    if (point.request.control == Control::torque)
+      error["speed"] = of_speed * crest_speed;
+    return error;
+  }
+} // namespace ringmotor

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/motor_model.h>
+#include <ringmotor/points/point_finder.h>
+#include <ringmotor/points/point_source.h>
+#include <ringmotor/structure/shared_work.h>
+
+#include <deal.II/base/timer.h>
+
+#include <map>
+#include <optional>
+
+namespace ringmotor
+{
+  ComputedPoints::ComputedPoints(const Parameters &parameters, const StatorWave &wave,
+                                 const RotorVibration &vibration, PointStore &store,
+                                 Progress &progress, const MPI_Comm communicator)
+      : parameters(parameters), wave(wave), vibration(vibration), store(store), progress(progress),
+        communicator(communicator)
+  {
+  }
+
+  std::vector<TimedMotor> ComputedPoints::motors(const std::vector<unsigned int> &levels,
+                                                 const unsigned int modes_level)
+  {
+    const auto modes = motor_model(parameters).rotor_needs_modes() ? std::make_optional(modes_level)
+                                                                   : std::nullopt;
+    std::map<unsigned int, TimedMotor> known;
+    std::vector<unsigned int> missing;
+    for (const unsigned int level : levels)
+      if (std::optional<TimedMotor> kept = store.recall_motor(level, modes))
+        known.emplace(level, std::move(*kept));
+      else
+        missing.push_back(level);
+    if (!missing.empty())
+    {
+      std::vector<TimedMotor> computed = condense(missing, modes_level);
+      for (std::size_t i = 0; i < missing.size(); ++i)
+      {
+        store.keep_motor(missing[i], modes, computed[i].motor);
+        known.emplace(missing[i], std::move(computed[i]));
+      }
+    }
+    std::vector<TimedMotor> all;
+    for (const unsigned int level : levels)
+    {
+      all.push_back(std::move(known.at(level)));
+      progress.condensed(level, all.back().motor);
+    }
+    return all;
+  }
+
+  std::vector<TimedMotor> ComputedPoints::condense(const std::vector<unsigned int> &levels,
+                                                   const unsigned int modes_level) const
+  {
+    if (motor_model(parameters).rotor_needs_modes()) // by all ranks together
+    {
+      progress.enter("vibrations of the rotor");
+      vibration.prepare(modes_level);
+    }
+    std::vector<std::function<TimedMotor()>> tasks;
+    for (const unsigned int level : levels)
+      tasks.emplace_back(
+          [this, level, modes_level]
+          {
+            progress.enter("condensation, interface mesh " + std::to_string(level));
+            dealii::Timer timer;
+            TimedMotor motor{condense_motor(parameters, wave, ContactDiscretisation::level(level),
+                                            modes_level, &vibration)};
+            motor.seconds = timer.wall_time();
+            return motor;
+          });
+    std::vector<TimedMotor> motors = shared_work(tasks, communicator);
+    progress.leave();
+    return motors;
+  }
+
+  std::vector<CurvePoint> ComputedPoints::points(const Discretisation &discretisation,
+                                                 const CondensedMotor &motor,
+                                                 const std::vector<PointRequest> &requests,
+                                                 const std::vector<CurvePoint> &starts)
+  {
+    progress.enter("operating points, " + discretisation.text());
+    progress.before_points(discretisation, motor, requests.size());
+    const Variation variation = discretisation.variation ? *discretisation.variation : Variation();
+    Parameters varied         = parameters;
+    if (variation.change_parameters)
+      variation.change_parameters(varied);
+    std::optional<CondensedMotor> other;
+    if (variation.change_motor)
+      variation.change_motor(other.emplace(motor), wave.relative_error);
+    const std::unique_ptr<PointMemory> memory = store.points(varied, discretisation);
+    std::vector<CurvePoint> points =
+        find_points(varied, other ? *other : motor, discretisation, wave.drive, requests,
+                    communicator, starts, memory.get(), &progress);
+    progress.leave();
+    return points;
+  }
+} // namespace ringmotor
