@@ -88,8 +88,8 @@ namespace ringmotor
         const unsigned int i = mortar.nodes[a].tooth_node;
         point_of[i]          = a;
         motor.nodes.push_back({tooth.surface.surface.nodes[i].place[0],
-                               tooth.surface.surface.nodes[i].place[1], mortar.nodes[a].area,
-                               tooth.free_motion[i]});
+                               tooth.surface.surface.nodes[i].place[1], mortar.nodes[a].area});
+        motor.wave.free_motion.push_back(tooth.free_motion[i]);
         if (model.teeth_give_way)
           for (unsigned int b = 0; b < n; ++b)
             for (unsigned int c = 0; c < 3; ++c)
@@ -161,16 +161,27 @@ namespace ringmotor
                        });
   }
 
-  double CondensedMotor::period() const
+  WaveAtNodes WaveAtNodes::at(const double other_amplitude, const double other_frequency) const
+  {
+    const double factor = other_amplitude == amplitude ? 1. : other_amplitude / amplitude;
+    WaveAtNodes other{other_amplitude, other_frequency, factor * factor * energy, free_motion};
+    for (std::array<Complex, 3> &motion : other.free_motion)
+      for (Complex &component : motion)
+        component *= factor;
+    return other;
+  }
+
+  double WaveAtNodes::period() const
   {
     return 2. * numbers::PI / angular_frequency;
   }
 
-  double CondensedMotor::crest_speed() const
+  double CondensedMotor::crest_speed(const WaveAtNodes &of_wave) const
   {
     double fastest = 0.;
-    for (const Node &node : nodes)
-      fastest = std::max(fastest, angular_frequency * std::abs(node.free_motion[1]) / node.radius);
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      fastest = std::max(fastest, of_wave.angular_frequency * std::abs(of_wave.free_motion[i][1]) /
+                                      nodes[i].radius);
     return fastest;
   }
 
@@ -247,9 +258,9 @@ namespace ringmotor
           modes = of_rotor.at(setting, tooth_top.surface, discretisation.lip_turn);
         if (!model.teeth_vibrate)
           return modes;
-        const std::vector<RingMode> of_tooth =
-            tooth_modes(parameters, setting.mesh, setting.n_harmonics * motor.angular_frequency,
-                        tooth_top.surface, mortar);
+        const std::vector<RingMode> of_tooth = tooth_modes(
+            parameters, setting.mesh, setting.n_harmonics * motor.wave.angular_frequency,
+            tooth_top.surface, mortar);
         const auto excited = harmonics_by_diameter(parameters.motor, setting.n_harmonics);
         for (unsigned int k = 0; k < modes.size(); ++k)
           if (model.rotor_moves_as_whole || excited.count(k) > 0)
@@ -278,16 +289,16 @@ namespace ringmotor
     const CondensedTooth tooth  = condense_tooth(parameters, model, wave, discretisation);
     CondensedRotor rotor = condense_rotor(parameters, model, tooth.surface.surface, discretisation);
     CondensedMotor motor;
-    motor.n_teeth           = parameters.motor.n_teeth;
-    motor.n_waves           = wave.n_waves;
-    motor.angular_frequency = wave.angular_frequency;
-    motor.amplitude         = wave.amplitude;
-    motor.wave_energy       = wave.strain_energy;
-    motor.near_rigid_modes  = std::move(rotor.near_rigid_modes);
-    motor.rotor_mass        = rotor.mass;
-    motor.compliance        = std::move(rotor.compliance);
-    motor.degree            = discretisation.degree;
-    motor.n_dofs            = tooth.n_dofs + rotor.n_dofs;
+    motor.n_teeth                = parameters.motor.n_teeth;
+    motor.n_waves                = wave.n_waves;
+    motor.wave.amplitude         = wave.amplitude;
+    motor.wave.angular_frequency = wave.angular_frequency;
+    motor.wave.energy            = wave.strain_energy;
+    motor.near_rigid_modes       = std::move(rotor.near_rigid_modes);
+    motor.rotor_mass             = rotor.mass;
+    motor.compliance             = std::move(rotor.compliance);
+    motor.degree                 = discretisation.degree;
+    motor.n_dofs                 = tooth.n_dofs + rotor.n_dofs;
     add_teeth(motor, tooth, rotor.mortar, parameters, model);
     motor.compliance.tabulate_if_small();
     if (motor.n_repeats() > 1)
@@ -296,7 +307,7 @@ namespace ringmotor
     if (model.needs_modes())
       add_modes(motor, tooth.surface, rotor.mortar, discretisation, parameters, model,
                 modes_level.value_or(RotorVibration::usual_level),
-                vibration ? *vibration : RotorVibration(parameters, motor.angular_frequency), sets);
+                vibration ? *vibration : RotorVibration(parameters, wave.angular_frequency), sets);
     return motor;
   }
 

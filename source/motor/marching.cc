@@ -7,31 +7,31 @@
 
 namespace ringmotor
 {
-  MarchingDriver::MarchingDriver(const CondensedMotor &motor, const Friction &friction,
+  MarchingDriver::MarchingDriver(const MotorInUse &in_use, const Friction &friction,
                                  const Warp &warp, const double preload)
-      : motor(motor), friction(friction), warp(warp), history(motor, warp)
+      : in_use(in_use), motor(in_use.bodies), friction(friction), warp(warp), history(motor, warp)
   {
     const unsigned int n_points = motor.n_teeth * motor.nodes.size();
-    const TimeStep at_rest{0., motor.period(), std::vector<PointVector>(n_points)};
+    const TimeStep at_rest{0., in_use.wave.period(), std::vector<PointVector>(n_points)};
     const RotorLoad load{preload, {}};
-    const RingContact contact(motor, load, at_rest, warp);
+    const RingContact contact(in_use, load, at_rest, warp);
     StepEnd start;
     start.state = solve_without_friction(contact, motor.constants, contact.pressed_down()).state;
     positions   = contact.positions(start.state);
-    if (!motor.modes.empty())
+    if (!in_use.modes->empty())
     {
-      modes.emplace(motor.modes, motor.n_teeth, motor.dynamics);
+      modes.emplace(*in_use.modes, motor.n_teeth, in_use.dynamics);
       modes->rest(start.state.force);
     }
     if (motor.rotor_mass > 0.)
-      rigid_motions.emplace(motor, start.state.rigid);
+      rigid_motions.emplace(in_use, start.state.rigid);
     history.add(std::move(start));
     memory.resize(n_points);
   }
 
-  MarchingDriver::MarchingDriver(const CondensedMotor &motor, const Friction &friction,
+  MarchingDriver::MarchingDriver(const MotorInUse &in_use, const Friction &friction,
                                  const OperatingState &steady)
-      : motor(motor), friction(friction), warp(), history(motor, warp)
+      : in_use(in_use), motor(in_use.bodies), friction(friction), warp(), history(motor, warp)
   {
     const RingContact &contact  = *steady.contact;
     const unsigned int n_points = motor.n_teeth * motor.nodes.size();
@@ -53,19 +53,19 @@ namespace ringmotor
     start.state.rigid.resize(contact.n_rigid_motions());
     // A repeating part of a ring has no near-rigid modes, but the whole ring has.
     start.state.rigid.resize(1 + 2 * motor.near_rigid_modes.size());
-    if (!motor.modes.empty())
+    if (!in_use.modes->empty())
     {
-      modes.emplace(motor.modes, motor.n_teeth, motor.dynamics);
+      modes.emplace(*in_use.modes, motor.n_teeth, in_use.dynamics);
       modes->set(contact.modal_states(state), start.state.force);
     }
     if (motor.rotor_mass > 0.)
-      rigid_motions.emplace(motor, start.state.rigid);
+      rigid_motions.emplace(in_use, start.state.rigid);
     history.add(std::move(start));
   }
 
   OperatingState MarchingDriver::step(const RotorLoad &load, const double length)
   {
-    const auto contact = std::make_shared<const RingContact>(motor, load, next_step(length), warp);
+    const auto contact = std::make_shared<const RingContact>(in_use, load, next_step(length), warp);
     std::vector<FrictionMemory> limits = memory;
     const PointFriction law            = [&](const unsigned int point, const double slip)
     { return friction_coefficient(friction, limits[point], slip, length); };
@@ -105,9 +105,9 @@ namespace ringmotor
   void MarchingDriver::damp(const double loss_factor)
   {
     if (modes)
-      modes->damp(std::max(loss_factor, motor.dynamics.loss_factor));
+      modes->damp(std::max(loss_factor, in_use.dynamics.loss_factor));
     if (rigid_motions)
-      rigid_motions->damping = loss_factor * motor.angular_frequency;
+      rigid_motions->damping = loss_factor * in_use.wave.angular_frequency;
     step_length = 0.; // the compliance in a step depends on it
   }
 

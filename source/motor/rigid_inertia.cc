@@ -3,13 +3,14 @@
 
 namespace ringmotor
 {
-  MarchedRigidMotions::MarchedRigidMotions(const CondensedMotor &motor,
+  MarchedRigidMotions::MarchedRigidMotions(const MotorInUse &motor,
                                            const std::vector<double> &displacements)
       : scheme(motor.dynamics.scheme)
   {
     for (unsigned int r = 0; r < displacements.size(); ++r)
-      motions.push_back({r == 0 ? motor.rotor_mass : motor.near_rigid_modes[(r - 1) / 2].inertia,
-                         {displacements[r], 0., 0.}});
+      motions.push_back(
+          {r == 0 ? motor.bodies.rotor_mass : motor.bodies.near_rigid_modes[(r - 1) / 2].inertia,
+           {displacements[r], 0., 0.}});
   }
 
   std::vector<InertiaInStep> MarchedRigidMotions::in_step(const double dt) const

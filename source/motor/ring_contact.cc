@@ -8,12 +8,12 @@ namespace ringmotor
 {
   using namespace dealii;
 
-  RingContact::RingContact(const CondensedMotor &motor, const RotorLoad &load,
+  RingContact::RingContact(const MotorInUse &in_use, const RotorLoad &load,
                            const SteadyStep &steady_step,
                            std::shared_ptr<const SteadyDynamics> with_inertia)
-      : motor(motor), load(load), fold(motor.n_repeats()), n_sectors(motor.n_teeth / fold),
-        n_nodes(motor.nodes.size()), n_samples(steady_step.n_samples),
-        step(step_length(motor, steady_step)),
+      : motor(in_use.bodies), wave(in_use.wave), load(load), fold(motor.n_repeats()),
+        n_sectors(motor.n_teeth / fold), n_nodes(motor.nodes.size()),
+        n_samples(steady_step.n_samples), step(step_length(motor, wave, steady_step)),
         steady_neighbour(steady_step.n_joined * ringmotor::steady_neighbour(motor) % n_sectors),
         // Forces that repeat themselves around the ring neither shift nor tilt the rotor.
         n_rigid_of_sample(fold > 1 ? 1 : 1 + 2 * motor.near_rigid_modes.size()),
@@ -27,11 +27,11 @@ namespace ringmotor
     tabulate_rigid_motions();
   }
 
-  RingContact::RingContact(const CondensedMotor &motor, const RotorLoad &load,
+  RingContact::RingContact(const MotorInUse &in_use, const RotorLoad &load,
                            const TimeStep &time_step, const Warp &warp)
-      : motor(motor), load(load), fold(1), n_sectors(motor.n_teeth), n_nodes(motor.nodes.size()),
-        n_samples(1), step(time_step.length), given(time_step.earlier), steady_neighbour(0),
-        n_rigid_of_sample(1 + 2 * motor.near_rigid_modes.size()),
+      : motor(in_use.bodies), wave(in_use.wave), load(load), fold(1), n_sectors(motor.n_teeth),
+        n_nodes(motor.nodes.size()), n_samples(1), step(time_step.length), given(time_step.earlier),
+        steady_neighbour(0), n_rigid_of_sample(1 + 2 * motor.near_rigid_modes.size()),
         compliance(time_step.compliance
                        ? time_step.compliance
                        : std::make_shared<const BlockCompliance>(motor.compliance, n_samples)),
@@ -45,11 +45,11 @@ namespace ringmotor
   {
     for (unsigned int point = 0; point < n_points(); ++point)
     {
-      const double phase = motor.angular_frequency * (first_time + sample(point) * step) -
+      const double phase = wave.angular_frequency * (first_time + sample(point) * step) -
                            motor.n_waves * motor.pitch() * tooth(point);
       PointVector motion;
       for (unsigned int c = 0; c < 3; ++c)
-        motion[c] = (node(point).free_motion[c] * std::polar(1., phase)).real();
+        motion[c] = (wave.free_motion[point % n_nodes][c] * std::polar(1., phase)).real();
       motion[0] += warp.height(motor.pitch() * tooth(point) + node(point).angle);
       stator.push_back(motion);
     }

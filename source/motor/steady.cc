@@ -43,11 +43,18 @@ namespace ringmotor
     return memory;
   }
 
-  SteadyDriver::SteadyDriver(const CondensedMotor &motor, const Friction &friction,
+  SteadyDriver::SteadyDriver(const MotorInUse &motor, const Friction &friction,
                              const SteadyStep &step)
       : motor(motor), friction(friction), step(step)
   {
-    if (!motor.modes.empty())
+    set_wave(motor.wave);
+  }
+
+  void SteadyDriver::set_wave(const WaveAtNodes &wave)
+  {
+    const bool has_other_frequency = wave.angular_frequency != motor.wave.angular_frequency;
+    motor.wave                     = wave;
+    if (!motor.modes->empty() && (!dynamics || has_other_frequency))
       dynamics = std::make_shared<const SteadyDynamics>(motor, step, motor.dynamics);
   }
 
@@ -75,10 +82,10 @@ namespace ringmotor
     { return friction_coefficient(friction, memory[point], slip, contact->time_step()); };
     for (unsigned int round = 0; round < most_rounds; ++round)
     {
-      ContactSolution solution =
-          solve_contact(*contact, law, motor.constants, from.state, from.motion, solver, fallback);
-      n_iterations = solution.n_iterations += n_iterations;
-      from.state   = solution.state;
+      ContactSolution solution = solve_contact(*contact, law, motor.bodies.constants, from.state,
+                                               from.motion, solver, fallback);
+      n_iterations             = solution.n_iterations += n_iterations;
+      from.state               = solution.state;
       from.motion.clear();
       if (memory.settled(solution))
       {
@@ -121,7 +128,7 @@ namespace ringmotor
           [&](const unsigned int i, const double) {
             return FrictionCoefficient{coefficients[i], 0.};
           },
-          motor.constants, from.state, from.motion, solver);
+          motor.bodies.constants, from.state, from.motion, solver);
       n_iterations += solution.n_iterations;
       from   = {solution.state, solution.motion, travelled(contact, solution), from.speed};
       change = coefficients.update(from.state, from.motion);
@@ -133,7 +140,7 @@ namespace ringmotor
   {
     // Without load the rotor turns somewhat slower than the wave's crests.
     const RotorLoad with_speed{
-        load.preload, {}, load.torque ? 0.97 * motor.crest_speed() : load.speed};
+        load.preload, {}, load.torque ? 0.97 * motor.bodies.crest_speed(motor.wave) : load.speed};
     const RingContact contact(motor, with_speed, step);
     // The law with a jump starts with the static limit everywhere.
     const Start pressed{contact.pressed_down(),

@@ -12,9 +12,9 @@ namespace ringmotor
     return s % (n / fold);
   }
 
-  double step_length(const CondensedMotor &motor, const SteadyStep &step)
+  double step_length(const CondensedMotor &motor, const WaveAtNodes &wave, const SteadyStep &step)
   {
-    return motor.period() * step.n_joined / (motor.n_teeth / motor.n_repeats() * step.n_samples);
+    return wave.period() * step.n_joined / (motor.n_teeth / motor.n_repeats() * step.n_samples);
   }
 
   namespace
@@ -33,12 +33,13 @@ namespace ringmotor
     }
   } // namespace
 
-  SteadyDynamics::SteadyDynamics(const CondensedMotor &motor, const SteadyStep &step,
+  SteadyDynamics::SteadyDynamics(const MotorInUse &motor, const SteadyStep &step,
                                  const RingDynamics &dynamics)
-      : inertia(motor.modes, motor.n_waves, motor.n_teeth, motor.period(),
-                motor.n_teeth / motor.n_repeats() * step.n_samples, step_length(motor, step),
-                dynamics),
-        compliance(motor.repeating(), step.n_samples, inertia.compliance(), instants(motor, step))
+      : inertia(*motor.modes, motor.bodies.n_waves, motor.bodies.n_teeth, motor.wave.period(),
+                motor.bodies.n_teeth / motor.bodies.n_repeats() * step.n_samples,
+                step_length(motor.bodies, motor.wave, step), dynamics),
+        compliance(motor.bodies.repeating(), step.n_samples, inertia.compliance(),
+                   instants(motor.bodies, step))
   {
   }
 } // namespace ringmotor

@@ -78,7 +78,7 @@ namespace ringmotor
           {
             // Tooth i + j is in the state in which tooth i was n j alpha / omega ago.
             double time = fields.times[m] - motor.n_waves * (1. * tooth - watched) * motor.pitch() /
-                                                motor.angular_frequency;
+                                                motor.wave.angular_frequency;
             time -= motor.period() * std::floor(time / motor.period() + 1e-9);
             sights.push_back({time, m, tooth});
           }

@@ -136,7 +136,7 @@ namespace ringmotor
     file.set_attribute("/", "motor", parameters.motor.name);
     file.set_attribute("/", "n_waves", motor.n_waves);
     file.set_attribute("/", "n_teeth", motor.n_teeth);
-    file.set_attribute("/", "angular_frequency_rad_per_s", motor.angular_frequency);
+    file.set_attribute("/", "angular_frequency_rad_per_s", motor.wave.angular_frequency);
     file.set_attribute("/", "n_points", static_cast<unsigned int>(points.size()));
     file.set_attribute("/", "parameters", text_of(relevant_for_points(parameters)));
     file.set_attribute("/", "wave", wave.identity());
@@ -146,9 +146,10 @@ namespace ringmotor
       radius.push_back(node.radius);
       angle.push_back(node.angle);
       area.push_back(node.area);
-      for (const std::complex<double> &component : node.free_motion)
-        free_motion.insert(free_motion.end(), {component.real(), component.imag()});
     }
+    for (const auto &motion : motor.wave.free_motion)
+      for (const std::complex<double> &component : motion)
+        free_motion.insert(free_motion.end(), {component.real(), component.imag()});
     const std::vector<std::size_t> dims{motor.nodes.size()};
     file.write("nodes/radius", radius, dims, "m", "radius of the contact nodes of a tooth");
     file.write("nodes/angle", angle, dims, "rad", "their angle from the tooth's centre");

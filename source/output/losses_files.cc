@@ -2,7 +2,7 @@
 #include <ringmotor/output/losses_files.h>
 #include <ringmotor/output/table.h>
 #include <ringmotor/output/text.h>
-#include <ringmotor/points/loaded_wave.h>
+#include <ringmotor/points/wave_balance.h>
 
 #include <algorithm>
 

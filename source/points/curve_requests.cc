@@ -80,7 +80,7 @@ namespace ringmotor
     table.fill(first, ends, PointTable::Start::rest);
     stalled           = find(stall);
     stall_torque      = stalled.result.torque;
-    largest_amplitude = motor().amplitude;
+    largest_amplitude = motor().wave.amplitude;
     // Where so many points stick at rest, friction may balance any torque.
     constexpr double sticking = 0.5;
     if (stalled.result.stick_fraction > sticking)
@@ -212,7 +212,7 @@ namespace ringmotor
 
   QuantityScales CurveRequests::scales(const CondensedMotor &motor) const
   {
-    return {motor.crest_speed() * (largest_amplitude / motor.amplitude),
+    return {motor.crest_speed() * (largest_amplitude / motor.wave.amplitude),
             parameters.friction.dynamic_coefficient * parameters.loading.preload *
                 motor.nodes.front().radius,
             stall_torque};

@@ -75,7 +75,7 @@ namespace ringmotor
       Estimator(const Parameters &parameters, const VoltageDrive &drive, const CondensedMotor &fine,
                 const CondensedMotor &coarse, const Discretisation &discretisation)
           : drive(drive), feels_contact(motor_model(parameters).wave_feels_contact),
-            wave_frequency(fine.angular_frequency),
+            wave_frequency(fine.wave.angular_frequency),
             finders{{finder(parameters, fine, discretisation),
                      finder(parameters, coarse, discretisation),
                      finder(parameters, fine, discretisation.with(discretisation.steps.halved()))}}
@@ -175,7 +175,7 @@ namespace ringmotor
     std::vector<ResponsePoint> above;
     try
     {
-      const double largest = estimator.at_resonance(request, fine.amplitude);
+      const double largest = estimator.at_resonance(request, fine.wave.amplitude);
       for (const double share : shares)
       {
         const std::array<ResponsePoint, 2> sides = estimator.at(request, share * largest);

@@ -36,7 +36,7 @@ namespace ringmotor
     return margin * (*high - *low);
   }
 
-  MarchedRun::MarchedRun(const Parameters &parameters, const CondensedMotor &motor,
+  MarchedRun::MarchedRun(const Parameters &parameters, const MotorInUse &motor,
                          const PointRequest &request, const unsigned int n_joined)
       : load(load_of(parameters.loading, request)), n_parts(parameters.time.n_snapshots),
         n_joined(n_joined),
@@ -93,8 +93,7 @@ namespace ringmotor
     class Settling
     {
     public:
-      Settling(const Parameters &parameters, const CondensedMotor &motor,
-               const PointRequest &request);
+      Settling(const Parameters &parameters, const MotorInUse &motor, const PointRequest &request);
 
       /** Of a step, s: a period of the solution is a whole number of them. */
       double step_length() const;
@@ -119,7 +118,7 @@ namespace ringmotor
       [[noreturn]] void give_up() const;
 
       const Time time;
-      const CondensedMotor &motor;
+      const MotorInUse &motor;
       const PointRequest request;
       const RingPattern pattern;
       const unsigned int n_parts;                       ///< of a period of the wave, see Repetition
@@ -129,24 +128,24 @@ namespace ringmotor
       PointError rest;
     };
 
-    Settling::Settling(const Parameters &parameters, const CondensedMotor &motor,
+    Settling::Settling(const Parameters &parameters, const MotorInUse &motor,
                        const PointRequest &request)
         : time(parameters.time), motor(motor),
-          request(request), pattern{motor.n_waves, motor.n_teeth,
+          request(request), pattern{motor.bodies.n_waves, motor.bodies.n_teeth,
                                     motor_model(parameters).warp.n_waves},
           n_parts(repetition_of(pattern).n_parts),
           tolerance(AccuracyBudget(parameters.accuracy).marched_means())
     {
       const Friction friction = motor_model(parameters).friction;
       const double mu         = std::max(friction.static_coefficient, friction.dynamic_coefficient);
-      for (const CondensedMotor::Node &node : motor.nodes)
+      for (const CondensedMotor::Node &node : motor.bodies.nodes)
         largest = std::max(largest, mu * parameters.loading.preload * node.radius);
     }
 
     double Settling::step_length() const
     {
       constexpr double rounding = 1e-3; // of a step given with a few digits
-      const double period       = motor.period() / n_parts;
+      const double period       = motor.wave.period() / n_parts;
       return period / std::ceil(period / time.time_step * (1. - rounding));
     }
 
@@ -156,8 +155,9 @@ namespace ringmotor
       point.request        = request;
       point.result         = span.mean;
       point.rotor_energies = rotor_energies(span.fields, pattern);
-      point.rotor_power    = power_per_loss_factor(point.rotor_energies, motor.angular_frequency) +
-                          point.result.modal_damping;
+      point.rotor_power =
+          power_per_loss_factor(point.rotor_energies, motor.wave.angular_frequency) +
+          point.result.modal_damping;
       point.fields = std::move(span.fields);
       return point;
     }
@@ -170,7 +170,7 @@ namespace ringmotor
       {
         run.damp(loss_factor);
         const double n_periods = std::ceil(decay / (numbers::PI * loss_factor));
-        run.advance(std::lround(n_periods * motor.period() / step_length()), step_length());
+        run.advance(std::lround(n_periods * motor.wave.period() / step_length()), step_length());
       }
       run.damp(0.);
     }
@@ -181,7 +181,7 @@ namespace ringmotor
       // and lose their friction history when they separate.
       const unsigned int n_periods = (n_parts + 3) / 4;
       const auto n_steps           = static_cast<unsigned int>(
-          std::lround(n_periods * motor.period() / n_parts / step_length()));
+          std::lround(n_periods * motor.wave.period() / n_parts / step_length()));
       constexpr unsigned int most_spans = 60;
       for (unsigned int number = 0; number < most_spans; ++number)
       {
@@ -211,10 +211,10 @@ namespace ringmotor
       // its oscillations with almost no loss may continue forever. The error bar includes them.
       constexpr std::size_t patience      = 20;
       constexpr double share              = 1e-3;
-      const double little                 = share * largest * motor.crest_speed();
+      const double little                 = share * largest * motor.bodies.crest_speed(motor.wave);
       const std::vector<double> &of_loss  = means.at("friction_loss"),
                                 &of_rotor = means.at("rotor_power_per_loss_factor");
-      return rest["speed"] <= tolerance * motor.crest_speed() &&
+      return rest["speed"] <= tolerance * motor.bodies.crest_speed(motor.wave) &&
              rest["torque"] <= tolerance * largest &&
              rest["friction_loss"] <= tolerance * std::max(of_loss.back(), little) &&
              (rest["rotor_power_per_loss_factor"] <=
@@ -245,7 +245,7 @@ namespace ringmotor
         range("torques from", "torque", "N m");
       range(" and friction losses from", "friction_loss", "W");
       text << "; choose a larger Accuracy/Contact target, a smaller Time/Time step"
-           << (motor.rotor_mass > 0. ? ", or Effects/Rotor inertia = off" : "");
+           << (motor.bodies.rotor_mass > 0. ? ", or Effects/Rotor inertia = off" : "");
       throw ComputationError(text.str());
     }
 
@@ -270,7 +270,7 @@ namespace ringmotor
     }
   } // namespace
 
-  CurvePoint find_marched(const Parameters &parameters, const CondensedMotor &motor,
+  CurvePoint find_marched(const Parameters &parameters, const MotorInUse &motor,
                           const PointRequest &request, const unsigned int n_joined)
   {
     MarchedRun run(parameters, motor, request, n_joined);
@@ -281,7 +281,7 @@ namespace ringmotor
     else
     {
       run.advance(1, settling.step_length());
-      if (motor.rotor_mass > 0.)
+      if (motor.bodies.rotor_mass > 0.)
         settling.calm(run);
       point                 = settling.settle(run);
       point.unsettled_means = settling.remaining();

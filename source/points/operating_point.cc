@@ -62,11 +62,11 @@ namespace ringmotor
         }
       }
       const CondensedMotor &motor = contact.condensed_motor();
-      point.amplitude             = motor.amplitude;
+      point.amplitude             = contact.stator_wave().amplitude;
       point.teeth_in_contact      = static_cast<double>(touching.size()) * contact.n_repeats() /
                                (contact.n_times() * motor.n_waves);
       point.stick_fraction = pressed > 0. ? stuck / pressed : 0.;
-      drop_rounding(point.speed, motor.crest_speed());
+      drop_rounding(point.speed, motor.crest_speed(contact.stator_wave()));
       drop_rounding(point.torque, pressed * motor.nodes.front().radius);
       for (double OperatingPoint::*power :
            {&OperatingPoint::tangential_loss, &OperatingPoint::radial_loss,
@@ -93,7 +93,7 @@ namespace ringmotor
     for (unsigned int i = 0; i < contact.n_points(); ++i)
       work += state.solution.state.force[i] * contact.free_motion(i);
     work *= static_cast<double>(contact.n_repeats()) / contact.n_times();
-    const double energy = contact.condensed_motor().wave_energy;
+    const double energy = contact.stator_wave().energy;
     return energy > 0. ? work / (4. * energy) : 0.;
   }
 

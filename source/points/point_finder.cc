@@ -38,15 +38,16 @@ namespace ringmotor
   } // namespace
 
   OperatingPointFinder::OperatingPointFinder(const Parameters &all_parameters,
-                                             const CondensedMotor &motor,
+                                             const MotorInUse &motor,
                                              const Discretisation &discretisation,
                                              const std::optional<VoltageDrive> &drive,
                                              PointMemory *memory)
       : n_joined(discretisation.steps.n_joined),
         variation(discretisation.variation ? *discretisation.variation : Variation()),
         parameters(relevant_for_points(all_parameters)), model(motor_model(parameters)),
-        motor(motor), drive(drive), wave(motor, model, {parameters.time.n_snapshots, n_joined}),
-        amplitude(motor.amplitude), memory(memory)
+        motor(motor), drive(drive),
+        steady(motor, model.friction, {parameters.time.n_snapshots, n_joined}),
+        amplitude(motor.wave.amplitude), memory(memory)
   {
   }
 
@@ -54,7 +55,6 @@ namespace ringmotor
                                    const CurvePoint *start_before)
   {
     const RotorLoad load = load_of(parameters.loading, request);
-    SteadyDriver &steady = wave.driver();
     // With inertia the neighbour on the curve is closer than the same point with other steps, but
     // not closer than that with a slightly different wave or modes.
     const bool neighbour_is_nearer =
@@ -62,7 +62,7 @@ namespace ringmotor
     if (start.fields.force.empty())
     {
       steady.start_from_rest();
-      amplitude = motor.amplitude;
+      amplitude = motor.wave.amplitude;
       detuning  = 0.;
       return;
     }
@@ -95,8 +95,8 @@ namespace ringmotor
       {
         if (!is_marched(parameters))
         {
-          wave.driver().go_on_from(load_of(parameters.loading, request), solution_of(*known),
-                                   known->result.speed);
+          steady.go_on_from(load_of(parameters.loading, request), solution_of(*known),
+                            known->result.speed);
           begin_with_wave_of(*known);
         }
         return *known;
@@ -136,13 +136,14 @@ namespace ringmotor
     /** Whether the difference between two points, of which @p share counts, is far below the
      * smallest targets; what it is becomes part of the error bars. */
     bool are_alike(const CurvePoint &one, const CurvePoint &other, const double share,
-                   const double preload, const CondensedMotor &motor)
+                   const double preload, const MotorInUse &motor)
     {
       constexpr double negligible = 1e-4, little = 1e-2;
-      const double torque = preload * motor.nodes.front().radius,
-                   speed  = motor.crest_speed() * one.result.amplitude / motor.amplitude,
-                   loss   = std::max(one.result.friction_loss(), little * torque * speed);
-      PointError rest     = share / negligible * change(other, one);
+      const double torque = preload * motor.bodies.nodes.front().radius,
+                   speed  = motor.bodies.crest_speed(motor.wave) * one.result.amplitude /
+                           motor.wave.amplitude,
+                   loss = std::max(one.result.friction_loss(), little * torque * speed);
+      PointError rest   = share / negligible * change(other, one);
       return rest["speed"] <= speed && rest["torque"] <= torque && rest["friction_loss"] <= loss;
     }
 
@@ -159,7 +160,7 @@ namespace ringmotor
   CurvePoint OperatingPointFinder::find_steady(const PointRequest &request)
   {
     if (!drive)
-      return find_at(request, motor.amplitude);
+      return find_at(request, motor.wave.amplitude);
     const StableRoot<CurvePoint> balanced = balanced_amplitude<CurvePoint>(
         amplitude,
         [&](const double of_wave)
@@ -179,11 +180,11 @@ namespace ringmotor
   CurvePoint OperatingPointFinder::find_at(const PointRequest &request, const double of_wave)
   {
     if (!model.wave_feels_contact)
-      return at_frequency(request, of_wave, motor.angular_frequency);
+      return at_frequency(request, of_wave, motor.wave.angular_frequency);
     // The frequency at which the state found there has the detuning that this frequency requires.
     // With inertia the state depends on it, so that mere repetition converges slowly, beside a
     // resonance not at all.
-    const double natural              = motor.angular_frequency;
+    const double natural              = motor.wave.angular_frequency;
     const StableRoot<CurvePoint> root = stable_root<CurvePoint>(
         1. + detuning,
         [&](const double place)
@@ -209,19 +210,21 @@ namespace ringmotor
   CurvePoint OperatingPointFinder::at_frequency(const PointRequest &request, const double of_wave,
                                                 const double at)
   {
-    const OperatingState state = wave.at(load_of(parameters.loading, request), of_wave, at);
+    steady.set_wave(motor.wave.at(of_wave, at));
+    const OperatingState state = steady.at(load_of(parameters.loading, request));
     CurvePoint point;
     point.request = request;
     point.result  = evaluate(state);
     point.add_certificate(state.solution);
-    point.fields         = fields_of(state, 0.);
-    point.rotor_energies = rotor_energies(point.fields, {motor.n_waves, motor.n_teeth, 0});
-    point.rotor_power    = power_per_loss_factor(point.rotor_energies, motor.angular_frequency) +
+    point.fields = fields_of(state, 0.);
+    point.rotor_energies =
+        rotor_energies(point.fields, {motor.bodies.n_waves, motor.bodies.n_teeth, 0});
+    point.rotor_power = power_per_loss_factor(point.rotor_energies, motor.wave.angular_frequency) +
                         point.result.modal_damping;
     return point;
   }
 
-  std::vector<CurvePoint> find_points(const Parameters &parameters, const CondensedMotor &motor,
+  std::vector<CurvePoint> find_points(const Parameters &parameters, const MotorInUse &motor,
                                       const Discretisation &discretisation,
                                       const std::optional<VoltageDrive> &drive,
                                       const std::vector<PointRequest> &requests,

@@ -7,7 +7,6 @@
 #include <deal.II/base/timer.h>
 
 #include <map>
-#include <optional>
 
 namespace ringmotor
 {
@@ -85,13 +84,13 @@ namespace ringmotor
     Parameters varied         = parameters;
     if (variation.change_parameters)
       variation.change_parameters(varied);
-    std::optional<CondensedMotor> other;
+    MotorInUse in_use = motor;
     if (variation.change_motor)
-      variation.change_motor(other.emplace(motor), wave.relative_error);
+      variation.change_motor(in_use, wave.relative_error);
     const std::unique_ptr<PointMemory> memory = store.points(varied, discretisation);
     std::vector<CurvePoint> points =
-        find_points(varied, other ? *other : motor, discretisation, wave.drive, requests,
-                    communicator, starts, memory.get(), &progress);
+        find_points(varied, in_use, discretisation, wave.drive, requests, communicator, starts,
+                    memory.get(), &progress);
     progress.leave();
     return points;
   }

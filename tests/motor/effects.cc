@@ -300,8 +300,8 @@ TEST(StatorBackReaction, TunesTheWaveAsRayleighSays)
     for (unsigned int i = 0; i < given.fields.force.size(); ++i)
       for (unsigned int c = 0; c < 3; ++c)
         work += given.fields.force[i][c] *
-                (motor.nodes[i % n_nodes].free_motion[c] *
-                 std::polar(1., motor.angular_frequency * given.fields.times[0] -
+                (motor.wave.free_motion[i % n_nodes][c] *
+                 std::polar(1., motor.wave.angular_frequency * given.fields.times[0] -
                                     2. * M_PI * 7. / 90. * (i / n_nodes)))
                     .real();
     const double shift = work / (4. * wave.strain_energy);
@@ -333,7 +333,7 @@ TEST(StatorBackReaction, FollowsTheFrequencyOfTheWaveWithInertia)
   const double shift   = own.result.detuning;
   record("relative shift of the frequency", shift);
   EXPECT_GT(shift, 5e-3);
-  motor.angular_frequency *= 1. + shift;
+  motor.wave.angular_frequency *= 1. + shift;
   const CurvePoint given = OperatingPointFinder(parameters, motor).find(request);
   EXPECT_NEAR(given.result.detuning, shift, 1e-6 * shift);
   EXPECT_NEAR(given.result.speed, own.result.speed, 1e-6 * own.result.speed);

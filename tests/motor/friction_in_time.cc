@@ -23,10 +23,11 @@ namespace
   CondensedMotor teeth_on_springs()
   {
     CondensedMotor motor;
-    motor.n_teeth           = n_teeth;
-    motor.n_waves           = 3;
-    motor.angular_frequency = 2. * M_PI * 30e3;
-    motor.nodes.push_back({radius, 0., 1e-6, {}});
+    motor.n_teeth                = n_teeth;
+    motor.n_waves                = 3;
+    motor.wave.angular_frequency = 2. * M_PI * 30e3;
+    motor.nodes.push_back({radius, 0., 1e-6});
+    motor.wave.free_motion.emplace_back();
     const dealii::FullMatrix<double> basis{dealii::IdentityMatrix(3)};
     std::vector<std::complex<double>> of_wave(9);
     of_wave[0] = of_wave[4] = of_wave[8] = compliance;

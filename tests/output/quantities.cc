@@ -76,6 +76,7 @@ namespace
       csv = row_of(content_of(scratch.path("torque_speed.csv")));
       CondensedMotor motor;
       motor.nodes.resize(1);
+      motor.wave.free_motion.resize(1);
       wave.fingerprint = "wave";
       write_contact_h5(path(), parameters, wave, motor, {point});
       Summary summary;

@@ -75,8 +75,8 @@ namespace
     const unsigned int last    = fields.times.size() - 1;
     const MotorBodies bodies(parameters, wave, discretisation, motor.degree);
     const RingBody::Displacement
-        rotor = bodies.rotor_motions(motor, {{fields, last, motor.amplitude}}).front(),
-        teeth = bodies.teeth_motions({{fields, last, motor.amplitude}}).front();
+        rotor = bodies.rotor_motions(motor, {{fields, last, motor.wave.amplitude}}).front(),
+        teeth = bodies.teeth_motions({{fields, last, motor.wave.amplitude}}).front();
 
     const ToothBody tooth_body(parameters, discretisation);
     const RotorBody rotor_body(parameters, discretisation);

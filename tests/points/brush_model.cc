@@ -52,11 +52,12 @@ namespace
     parameters.friction.lining_tangential_stiffness =
         1000. * *parameters.friction.lining_normal_stiffness;
     CondensedMotor motor = condense_motor(parameters, wave, mesh);
+    motor.wave.free_motion.clear();
     for (CondensedMotor::Node &node : motor.nodes)
     {
       const std::complex<double> phase = std::polar(1., -7. * node.angle), i(0., 1.);
       node.radius                      = radius;
-      node.free_motion                 = {{2e-6 * phase, -i * 1.44e-6 * phase, 0.}};
+      motor.wave.free_motion.push_back({{2e-6 * phase, -i * 1.44e-6 * phase, 0.}});
     }
     return motor;
   }

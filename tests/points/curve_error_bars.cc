@@ -40,11 +40,12 @@ namespace
                                    const unsigned int modes_level) override
     {
       CondensedMotor motor;
-      motor.n_teeth           = 90;
-      motor.n_waves           = 7;
-      motor.angular_frequency = 2. * dealii::numbers::PI / period;
-      motor.amplitude         = 2e-6;
-      motor.nodes  = {{1., 0., 1., {}}, {2., 0., 1., {}}, {1., 0.1, 1., {}}, {2., 0.1, 1., {}}};
+      motor.n_teeth                = 90;
+      motor.n_waves                = 7;
+      motor.wave.angular_frequency = 2. * dealii::numbers::PI / period;
+      motor.wave.amplitude         = 2e-6;
+      motor.wave.free_motion.resize(4);
+      motor.nodes  = {{1., 0., 1.}, {2., 0., 1.}, {1., 0.1, 1.}, {2., 0.1, 1.}};
       motor.faces  = {{0, 1, 2, 3}};
       motor.degree = 1;
       if (vibrates)

@@ -115,10 +115,11 @@ namespace
   {
     constexpr double amplitude = 1e-6, soft = 1e-9;
     CondensedMotor motor;
-    motor.n_teeth           = 20;
-    motor.n_waves           = 3;
-    motor.angular_frequency = 2. * M_PI * 30e3;
-    motor.nodes.push_back({35e-3, 0., 1e-6, {{amplitude, 0., 0.}}});
+    motor.n_teeth                = 20;
+    motor.n_waves                = 3;
+    motor.wave.angular_frequency = 2. * M_PI * 30e3;
+    motor.nodes.push_back({35e-3, 0., 1e-6});
+    motor.wave.free_motion  = {{{amplitude, 0., 0.}}};
     const double compliance = 1. / (mass * frequency * frequency);
     dealii::FullMatrix<double> basis{dealii::IdentityMatrix(3)};
     std::vector<Complex> wave(9);

@@ -21,7 +21,7 @@ namespace
     const unsigned int n_rows = radii.size(), n_columns = angles.size();
     for (const double radius : radii)
       for (const double angle : angles)
-        motor.nodes.push_back({radius, angle, 1., {}});
+        motor.nodes.push_back({radius, angle, 1.});
     for (unsigned int i = 0; i + 1 < n_rows; ++i)
       for (unsigned int j = 0; j + 1 < n_columns; ++j)
       {

@@ -129,8 +129,8 @@ TEST(MotorIndependence, OfTheFirstTooth)
   const Parameters parameters = reference_motor();
   CondensedMotor motor        = condense_motor(parameters, stator_wave(parameters), coarse());
   const double speed          = speed_of(parameters, motor, 0.08);
-  for (CondensedMotor::Node &node : motor.nodes)
-    for (std::complex<double> &component : node.free_motion)
+  for (auto &motion : motor.wave.free_motion)
+    for (std::complex<double> &component : motion)
       component *= std::polar(1., -motor.n_waves * motor.pitch());
   EXPECT_NEAR(speed_of(parameters, motor, 0.08), speed, 1e-8 * speed);
 }

@@ -5,7 +5,7 @@
 #include <ringmotor/motor/voltage_drive.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/points/frequency_response.h>
-#include <ringmotor/points/loaded_wave.h>
+#include <ringmotor/points/wave_balance.h>
 
 #include <gtest/gtest.h>
 

@@ -36,6 +36,26 @@ namespace ringmotor
     std::string identity() const { return fingerprint + (drive ? ", " + drive->text() : ""); }
   };
 
+  /** The stator's wave as contact nodes feel it. */
+  struct WaveAtNodes
+  {
+    double amplitude         = 0.; ///< m, see StatorWave
+    double angular_frequency = 0.; ///< rad/s
+    double energy            = 0.; ///< J, strain energy in the whole ring
+    /** m, of the nodes of tooth 0 without contact forces, see PointVector. */
+    std::vector<std::array<std::complex<double>, 3>> free_motion;
+
+    /** A wave of the same shape at an amplitude (m) and a frequency (rad/s). */
+    WaveAtNodes at(const double other_amplitude, const double other_frequency) const;
+    double period() const;
+
+    template <class Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      archive &amplitude &angular_frequency &energy &free_motion;
+    }
+  };
+
   /** Which vibrations of its bodies a motor has. */
   enum class ModeSets
   {
@@ -52,20 +72,16 @@ namespace ringmotor
       double radius; ///< m
       double angle;  ///< rad
       double area;   ///< m^2
-      std::array<std::complex<double>, 3>
-          free_motion; ///< m, of the tooth without contact forces, see PointVector
 
       template <class Archive>
       void serialize(Archive &archive, const unsigned int)
       {
-        archive &radius &angle &area &free_motion;
+        archive &radius &angle &area;
       }
     };
 
     unsigned int n_teeth = 0, n_waves = 0;
-    double angular_frequency = 0.; ///< rad/s
-    double amplitude         = 0.; ///< m, of the wave
-    double wave_energy       = 0.; ///< J, strain energy of the stator's wave in the whole ring
+    WaveAtNodes wave; ///< as it was requested
     /** A motion of the rotor with one wave around the ring that meets almost no stiffness: a tilt
      * or, without bars, a shift. */
     struct NearRigidMode
@@ -108,19 +124,34 @@ namespace ringmotor
     /** The compliance of the repeating part. */
     const RingCompliance &repeating() const { return n_repeats() > 1 ? folded : compliance; }
 
-    double period() const;
+    double period() const { return wave.period(); }
     double pitch() const;
-    /** Speed (rad/s) of a rotor that follows the crests of the free wave where they are fastest. */
-    double crest_speed() const;
+    /** Speed (rad/s) of a rotor that follows the crests of a free wave where they are fastest. */
+    double crest_speed(const WaveAtNodes &of_wave) const;
+    double crest_speed() const { return crest_speed(wave); }
 
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &n_teeth &n_waves &angular_frequency &amplitude &wave_energy &nodes &near_rigid_modes
-          &compliance &folded;
+      archive &n_teeth &n_waves &wave &nodes &near_rigid_modes &compliance &folded;
       archive &constants.normal &constants.tangential &tooth_compliance &faces &degree &n_dofs;
       archive &rotor_mass &modes &coarse_modes &modes_of_other_harmonics &modes_level &dynamics;
     }
+  };
+
+  /** A condensed motor with what a search may vary of it, so that nothing large is copied. */
+  struct MotorInUse
+  {
+    /** As it was condensed. @p bodies must outlive this object. */
+    MotorInUse(const CondensedMotor &bodies)
+        : bodies(bodies), wave(bodies.wave), modes(&bodies.modes), dynamics(bodies.dynamics)
+    {
+    }
+
+    const CondensedMotor &bodies;
+    WaveAtNodes wave;
+    const RingModes *modes; ///< of the bodies
+    RingDynamics dynamics;  ///< of these modes
   };
 
   /** A motor, and the time (s, wall clock) that it took to condense or to read it. */

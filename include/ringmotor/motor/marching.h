@@ -14,13 +14,12 @@ namespace ringmotor
   class MarchingDriver
   {
   public:
-    /** @p motor must outlive this object and all its states. */
-    MarchingDriver(const CondensedMotor &motor, const Friction &friction, const Warp &warp,
+    /** The bodies of @p motor must outlive this object and all its states. */
+    MarchingDriver(const MotorInUse &motor, const Friction &friction, const Warp &warp,
                    const double preload);
 
     /** Continues from the first time sample of a steady state, with steps of its length. */
-    MarchingDriver(const CondensedMotor &motor, const Friction &friction,
-                   const OperatingState &steady);
+    MarchingDriver(const MotorInUse &motor, const Friction &friction, const OperatingState &steady);
 
     /** Advances by one step (s) under a load. @throws ComputationError */
     OperatingState step(const RotorLoad &load, const double length);
@@ -41,7 +40,8 @@ namespace ringmotor
     /** The data of the next step: positions at its begin and the response with inertia. */
     TimeStep next_step(const double length);
 
-    const CondensedMotor &motor;
+    const MotorInUse in_use;
+    const CondensedMotor &motor; ///< its bodies
     const Friction friction;
     const Warp warp;
     std::optional<MarchedModes> modes;                 ///< of bodies with inertia

@@ -25,7 +25,7 @@ namespace ringmotor
   {
   public:
     /** At rest at some displacements. */
-    MarchedRigidMotions(const CondensedMotor &motor, const std::vector<double> &displacements);
+    MarchedRigidMotions(const MotorInUse &motor, const std::vector<double> &displacements);
 
     /** The contributions in a step @p dt (s). */
     std::vector<InertiaInStep> in_step(const double dt) const;

@@ -55,11 +55,11 @@ namespace ringmotor
   public:
     /** The steady state with steps of a given length. @p motor must outlive this object.
      * @param dynamics of a motor with inertia, for the same step */
-    RingContact(const CondensedMotor &motor, const RotorLoad &load, const SteadyStep &step,
+    RingContact(const MotorInUse &motor, const RotorLoad &load, const SteadyStep &step,
                 std::shared_ptr<const SteadyDynamics> dynamics = nullptr);
 
     /** One step of a ring that may be warped at rest. */
-    RingContact(const CondensedMotor &motor, const RotorLoad &load, const TimeStep &step,
+    RingContact(const MotorInUse &motor, const RotorLoad &load, const TimeStep &step,
                 const Warp &warp);
 
     unsigned int n_points() const override { return n_samples * n_sectors * n_nodes; }
@@ -107,6 +107,7 @@ namespace ringmotor
     /** s, from one step to the next. */
     double time_step() const { return step; }
     const CondensedMotor &condensed_motor() const { return motor; }
+    const WaveAtNodes &stator_wave() const { return wave; }
     /** Number of teeth after which the motion repeats, and of repetitions around the ring. */
     unsigned int n_teeth() const { return n_sectors; }
     unsigned int n_repeats() const { return fold; }
@@ -199,6 +200,7 @@ namespace ringmotor
                           const unsigned int first, dealii::FullMatrix<double> &matrix) const;
 
     const CondensedMotor &motor;
+    const WaveAtNodes wave;
     const RotorLoad load;
     const unsigned int fold, n_sectors, n_nodes, n_samples;
     const double step;

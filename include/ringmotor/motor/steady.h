@@ -28,8 +28,11 @@ namespace ringmotor
   class SteadyDriver
   {
   public:
-    /** @p motor must outlive this object and all its states. */
-    SteadyDriver(const CondensedMotor &motor, const Friction &friction, const SteadyStep &step);
+    /** The bodies of @p motor must outlive this object and all its states. */
+    SteadyDriver(const MotorInUse &motor, const Friction &friction, const SteadyStep &step);
+
+    /** Changes the wave; the next search starts from the last state. */
+    void set_wave(const WaveAtNodes &wave);
 
     /** Ways from one state with inertia to another one, in the order in which they are tried. */
     enum class Way
@@ -58,12 +61,6 @@ namespace ringmotor
      * speeds (rad/s). Where the search fails from there, it starts from the latter. */
     void go_on_by_change(const RotorLoad &load, const ContactSolution &from,
                          const double from_speed, const ContactSolution &to, const double to_speed);
-    /** Sets the same start as that of another driver, of the same motor with another wave. */
-    void go_on_as(const SteadyDriver &same)
-    {
-      next  = same.next;
-      other = same.other;
-    }
     /** Forgets it. */
     void start_from_rest()
     {
@@ -110,7 +107,7 @@ namespace ringmotor
     static Start at_other_samples(const RingContact &coarse, const ContactSolution &solution,
                                   const RingContact &fine, const double speed);
 
-    const CondensedMotor &motor;
+    MotorInUse motor;
     const Friction friction;
     const SteadyStep step;
     std::shared_ptr<const SteadyDynamics> dynamics; ///< of a motor with inertia

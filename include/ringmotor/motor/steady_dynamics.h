@@ -19,13 +19,12 @@ namespace ringmotor
   unsigned int steady_neighbour(const CondensedMotor &motor);
 
   /** s, from one time sample to the next. */
-  double step_length(const CondensedMotor &motor, const SteadyStep &step);
+  double step_length(const CondensedMotor &motor, const WaveAtNodes &wave, const SteadyStep &step);
 
   /** The dynamic compliance of a motor with inertia in its steady state. */
   struct SteadyDynamics
   {
-    SteadyDynamics(const CondensedMotor &motor, const SteadyStep &step,
-                   const RingDynamics &dynamics);
+    SteadyDynamics(const MotorInUse &motor, const SteadyStep &step, const RingDynamics &dynamics);
 
     const SteadyInertia inertia;
     const BlockCompliance compliance; ///< static and dynamic

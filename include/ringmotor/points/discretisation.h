@@ -40,7 +40,7 @@ namespace ringmotor
     std::string name; ///< of this one alone
     void (*change_parameters)(Parameters &) = nullptr;
     /** @param wave_error relative, of the speed of the stator's surface */
-    void (*change_motor)(CondensedMotor &, double wave_error) = nullptr;
+    void (*change_motor)(MotorInUse &, double wave_error) = nullptr;
     /** Whether a driven wave is the largest that the errors of its drive allow. */
     bool has_drive_errors = false;
     /** Whether states are searched from those of their neighbours, not from the same point of the

@@ -54,7 +54,7 @@ namespace ringmotor
     /** The speed (rad/s) of the crests of the wave at a point. */
     double crest_speed(const CurvePoint &point) const
     {
-      return motor().crest_speed() * (point.result.amplitude / motor().amplitude);
+      return motor().crest_speed() * (point.result.amplitude / motor().wave.amplitude);
     }
     /** By how much a variation of the motor changes a point. */
     PointError change_by(const Variation &variation, const PointRequest &request) const;

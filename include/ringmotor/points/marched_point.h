@@ -30,9 +30,9 @@ namespace ringmotor
   class MarchedRun
   {
   public:
-    /** @p motor must outlive this object and all that it returns. */
-    MarchedRun(const Parameters &parameters, const CondensedMotor &motor,
-               const PointRequest &request, const unsigned int n_joined = 1);
+    /** The bodies of @p motor must outlive this object and all that it returns. */
+    MarchedRun(const Parameters &parameters, const MotorInUse &motor, const PointRequest &request,
+               const unsigned int n_joined = 1);
 
     /** Advances by some steps of a length (s). As many of these as possible are joined into one,
      * which is divided into `Time/Snapshots` parts. @throws ComputationError */
@@ -67,6 +67,6 @@ namespace ringmotor
    *
    * @throws ComputationError if a step fails or the means do not settle
    */
-  CurvePoint find_marched(const Parameters &parameters, const CondensedMotor &motor,
+  CurvePoint find_marched(const Parameters &parameters, const MotorInUse &motor,
                           const PointRequest &request, const unsigned int n_joined = 1);
 } // namespace ringmotor

@@ -2,12 +2,13 @@
 #pragma once
 
 #include <ringmotor/motor/motor_model.h>
+#include <ringmotor/motor/steady.h>
 #include <ringmotor/motor/voltage_drive.h>
 #include <ringmotor/points/curve_point.h>
 #include <ringmotor/points/discretisation.h>
-#include <ringmotor/points/loaded_wave.h>
 #include <ringmotor/points/point_store.h>
 #include <ringmotor/points/progress.h>
+#include <ringmotor/points/wave_balance.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -20,10 +21,10 @@ namespace ringmotor
   class OperatingPointFinder
   {
   public:
-    /** @p motor and @p memory, which is optional, must outlive this object. @p parameters must
-     * match @p discretisation in the parts of a step, @p motor in all else. Without a @p drive the
-     * wave has the amplitude of the motor, else the one that the drive gives it. */
-    OperatingPointFinder(const Parameters &parameters, const CondensedMotor &motor,
+    /** The bodies of @p motor and @p memory, which is optional, must outlive this object. @p
+     * parameters must match @p discretisation in the parts of a step, @p motor in all else. Without
+     * a @p drive the wave has the amplitude of the motor, else the one that the drive gives it. */
+    OperatingPointFinder(const Parameters &parameters, const MotorInUse &motor,
                          const Discretisation &discretisation     = {},
                          const std::optional<VoltageDrive> &drive = {},
                          PointMemory *memory                      = nullptr);
@@ -59,9 +60,9 @@ namespace ringmotor
     const Variation variation;
     const Parameters parameters;
     const MotorModel model;
-    const CondensedMotor &motor;
+    const MotorInUse motor;
     const std::optional<VoltageDrive> drive;
-    LoadedWave wave;
+    SteadyDriver steady;
     double amplitude;     ///< m, at which the search for that of a driven wave begins
     double detuning = 0.; ///< see OperatingPoint, with which the search for the frequency begins
     PointMemory *const memory;
@@ -75,7 +76,7 @@ namespace ringmotor
    * @param starts empty or one for each request, see OperatingPointFinder::find()
    * @param memory consulted, and @p progress told, on the rank that finds a point
    */
-  std::vector<CurvePoint> find_points(const Parameters &parameters, const CondensedMotor &motor,
+  std::vector<CurvePoint> find_points(const Parameters &parameters, const MotorInUse &motor,
                                       const Discretisation &discretisation,
                                       const std::optional<VoltageDrive> &drive,
                                       const std::vector<PointRequest> &requests,

@@ -11,13 +11,14 @@ namespace ringmotor
   namespace
   {
     /** On the next coarser mesh. */
-    const Variation coarse_modes{
-        "coarse modes", nullptr,
-        [](CondensedMotor &motor, const double) { motor.modes = motor.coarse_modes; }, false, true};
+    const Variation coarse_modes{"coarse modes", nullptr,
+                                 [](MotorInUse &motor, const double)
+                                 { motor.modes = &motor.bodies.coarse_modes; },
+                                 false, true};
     /** On that mesh, see RotorVibration. */
     const Variation other_harmonics{"modes of other harmonics", nullptr,
-                                    [](CondensedMotor &motor, const double)
-                                    { motor.modes = motor.modes_of_other_harmonics; },
+                                    [](MotorInUse &motor, const double)
+                                    { motor.modes = &motor.bodies.modes_of_other_harmonics; },
                                     false, true};
 
     /** What modes of a level were found to be off by where neither a coarser mesh nor other

@@ -10,7 +10,7 @@ namespace ringmotor
 {
   namespace
   {
-    const Variation other_scheme{"other scheme", nullptr, [](CondensedMotor &motor, const double) {
+    const Variation other_scheme{"other scheme", nullptr, [](MotorInUse &motor, const double) {
                                    motor.dynamics.scheme =
                                        motor.dynamics.scheme.dissipating_otherwise();
                                  }};

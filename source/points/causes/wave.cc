@@ -8,11 +8,11 @@ namespace ringmotor
   {
     /** Larger in its tangential and radial, but not in its axial motion. */
     const Variation larger_wave{"larger wave", nullptr,
-                                [](CondensedMotor &motor, const double wave_error)
+                                [](MotorInUse &motor, const double wave_error)
                                 {
-                                  for (CondensedMotor::Node &node : motor.nodes)
+                                  for (auto &motion : motor.wave.free_motion)
                                     for (const unsigned int c : {1u, 2u})
-                                      node.free_motion[c] *= 1. + wave_error;
+                                      motion[c] *= 1. + wave_error;
                                 }};
 
     /** The stator's wave, as the program `stator` estimates its error. */

@@ -1,42 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/motor/motor_model.h>
-#include <ringmotor/motor/steady.h>
 #include <ringmotor/points/stable_root.h>
 
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <memory>
 #include <utility>
 
 namespace ringmotor
 {
-  /** Steady states of a motor with waves of any amplitude and frequency. Each search starts from
-   * the last state. */
-  class LoadedWave
-  {
-  public:
-    /** @p motor must outlive this object and all its states. */
-    LoadedWave(const CondensedMotor &motor, const MotorModel &model, const SteadyStep &step);
-
-    /** To set the start of the next search. */
-    SteadyDriver &driver() { return *steady; }
-
-    /** The state under a load with the wave at an @p amplitude (m) and a @p frequency (rad/s);
-     * valid until the next one is asked for.
-     * @throws ComputationError if none is found */
-    OperatingState at(const RotorLoad &load, const double amplitude, const double frequency);
-
-  private:
-    const CondensedMotor &motor;
-    const MotorModel model;
-    const SteadyStep step;
-    std::unique_ptr<CondensedMotor> other; ///< the motor with another wave, if there was one
-    std::unique_ptr<SteadyDriver> steady;
-  };
-
   /** The search for the frequency to which the contact shifts a wave, over that without contact. */
   namespace shifted_wave
   {

@@ -1,41 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/parameters/short_text.h>
-#include <ringmotor/points/loaded_wave.h>
+#include <ringmotor/points/wave_balance.h>
 
 #include <cmath>
 
 namespace ringmotor
 {
-  LoadedWave::LoadedWave(const CondensedMotor &motor, const MotorModel &model,
-                         const SteadyStep &step)
-      : motor(motor), model(model), step(step),
-        steady(std::make_unique<SteadyDriver>(motor, model.friction, step))
-  {
-  }
-
-  OperatingState LoadedWave::at(const RotorLoad &load, const double amplitude,
-                                const double frequency)
-  {
-    const CondensedMotor &now = other ? *other : motor;
-    if (amplitude != now.amplitude || frequency != now.angular_frequency)
-    {
-      if (!other)
-        other = std::make_unique<CondensedMotor>(motor);
-      const double factor = amplitude == motor.amplitude ? 1. : amplitude / motor.amplitude;
-      for (std::size_t i = 0; i < motor.nodes.size(); ++i)
-        for (unsigned int c = 0; c < 3; ++c)
-          other->nodes[i].free_motion[c] = factor * motor.nodes[i].free_motion[c];
-      other->amplitude         = amplitude;
-      other->wave_energy       = factor * factor * motor.wave_energy;
-      other->angular_frequency = frequency;
-      auto driver              = std::make_unique<SteadyDriver>(*other, model.friction, step);
-      driver->go_on_as(*steady);
-      steady = std::move(driver);
-    }
-    return steady->at(load);
-  }
-
   void shifted_wave::require_settled(const RootEnd end, const double place, const double excess)
   {
     if (end == RootEnd::escaped || end == RootEnd::endless)
