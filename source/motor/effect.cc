@@ -75,6 +75,18 @@ namespace ringmotor
                                          : "auto");
   }
 
+  const std::vector<EffectEntry> &effect_entries()
+  {
+    static const std::vector<EffectEntry> entries = []
+    {
+      std::vector<EffectEntry> entries;
+      for (const auto &effect : all_effects())
+        entries.push_back(effect->entry);
+      return entries;
+    }();
+    return entries;
+  }
+
   const std::vector<std::unique_ptr<const Effect>> &all_effects()
   {
     static const std::vector<std::unique_ptr<const Effect>> list = make_effects();
@@ -84,13 +96,52 @@ namespace ringmotor
   MotorModel motor_model(const Parameters &parameters)
   {
     MotorModel model;
-    model.friction     = parameters.friction;
-    model.friction.law = FrictionLaw::coulomb;
+    model.friction                    = parameters.friction;
+    model.friction.static_coefficient = model.friction.dynamic_coefficient;
+    model.is_marched                  = parameters.time.scheme == TimeScheme::marching;
     for (const auto &effect : all_effects())
       if (effect->choice(parameters) != EffectChoice::off)
         effect->enter(parameters, model);
     return model;
   }
+
+  bool is_marched(const Parameters &parameters)
+  {
+    return motor_model(parameters).is_marched;
+  }
+
+  namespace
+  {
+    /** A voltage makes a wave if the ceramic has a potential, and if the wave is steady. */
+    void check_drive(const Parameters &parameters, const MotorModel &model)
+    {
+      if (parameters.wave.drive != Drive::voltage)
+        return;
+      const std::string given = "Wave/Drive = voltage ";
+      if (!parameters.wave.voltage)
+        throw UserError(given + "needs Wave/Voltage, found none; give it in V, zero to peak");
+      if (!model.ceramic)
+        throw UserError(given + "needs Effects/Piezoelectric coupling = on, found off, with which "
+                                "electrodes exert no forces; allowed: on, auto, or Wave/Drive = "
+                                "amplitude");
+      if (model.is_marched)
+        throw UserError(given +
+                        "needs a steady state, but this motor is marched in time "
+                        "(Time/Scheme = marching, or a warped ring), in which the amplitude "
+                        "takes hundreds of periods to settle; allowed: Time/Scheme = steady "
+                        "without Effects/Initial deformation, or Wave/Drive = amplitude");
+    }
+
+    void check_tangential_compliance(const Parameters &parameters, const MotorModel &model)
+    {
+      if (!model.teeth_give_way && !model.rotor_gives_way_along &&
+          model.lining_tangential_compliance == 0. &&
+          parameters.contact.formulation == ContactFormulation::mortar)
+        throw UserError("Effects/Tooth shear = off and Effects/Rotor tangential compliance = off "
+                        "leave no tangential compliance; allowed: one of them on or auto, or "
+                        "Effects/Friction lining = on");
+    }
+  } // namespace
 
   void check_effects(const Parameters &parameters, const EffectStage last)
   {
@@ -102,6 +153,22 @@ namespace ringmotor
         if (effect->choice(parameters) == EffectChoice::on && !obstacle.empty())
           throw UserError(effect->given(parameters) + obstacle);
       }
+    if (last == EffectStage::stator)
+      return;
+    const MotorModel model = motor_model(parameters);
+    check_drive(parameters, model);
+    check_tangential_compliance(parameters, model);
+  }
+
+  std::vector<std::string> warnings_of_effects(const Parameters &parameters,
+                                               const EffectStage stage)
+  {
+    std::vector<std::string> all;
+    for (const auto &effect : all_effects())
+      if (effect->stage == stage && effect->choice(parameters) != EffectChoice::off)
+        for (const std::string &warning : effect->warnings(parameters))
+          all.push_back(warning);
+    return all;
   }
 
   std::vector<EffectRow> choose_effects(Parameters &parameters, const EffectStage stage,
@@ -126,8 +193,8 @@ namespace ringmotor
       if (row.is_automatic && row.indicator)
       {
         const bool is_on = auto_includes(*effect, *row.indicator, parameters, target);
-        parameters.effects.*effect->entry = is_on ? EffectChoice::on : EffectChoice::off;
-        row.choice                        = is_on ? "on" : "off";
+        parameters.effects[effect->name] = is_on ? EffectChoice::on : EffectChoice::off;
+        row.choice                       = is_on ? "on" : "off";
       }
       if (row.indicator && !std::isfinite(*row.indicator)) // needed, of unknown size
         row.indicator.reset();
@@ -137,17 +204,24 @@ namespace ringmotor
     return rows;
   }
 
-  void add_cost_of_modes(const CondensedMotor &motor, std::vector<EffectRow> &rows)
+  void add_costs(const CondensedMotor &motor, std::vector<EffectRow> &rows)
+  {
+    for (EffectRow &row : rows)
+      for (const auto &effect : all_effects())
+        if (effect->name == row.name)
+          effect->add_cost(motor, row);
+  }
+
+  void add_modes_to(EffectRow &row, const CondensedMotor &motor, const bool of_teeth)
   {
     for (const RingModes *modes :
          {&motor.modes, &motor.coarse_modes, &motor.modes_of_other_harmonics})
       for (const std::vector<RingMode> &of_diameter : *modes)
         for (const RingMode &mode : of_diameter)
-          for (EffectRow &row : rows)
-            if (row.name == (mode.of_tooth ? "Tooth vibration" : "Rotor inertia"))
-            {
-              row.dofs += modes == &motor.modes ? 1 : 0;
-              row.bytes += mode.motion.size() * sizeof(mode.motion.front());
-            }
+          if (mode.of_tooth == of_teeth)
+          {
+            row.dofs += modes == &motor.modes ? 1 : 0;
+            row.bytes += mode.motion.size() * sizeof(mode.motion.front());
+          }
   }
 } // namespace ringmotor

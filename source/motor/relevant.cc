@@ -63,7 +63,7 @@ namespace ringmotor
       parameters.wave.response_torques.clear();
       for (const auto &effect : all_effects())
         if (effect->stage != EffectStage::stator)
-          parameters.effects.*effect->entry = defaults.effects.*effect->entry;
+          parameters.effects[effect->name] = defaults.effects[effect->name];
     }
 
     /** Resets the entries that affect neither the wave nor any operating point. */

@@ -95,26 +95,6 @@ namespace ringmotor
       check_amplitude(parameters.wave, stator);
     }
 
-    /** A voltage makes a wave if the ceramic has a potential, and if the wave is steady. */
-    void check_drive(const Parameters &parameters)
-    {
-      if (parameters.wave.drive != Drive::voltage)
-        return;
-      const std::string given = "Wave/Drive = voltage ";
-      if (!parameters.wave.voltage)
-        throw UserError(given + "needs Wave/Voltage, found none; give it in V, zero to peak");
-      if (parameters.effects.piezoelectric_coupling == EffectChoice::off)
-        throw UserError(given + "needs Effects/Piezoelectric coupling = on, found off, with which "
-                                "electrodes exert no forces; allowed: on, auto, or Wave/Drive = "
-                                "amplitude");
-      if (is_marched(parameters))
-        throw UserError(given +
-                        "needs a steady state, but this motor is marched in time "
-                        "(Time/Scheme = marching, or a warped ring), in which the amplitude "
-                        "takes hundreds of periods to settle; allowed: Time/Scheme = steady "
-                        "without Effects/Initial deformation, or Wave/Drive = amplitude");
-    }
-
     /** The wave must be among the modes that the program stator computes. */
     void check_modes_for_contact(const Parameters &parameters)
     {
@@ -166,13 +146,6 @@ namespace ringmotor
           (!contact.normal_penalty || !contact.tangential_penalty))
         throw UserError("Contact/Formulation = penalty needs Contact/Normal penalty and "
                         "Contact/Tangential penalty; give both in N/m");
-      if (parameters.effects.tooth_shear == EffectChoice::off &&
-          parameters.effects.rotor_tangential_compliance == EffectChoice::off &&
-          contact.formulation == ContactFormulation::mortar &&
-          parameters.effects.friction_lining != EffectChoice::on)
-        throw UserError("Effects/Tooth shear = off and Effects/Rotor tangential compliance = off "
-                        "leave no tangential compliance; allowed: one of them on or auto, or "
-                        "Effects/Friction lining = on");
     }
 
     void check_time(const Parameters &parameters)
@@ -187,12 +160,6 @@ namespace ringmotor
                         shown("Time/Average to step", last) + " are incompatible with " +
                         shown("Time/Number of steps", n) + "; allowed: all three auto, or " +
                         "2 <= Average from step <= Average to step <= Number of steps");
-      if (time.scheme == TimeScheme::steady && is_warped(parameters))
-        throw UserError(
-            "Time/Scheme = steady is incompatible with " +
-            entry("Initial deformation/Amplitude", parameters.initial_deformation.amplitude) +
-            ": a warped ring has no steady pattern; allowed: auto | marching, or "
-            "Effects/Initial deformation = off");
     }
   } // namespace
 
@@ -213,7 +180,6 @@ namespace ringmotor
     check_friction(parameters.friction);
     check_springs(parameters);
     check_time(parameters);
-    check_drive(parameters);
     check_history(parameters);
     std::vector<std::string> warnings;
     if (parameters.wave.drive == Drive::amplitude)

@@ -194,17 +194,4 @@ namespace ringmotor
     std::iota(all.begin(), all.end(), 0);
     return all;
   }
-
-  bool is_warped(const Parameters &parameters)
-  {
-    return parameters.initial_deformation.amplitude > 0. &&
-           parameters.effects.initial_deformation != EffectChoice::off;
-  }
-
-  bool is_marched(const Parameters &parameters)
-  {
-    if (parameters.time.scheme != TimeScheme::automatic)
-      return parameters.time.scheme == TimeScheme::marching;
-    return is_warped(parameters);
-  }
 } // namespace ringmotor

@@ -57,13 +57,14 @@ namespace ringmotor
       not_given.erase(missing);
     }
 
-    unsigned int n_constants_of_ceramic()
+    /** The number of required entries that start with a text. */
+    std::size_t n_required(const std::string &start)
     {
       Parameters none;
       ParameterHandler prm;
       none.declare(prm);
       none.not_given = required_but_not_set(prm);
-      return missing_entries(none, {constants_of_ceramic}).size();
+      return missing_entries(none, {start}).size();
     }
   } // namespace
 
@@ -90,10 +91,10 @@ namespace ringmotor
       throw UserError(name + ": missing " + some_of(missing) +
                       "; the motor has no default values, see --help for the required entries");
     derive_static_coefficient(parameters);
-    static const unsigned int n_constants = n_constants_of_ceramic();
-    if (parameters.effects.piezoelectric_coupling == EffectChoice::automatic &&
-        missing_entries(parameters, {constants_of_ceramic}).size() == n_constants)
-      parameters.effects.piezoelectric_coupling = EffectChoice::off;
+    for (const EffectEntry &entry : effect_entries())
+      if (!entry.needs.empty() && parameters.effects[entry.name] == EffectChoice::automatic &&
+          missing_entries(parameters, {entry.needs}).size() == n_required(entry.needs))
+        parameters.effects[entry.name] = EffectChoice::off;
   }
 
   std::vector<std::string> missing_entries(const Parameters &parameters,

@@ -175,57 +175,35 @@ namespace ringmotor
               "That of the Young modulus of each material. Units: none.");
   }
 
+  Effects::Effects()
+  {
+    for (const EffectEntry &entry : effect_entries())
+      choices[entry.name] = entry.unless_given;
+  }
+
+  EffectChoice &Effects::operator[](const std::string &name)
+  {
+    Assert(choices.count(name) > 0, ExcMessage(name + " is no effect"));
+    return choices[name];
+  }
+
+  EffectChoice Effects::operator[](const std::string &name) const
+  {
+    Assert(choices.count(name) > 0, ExcMessage(name + " is no effect"));
+    return choices.at(name);
+  }
+
   void Effects::declare(ParameterHandler &prm)
   {
-    const auto add_effect =
-        [&prm](const std::string &name, EffectChoice &choice, const std::string &sentence)
+    for (const EffectEntry &entry : effect_entries())
     {
-      add_entry(prm, name, choice,
-                selection<EffectChoice>({{"off", EffectChoice::off},
-                                         {"on", EffectChoice::on},
-                                         {"auto", EffectChoice::automatic}}),
-                sentence);
-    };
-    add_effect(
-        "Tooth shear", tooth_shear,
-        "Elasticity of the teeth under contact forces; \"auto\", here and below, switches an "
-        "effect on if it may be significant.");
-    add_effect("Rotor tangential compliance", rotor_tangential_compliance,
-               "Elasticity of the rotor under friction forces.");
-    add_effect("Initial deformation", initial_deformation,
-               "Warp of the stator at rest, given in the section Initial deformation.");
-    add_effect("Static friction excess", static_friction_excess,
-               "A static coefficient of friction above the dynamic one.");
-    add_effect("Rotor inertia", rotor_inertia, "Inertia of the rotor's vibration.");
-    add_effect("Tooth inertia", tooth_inertia,
-               "Inertia of the teeth in the motion that the base drives.");
-    add_effect("Tooth vibration", tooth_vibration,
-               "Inertia of the teeth under contact forces, in addition to Tooth inertia.");
-    add_effect(
-        "Damping", damping,
-        "Internal damping of the rotor's motion by the loss factor of its metal; the program "
-        "losses includes the loss in any case.");
-    add_effect(
-        "Stator back-reaction", stator_back_reaction,
-        "Shift of the frequency of the stator's wave by the contact forces; the shape of the "
-        "wave does not change.");
-    add_effect("Spin convection", spin_convection,
-               "Convection of the rotor's deformation by its own rotation.");
-    add_entry(prm, "Target plates", target_plates,
-              selection<EffectChoice>({{"off", EffectChoice::off}, {"on", EffectChoice::on}}),
-              "Thin plates bonded to the tooth edges as targets of an optical measurement, given "
-              "by Stator/Target plate cross-section and Materials/Target plate.");
-    add_effect(
-        "Felt support", felt_support,
-        "Stiffness of the felt, given in the section Support, in the modes of the stator; the "
-        "program losses includes its loss in any case.");
-    add_effect(
-        "Piezoelectric coupling", piezoelectric_coupling,
-        "Electric potential of the ceramic, with the constants of the section "
-        "Piezoelectricity instead of an isotropic ceramic; needed for voltages and currents. "
-        "\"auto\" means off without these constants.");
-    add_effect("Friction lining", friction_lining,
-               "Finite stiffness of a friction lining, given in the section Friction.");
+      std::vector<std::pair<std::string, EffectChoice>> words{{"off", EffectChoice::off},
+                                                              {"on", EffectChoice::on}};
+      if (entry.has_auto)
+        words.emplace_back("auto", EffectChoice::automatic);
+      add_entry(prm, entry.name, choices[entry.name], selection<EffectChoice>(words),
+                entry.sentence);
+    }
   }
 
   void Output::declare(ParameterHandler &prm)

@@ -53,9 +53,9 @@ namespace ringmotor
               effect_on_points(chosen, effect, wave, uniform_vibration, MPI_COMM_WORLD);
           return measured[effect.name].relative;
         },
-        [&]() -> const LipAmplification &
+        [&](const bool roughly) -> const LipAmplification &
         {
-          if (given.effects.rotor_inertia == EffectChoice::off)
+          if (roughly)
             return rough_lip.emplace(on_coarsest(n_rough));
           lip.emplace(given, uniform_vibration.of_first_harmonics(), level, n_harmonics);
           lip_quantities = quantities_of(*lip, on_coarsest(n_harmonics), wave.angular_frequency);

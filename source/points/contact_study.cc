@@ -21,10 +21,7 @@ namespace ringmotor
     const ContactSetting common = common_setting(parameters, period);
     const CondensedMotor &motor = motor_of(common).motor;
     stalled                     = points_of(common, motor, {{Control::speed, 0.}}).front();
-    scales = {motor.crest_speed() * (stalled.result.amplitude / motor.wave.amplitude),
-              parameters.friction.dynamic_coefficient * parameters.loading.preload *
-                  motor.nodes.front().radius,
-              stalled.result.torque};
+    scales = scales_of(parameters, motor, stalled.result.amplitude, stalled.result.torque);
     find_requests();
     all = contact_settings(parameters, {period, motor.constants.normal});
   }

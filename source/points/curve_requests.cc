@@ -212,9 +212,6 @@ namespace ringmotor
 
   QuantityScales CurveRequests::scales(const CondensedMotor &motor) const
   {
-    return {motor.crest_speed() * (largest_amplitude / motor.wave.amplitude),
-            parameters.friction.dynamic_coefficient * parameters.loading.preload *
-                motor.nodes.front().radius,
-            stall_torque};
+    return scales_of(parameters, motor, largest_amplitude, stall_torque);
   }
 } // namespace ringmotor

@@ -19,8 +19,8 @@ namespace ringmotor
     }
 
     const Variation dynamic_friction_alone{"dynamic friction alone", [](Parameters &parameters) {
-                                             parameters.effects.static_friction_excess =
-                                                 EffectChoice::off;
+                                             parameters.friction.static_coefficient =
+                                                 parameters.friction.dynamic_coefficient;
                                            }};
   } // namespace
 

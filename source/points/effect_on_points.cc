@@ -42,8 +42,8 @@ namespace ringmotor
     with.time.scheme = without.time.scheme = TimeScheme::steady;
     // It shall be cheap, and the same whatever the steps: long ones do.
     with.time.n_snapshots = without.time.n_snapshots = 1;
-    with.effects.*effect.entry                       = EffectChoice::on;
-    without.effects.*effect.entry                    = EffectChoice::off;
+    with.effects[effect.name]                        = EffectChoice::on;
+    without.effects[effect.name]                     = EffectChoice::off;
     const auto condensed                             = [&](const Parameters &parameters)
     {
       return condense_motor(parameters, wave, ContactDiscretisation::level(0), modes_level,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/contact/friction_law.h>
 #include <ringmotor/parameters/accuracy_budget.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/points/marched_point.h>
@@ -137,7 +138,7 @@ namespace ringmotor
           tolerance(AccuracyBudget(parameters.accuracy).marched_means())
     {
       const Friction friction = motor_model(parameters).friction;
-      const double mu         = std::max(friction.static_coefficient, friction.dynamic_coefficient);
+      const double mu         = law_of(friction).largest_coefficient(friction);
       for (const CondensedMotor::Node &node : motor.bodies.nodes)
         largest = std::max(largest, mu * parameters.loading.preload * node.radius);
     }

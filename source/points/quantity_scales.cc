@@ -14,4 +14,13 @@ namespace ringmotor
       return std::max(std::abs(stall_torque), share * borne_torque);
     return quantity == "stick_fraction" ? 1. : largest;
   }
+
+  QuantityScales scales_of(const Parameters &parameters, const CondensedMotor &motor,
+                           const double amplitude, const double stall_torque)
+  {
+    return {motor.crest_speed() * (amplitude / motor.wave.amplitude),
+            parameters.friction.dynamic_coefficient * parameters.loading.preload *
+                motor.nodes.front().radius,
+            stall_torque};
+  }
 } // namespace ringmotor

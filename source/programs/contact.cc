@@ -199,7 +199,7 @@ namespace ringmotor
 
     void ContactProgram::report_effects(const CurveSearch &search)
     {
-      add_cost_of_modes(search.motor(), effects.rows);
+      add_costs(search.motor(), effects.rows);
       for (const EffectRow &row : effects.rows)
         if (row.choice == "off" && !row.is_automatic && row.indicator && *row.indicator > 0.)
           log.line(describe(row));

@@ -106,8 +106,8 @@ namespace ringmotor
                                 "circuits\\.csv|admittance\\.csv|electrodes\\.csv|excitation\\.csv|"
                                 "summary\\.json|sector\\.vtu|ring\\.pvd|ring_[0-9]+\\.vtu");
       }
-      if (of_stator && parameters.effects.piezoelectric_coupling != EffectChoice::off)
-        for (const std::string &warning : parameters.piezoelectricity.warnings())
+      if (of_stator)
+        for (const std::string &warning : warnings_of_effects(parameters, EffectStage::stator))
           log.line("warning: " + warning);
       body.find([&](const Pass &pass) { after_pass(pass); });
       report();

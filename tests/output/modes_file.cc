@@ -78,9 +78,9 @@ namespace
 
 TEST_P(ModesFileOwner, IsToldByEveryEntryThatTheWaveDependsOn)
 {
-  const bool has_plates       = GetParam() == EffectChoice::on;
-  Parameters motor            = with({});
-  motor.effects.target_plates = GetParam();
+  const bool has_plates          = GetParam() == EffectChoice::on;
+  Parameters motor               = with({});
+  motor.effects["Target plates"] = GetParam();
   write(motor);
   EXPECT_GT(read_stator_wave(path, motor).angular_frequency, 0.);
 
@@ -93,10 +93,10 @@ TEST_P(ModesFileOwner, IsToldByEveryEntryThatTheWaveDependsOn)
     const std::string &entry = values[i].path;
     const std::string change = changed(entry);
     ASSERT_NE(change, "") << entry << ": the test knows no other value";
-    Parameters other            = with({change});
-    other.effects.target_plates = entry != "Effects/Target plates" ? GetParam()
-                                  : has_plates                     ? EffectChoice::off
-                                                                   : EffectChoice::on;
+    Parameters other               = with({change});
+    other.effects["Target plates"] = entry != "Effects/Target plates" ? GetParam()
+                                     : has_plates                     ? EffectChoice::off
+                                                                      : EffectChoice::on;
     if (entry == "Wave/Drive") // which the file of a ceramic without a potential does not serve
       expect_message(refusal(other), {path + " has no circuits of the phases", entry});
     else if (is_of_the_wave(entry) && (has_plates || !is_of_the_plates(entry)))

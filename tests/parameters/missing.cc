@@ -31,11 +31,11 @@ TEST(Reading, HasNoPartThatAFileDoesNotName)
       "stator.prm");
   EXPECT_FALSE(stator.support.has_felt());
   EXPECT_EQ(stator.support.stiffness(), 0.);
-  EXPECT_EQ(stator.effects.target_plates, EffectChoice::off);
-  EXPECT_EQ(stator.effects.piezoelectric_coupling, EffectChoice::off); // no constants
-  EXPECT_EQ(
-      read_parameters(source_folder + "/prm/canon_ring_driven.prm").effects.piezoelectric_coupling,
-      EffectChoice::on);
+  EXPECT_EQ(stator.effects["Target plates"], EffectChoice::off);
+  EXPECT_EQ(stator.effects["Piezoelectric coupling"], EffectChoice::off); // no constants
+  EXPECT_EQ(read_parameters(source_folder + "/prm/canon_ring_driven.prm")
+                .effects["Piezoelectric coupling"],
+            EffectChoice::on);
   // Others of the rotor, its load and its friction are missing, and so are the losses.
   for (const std::string path : {"Friction/Static coefficient", "Friction/Dynamic coefficient",
                                  "Loading/Preload", "Materials/Stator metal/Loss factor",
@@ -47,7 +47,7 @@ TEST(Reading, SomeConstantsOfTheCeramicLeaveTheChoiceToTheProgram)
 {
   const Parameters some =
       read_parameters(source_folder + "/prm/canon_ring.prm", {"Piezoelectricity/Coupling 33 = 15"});
-  EXPECT_EQ(some.effects.piezoelectric_coupling, EffectChoice::automatic);
+  EXPECT_EQ(some.effects["Piezoelectric coupling"], EffectChoice::automatic);
 }
 
 TEST(Reading, OneCoefficientOfFrictionIsThatOfStickingNodes)

@@ -182,18 +182,18 @@ TEST(Reading, PrintedTextIsReadBackAndPrintedTheSame)
 TEST(Reading, NumbersAreShortAndExactInPrint)
 {
   Parameters parameters;
-  parameters.wave.amplitude          = 2e-6 * (1. + std::numeric_limits<double>::epsilon());
-  parameters.stator.slot_width       = 1e-3 * (0.1 + 0.2);
-  parameters.materials.piezoceramic  = {1. / 3. * 1e11, 0.1 / 3., 7600., 0.};
-  parameters.friction.decay_velocity = std::sqrt(2.);
-  parameters.loading.values          = {0., 0.05, 1. / 7.};
-  parameters.accuracy.quantities     = {{"torque", 1. / 30.}, {"teeth_in_contact_per_wave", {}}};
-  parameters.output.history_points   = {{0., 0.0342}, {100. / 7., 1. / 29.}};
-  parameters.modes.nodal_diameters   = {0, 2, 3, 4, 9, 44, 45};
-  parameters.effects.rotor_inertia   = EffectChoice::automatic;
-  parameters.output.vtu              = false;
-  const std::string text             = printed(parameters);
-  const Parameters back              = read_parameters_from_text(text, "exact.prm");
+  parameters.wave.amplitude           = 2e-6 * (1. + std::numeric_limits<double>::epsilon());
+  parameters.stator.slot_width        = 1e-3 * (0.1 + 0.2);
+  parameters.materials.piezoceramic   = {1. / 3. * 1e11, 0.1 / 3., 7600., 0.};
+  parameters.friction.decay_velocity  = std::sqrt(2.);
+  parameters.loading.values           = {0., 0.05, 1. / 7.};
+  parameters.accuracy.quantities      = {{"torque", 1. / 30.}, {"teeth_in_contact_per_wave", {}}};
+  parameters.output.history_points    = {{0., 0.0342}, {100. / 7., 1. / 29.}};
+  parameters.modes.nodal_diameters    = {0, 2, 3, 4, 9, 44, 45};
+  parameters.effects["Rotor inertia"] = EffectChoice::automatic;
+  parameters.output.vtu               = false;
+  const std::string text              = printed(parameters);
+  const Parameters back               = read_parameters_from_text(text, "exact.prm");
 
   EXPECT_EQ(back.wave.amplitude, parameters.wave.amplitude);
   EXPECT_EQ(back.stator.slot_width, parameters.stator.slot_width);
@@ -210,7 +210,7 @@ TEST(Reading, NumbersAreShortAndExactInPrint)
   EXPECT_EQ(back.output.history_points[1].tooth, 100. / 7.);
   EXPECT_EQ(back.output.history_points[1].radius, 1. / 29.);
   EXPECT_EQ(back.modes.nodal_diameters, parameters.modes.nodal_diameters);
-  EXPECT_EQ(back.effects.rotor_inertia, EffectChoice::automatic);
+  EXPECT_EQ(back.effects["Rotor inertia"], EffectChoice::automatic);
   EXPECT_FALSE(back.output.vtu);
 
   EXPECT_NE(text.find("= 0.0342\n"), std::string::npos);

@@ -50,8 +50,8 @@ namespace
     const MotorModel model = motor_model(parameters);
     if (model.rotor_moves_as_whole)
       return condense_motor(parameters, wave, discretisation, 1);
-    Parameters without            = parameters;
-    without.effects.rotor_inertia = without.effects.damping = EffectChoice::off;
+    Parameters without               = parameters;
+    without.effects["Rotor inertia"] = without.effects["Damping"] = EffectChoice::off;
     CondensedMotor motor = condense_motor(without, wave, discretisation);
     if (model.rotor_needs_modes())
     {
@@ -150,24 +150,24 @@ TEST(MotorBodies, RepeatThemselvesWithTheWave)
 
 TEST(MotorBodies, VibrateAsTheirContactPointsDo)
 {
-  Parameters parameters            = reference_motor();
-  parameters.effects.rotor_inertia = EffectChoice::on;
-  parameters.effects.damping       = EffectChoice::on;
-  const StatorWave wave            = stator_wave(parameters);
+  Parameters parameters               = reference_motor();
+  parameters.effects["Rotor inertia"] = EffectChoice::on;
+  parameters.effects["Damping"]       = EffectChoice::on;
+  const StatorWave wave               = stator_wave(parameters);
   expect_bodies_follow(parameters, wave, {Control::torque, 0.05}, coarse());
-  ContactDiscretisation turned     = coarse();
-  turned.lip_turn                  = 0.3 * 2. * M_PI / parameters.motor.n_teeth;
-  parameters.rotor.flange_element  = ElementKind::shell;
-  parameters.effects.rotor_inertia = EffectChoice::off; // hysteretic damping alone
+  ContactDiscretisation turned        = coarse();
+  turned.lip_turn                     = 0.3 * 2. * M_PI / parameters.motor.n_teeth;
+  parameters.rotor.flange_element     = ElementKind::shell;
+  parameters.effects["Rotor inertia"] = EffectChoice::off; // hysteretic damping alone
   expect_bodies_follow(parameters, wave, {Control::torque, 0.05}, turned);
 }
 
 TEST(MotorBodies, VibrateWithARepeatingWave)
 {
-  Parameters parameters            = reference_motor();
-  parameters.effects.rotor_inertia = EffectChoice::on;
-  parameters.motor.n_waves         = 9;
-  parameters.modes.nodal_diameters = {9};
+  Parameters parameters               = reference_motor();
+  parameters.effects["Rotor inertia"] = EffectChoice::on;
+  parameters.motor.n_waves            = 9;
+  parameters.modes.nodal_diameters    = {9};
   expect_bodies_follow(parameters, stator_wave(parameters), {Control::torque, 0.05}, coarse());
 }
 
@@ -175,8 +175,8 @@ TEST(MotorBodies, BounceOnWarpedTeeth)
 {
   Parameters parameters                    = reference_motor();
   parameters.motor.n_teeth                 = 30;
-  parameters.effects.rotor_inertia         = EffectChoice::on;
-  parameters.effects.damping               = EffectChoice::on;
+  parameters.effects["Rotor inertia"]      = EffectChoice::on;
+  parameters.effects["Damping"]            = EffectChoice::on;
   parameters.initial_deformation.amplitude = 2e-6;
   parameters.initial_deformation.n_waves   = 1;
   parameters.time.time_step                = 2e-6;

@@ -39,9 +39,9 @@ namespace
 
     static Parameters vibrating(const ElementKind flange)
     {
-      Parameters parameters            = reference_motor();
-      parameters.effects.rotor_inertia = EffectChoice::on;
-      parameters.rotor.flange_element  = flange;
+      Parameters parameters               = reference_motor();
+      parameters.effects["Rotor inertia"] = EffectChoice::on;
+      parameters.rotor.flange_element     = flange;
       return parameters;
     }
     static StatorWave driven()

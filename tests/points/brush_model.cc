@@ -24,7 +24,7 @@ namespace
     parameters.materials.rotor_metal.young_modulus  = 1e20;
     parameters.materials.stator_metal.young_modulus = 1e20;
     parameters.rotor.radial_bar_stiffness           = 1e18;
-    parameters.effects.friction_lining              = EffectChoice::on;
+    parameters.effects["Friction lining"]           = EffectChoice::on;
     parameters.friction.lining_normal_stiffness     = 1.; // see winkler()
     parameters.friction.lining_tangential_stiffness = 1.;
     return parameters;

@@ -59,9 +59,9 @@ TEST(ContactSettings, TurnOnlyKnobsThatTheMotorHas)
   marched.insert("averaging window");
   EXPECT_EQ(knobs_of(parameters), marched);
 
-  parameters                         = reference_motor();
-  parameters.effects.rotor_inertia   = EffectChoice::on;
-  std::set<std::string> with_inertia = always;
+  parameters                          = reference_motor();
+  parameters.effects["Rotor inertia"] = EffectChoice::on;
+  std::set<std::string> with_inertia  = always;
   with_inertia.insert({"rotor modes", "spectral radius"});
   EXPECT_EQ(knobs_of(parameters), with_inertia);
 }

@@ -53,10 +53,10 @@ TEST_P(IndependentModel, HasTheSameSpeedsAndLosses)
     stiffen_spring(parameters.rotor);
   else
     parameters.rotor.lip_inner_radius = row.lip_inner_radius;
-  parameters.effects.tooth_inertia             = row.teeth;
-  parameters.effects.tooth_vibration           = row.teeth;
-  parameters.effects.rotor_inertia             = row.rotor;
-  parameters.effects.damping                   = row.rotor;
+  parameters.effects["Tooth inertia"]          = row.teeth;
+  parameters.effects["Tooth vibration"]        = row.teeth;
+  parameters.effects["Rotor inertia"]          = row.rotor;
+  parameters.effects["Damping"]                = row.rotor;
   parameters.materials.rotor_metal.loss_factor = 0.01;
   CondensedMotor motor =
       condense_motor(parameters, stator_wave(parameters), ContactDiscretisation::level(1));

@@ -202,9 +202,9 @@ namespace
   protected:
     static void SetUpTestSuite()
     {
-      parameters                       = reference_motor();
-      parameters.effects.rotor_inertia = EffectChoice::on;
-      parameters.effects.damping       = EffectChoice::on;
+      parameters                          = reference_motor();
+      parameters.effects["Rotor inertia"] = EffectChoice::on;
+      parameters.effects["Damping"]       = EffectChoice::on;
       motor = condense_motor(parameters, stator_wave(parameters), ContactDiscretisation::level(0));
     }
 
@@ -275,9 +275,9 @@ TEST_F(VibratingMotor, MarchingStaysInTheSteadyState)
 TEST(SecondMotorLong, MarchingStaysInTheSteadyState)
 {
   // Nine waves on ninety teeth: the steady state is that of ten teeth.
-  Parameters second            = read_parameters(RINGMOTOR_SOURCE_DIR "/prm/ring60.prm");
-  second.effects.rotor_inertia = second.effects.damping = EffectChoice::on;
-  second.accuracy.target                                = 1e-3;
+  Parameters second               = read_parameters(RINGMOTOR_SOURCE_DIR "/prm/ring60.prm");
+  second.effects["Rotor inertia"] = second.effects["Damping"] = EffectChoice::on;
+  second.accuracy.target                                      = 1e-3;
   const CondensedMotor ring60 =
       condense_motor(second, stator_wave(second), ContactDiscretisation::level(0));
   ASSERT_EQ(ring60.n_repeats(), 9u);

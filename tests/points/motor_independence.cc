@@ -193,9 +193,9 @@ TEST(MotorIndependenceRanks, SameResultsOnTwo)
 
 TEST(MotorIndependenceRanks, SameVibrationsAndMotorsOnTwo)
 {
-  Parameters parameters            = reference_motor();
-  parameters.effects.rotor_inertia = EffectChoice::on;
-  const StatorWave wave            = stator_wave(parameters);
+  Parameters parameters               = reference_motor();
+  parameters.effects["Rotor inertia"] = EffectChoice::on;
+  const StatorWave wave               = stator_wave(parameters);
   const RotorVibration one(parameters, wave.angular_frequency),
       two(parameters, wave.angular_frequency, MPI_COMM_WORLD);
   unsigned int n_modes = 0;

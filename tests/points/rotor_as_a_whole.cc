@@ -81,10 +81,10 @@ namespace
   protected:
     static void SetUpTestSuite()
     {
-      parameters                       = reference_motor();
-      parameters.time.scheme           = TimeScheme::marching;
-      parameters.effects.rotor_inertia = EffectChoice::on;
-      parameters.effects.damping       = EffectChoice::on;
+      parameters                          = reference_motor();
+      parameters.time.scheme              = TimeScheme::marching;
+      parameters.effects["Rotor inertia"] = EffectChoice::on;
+      parameters.effects["Damping"]       = EffectChoice::on;
       motor =
           condense_motor(parameters, stator_wave(parameters), ContactDiscretisation::level(0), 1);
     }
@@ -190,7 +190,7 @@ namespace
   CurvePoint at_fifty(const EffectChoice damping, const double loss_factor)
   {
     Parameters parameters                        = reference_motor();
-    parameters.effects.damping                   = damping;
+    parameters.effects["Damping"]                = damping;
     parameters.materials.rotor_metal.loss_factor = loss_factor;
     const CondensedMotor motor =
         condense_motor(parameters, stator_wave(parameters), ContactDiscretisation::level(0), 1);

@@ -10,25 +10,25 @@ namespace ringmotor::tests
   inline Parameters paper_motor()
   {
     Parameters parameters;
-    Effects &effects                    = parameters.effects;
-    effects.tooth_shear                 = EffectChoice::on;
-    effects.rotor_tangential_compliance = EffectChoice::on;
-    effects.static_friction_excess      = EffectChoice::on;
-    effects.rotor_inertia               = EffectChoice::off;
-    effects.tooth_inertia               = EffectChoice::off;
-    effects.tooth_vibration             = EffectChoice::off;
-    effects.damping                     = EffectChoice::off;
-    effects.stator_back_reaction        = EffectChoice::off;
-    effects.spin_convection             = EffectChoice::off;
-    effects.felt_support                = EffectChoice::off;
-    effects.piezoelectric_coupling      = EffectChoice::off;
-    effects.friction_lining             = EffectChoice::off;
-    parameters.accuracy.contact_target  = 0.03;
-    parameters.time.spectral_radius     = 0.8;
-    parameters.support.felt_thickness   = 1e-3;
-    parameters.support.felt_modulus     = 5e5;
-    parameters.support.felt_loss_factor = 0.3;
-    parameters.stator.target_plate_area = 1e-7;
+    Effects &effects                       = parameters.effects;
+    effects["Tooth shear"]                 = EffectChoice::on;
+    effects["Rotor tangential compliance"] = EffectChoice::on;
+    effects["Static friction excess"]      = EffectChoice::on;
+    effects["Rotor inertia"]               = EffectChoice::off;
+    effects["Tooth inertia"]               = EffectChoice::off;
+    effects["Tooth vibration"]             = EffectChoice::off;
+    effects["Damping"]                     = EffectChoice::off;
+    effects["Stator back-reaction"]        = EffectChoice::off;
+    effects["Spin convection"]             = EffectChoice::off;
+    effects["Felt support"]                = EffectChoice::off;
+    effects["Piezoelectric coupling"]      = EffectChoice::off;
+    effects["Friction lining"]             = EffectChoice::off;
+    parameters.accuracy.contact_target     = 0.03;
+    parameters.time.spectral_radius        = 0.8;
+    parameters.support.felt_thickness      = 1e-3;
+    parameters.support.felt_modulus        = 5e5;
+    parameters.support.felt_loss_factor    = 0.3;
+    parameters.stator.target_plate_area    = 1e-7;
     return parameters;
   }
 } // namespace ringmotor::tests

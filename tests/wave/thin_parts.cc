@@ -205,7 +205,7 @@ TEST(TargetPlates, TakePartWhereTheyAreCalledFor)
     Parameters parameters                 = paper_motor();
     parameters.accuracy.mode              = AccuracyMode::fixed;
     parameters.accuracy.polynomial_degree = 2;
-    parameters.effects.target_plates      = choice;
+    parameters.effects["Target plates"]   = choice;
     BodyModes body(parameters, MPI_COMM_WORLD);
     body.find([](const Pass &) {});
     EXPECT_EQ(body.search().sector().sector_mesh().bars.size(), choice == EffectChoice::on ? 1 : 0);
@@ -266,7 +266,7 @@ TEST(StatorEffects, AreChosenByTheTargetOfTheFrequency)
     parameters.accuracy.mode              = AccuracyMode::fixed;
     parameters.accuracy.polynomial_degree = 2;
     parameters.accuracy.target            = target;
-    parameters.effects.felt_support       = EffectChoice::automatic;
+    parameters.effects["Felt support"]    = EffectChoice::automatic;
     BodyModes body(parameters, MPI_COMM_WORLD);
     body.find([](const Pass &) {});
     const bool is_on = target == 1e-5;

@@ -3,6 +3,7 @@
 
 #include <ringmotor/contact/friction.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -26,6 +27,14 @@ namespace ringmotor
 
     /** Whether the static coefficient is used; without it a law has only the dynamic one. */
     virtual bool has_static_coefficient() const { return true; }
+
+    /** The largest coefficient that a point can have. */
+    double largest_coefficient(const Friction &friction) const
+    {
+      return has_static_coefficient()
+                 ? std::max(friction.static_coefficient, friction.dynamic_coefficient)
+                 : friction.dynamic_coefficient;
+    }
 
     /**
      * The coefficient of a point that slips by @p slip (m, not negative) in a step of @p time_step

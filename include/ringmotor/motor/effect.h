@@ -13,6 +13,7 @@
 namespace ringmotor
 {
   class Effect;
+  struct EffectRow;
   class LipAmplification;
   struct CondensedMotor;
   struct StatorWave;
@@ -26,7 +27,8 @@ namespace ringmotor
      * empty where the computation would cost more than it is worth. */
     std::function<double(const Effect &)> measure;
     /** The rotor's, which takes a second to compute; may be empty, too. */
-    std::function<const LipAmplification &()> lip = {};
+    /** @param roughly for information only */
+    std::function<const LipAmplification &(bool roughly)> lip = {};
     double threshold = 0.; ///< relative change above which `auto` includes an effect
   };
 
@@ -45,15 +47,16 @@ namespace ringmotor
   class Effect
   {
   public:
-    /** @param name of the entry */
-    Effect(const std::string &name, EffectChoice Effects::*const entry, const EffectStage stage)
-        : name(name), entry(entry), stage(stage)
+    Effect(const EffectEntry &entry, const EffectStage stage)
+        : entry(entry), name(entry.name), stage(stage)
     {
     }
     virtual ~Effect() = default;
 
     /** Checks the entries that it needs; called unless it is off. @throws UserError */
     virtual void check(const Parameters &) const {}
+    /** Choices that are allowed but easily misread, one line each; asked for unless it is off. */
+    virtual std::vector<std::string> warnings(const Parameters &) const { return {}; }
 
     /** Why this motor cannot have it, and what is allowed instead, as the end of a sentence: ` is
      * not available with X; allowed: off`. Empty if it can. Such an effect is refused where it is
@@ -73,14 +76,17 @@ namespace ringmotor
     /** Whether it adds no work: then `auto` includes it, however small it is. */
     virtual bool is_free() const { return false; }
 
-    EffectChoice choice(const Parameters &parameters) const { return parameters.effects.*entry; }
+    /** Adds what it costs a motor that has it to a row. */
+    virtual void add_cost(const CondensedMotor &, EffectRow &) const {}
+
+    EffectChoice choice(const Parameters &parameters) const { return parameters.effects[name]; }
     /** `Effects/Rotor inertia = auto`, with the given choice. */
     std::string given(const Parameters &parameters) const;
     /** The same with the choice `on`. */
     std::string switched_on() const { return "Effects/" + name + " = on"; }
 
-    const std::string name;
-    EffectChoice Effects::*const entry;
+    const EffectEntry entry;
+    const std::string name; ///< of the entry
     const EffectStage stage;
 
   protected:
@@ -94,8 +100,13 @@ namespace ringmotor
   /** All of them, in the order of the entries. */
   const std::vector<std::unique_ptr<const Effect>> &all_effects();
 
-  /** Checks all effects up to a stage that are not off. @throws UserError */
+  /** Checks all effects up to a stage that are not off, and the model that they make. @throws
+   * UserError */
   void check_effects(const Parameters &parameters, const EffectStage last);
+
+  /** The warnings of all effects of a stage that are not off. */
+  std::vector<std::string> warnings_of_effects(const Parameters &parameters,
+                                               const EffectStage stage);
 
   /** The decision on an effect in a run, and its cost. */
   struct EffectRow
@@ -121,6 +132,9 @@ namespace ringmotor
   std::vector<EffectRow> choose_effects(Parameters &parameters, const EffectStage stage,
                                         const Scene &scene, const double target);
 
-  /** Adds the cost of the modes of a motor to the rows of the effects that they belong to. */
-  void add_cost_of_modes(const CondensedMotor &motor, std::vector<EffectRow> &rows);
+  /** Adds what effects cost a motor to their rows, see Effect::add_cost(). */
+  void add_costs(const CondensedMotor &motor, std::vector<EffectRow> &rows);
+
+  /** Adds the modes of teeth, or those of the rotor, to a row. */
+  void add_modes_to(EffectRow &row, const CondensedMotor &motor, const bool of_teeth);
 } // namespace ringmotor

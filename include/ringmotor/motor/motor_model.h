@@ -38,6 +38,10 @@ namespace ringmotor
     double lining_tangential_compliance = 0.; ///< m^3/N
     Friction friction;
 
+    /** Whether it is marched through time: because the user wants it, or the ring is not uniform.
+     */
+    bool is_marched = false;
+
     /** Whether the teeth or the rotor have inertia under contact forces. */
     bool has_inertia() const { return teeth_vibrate || rotor_vibrates; }
     /** Whether the response of the rotor depends on the history of forces, which requires its
@@ -48,4 +52,7 @@ namespace ringmotor
 
   /** The model with all effects that are not off; `auto` stands for `on` here. */
   MotorModel motor_model(const Parameters &parameters);
+
+  /** MotorModel::is_marched of these parameters. */
+  bool is_marched(const Parameters &parameters);
 } // namespace ringmotor

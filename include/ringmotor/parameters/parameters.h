@@ -89,12 +89,6 @@ namespace ringmotor
    * the wave, or all from 0 to N/2. */
   std::vector<unsigned int> nodal_diameters_of(const Parameters &parameters);
 
-  /** Whether the ring is warped at rest and the warp is taken into account. */
-  bool is_warped(const Parameters &parameters);
-
-  /** Whether the marching scheme is used: it is selected, or the ring is not uniform. */
-  bool is_marched(const Parameters &parameters);
-
   /**
    * Looks for entries that contradict each other, and for choices that the program `stator` does
    * not support, before any mesh is built. read_parameters() checks the ranges of single entries.

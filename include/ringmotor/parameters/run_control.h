@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -75,28 +76,37 @@ namespace ringmotor
     automatic ///< on where its indicator exceeds the accuracy target
   };
 
+  /** An entry of the section Effects. */
+  struct EffectEntry
+  {
+    std::string name, sentence; ///< and its documentation
+    EffectChoice unless_given = EffectChoice::automatic;
+    bool has_auto             = true;
+    /** `auto` means off for a motor without any of the entries that start with this; empty: it does
+     * not depend on such entries. */
+    std::string needs = {};
+  };
+
+  /** All of them, in their order. Each effect declares its own: this function is that of the room
+   * that models them, see motor/effect.h. */
+  const std::vector<EffectEntry> &effect_entries();
+
   /** Which physical effects are included. A file that does not mention them gets what its motor
    * and targets call for. */
-  struct Effects
+  class Effects
   {
-    EffectChoice tooth_shear                 = EffectChoice::automatic;
-    EffectChoice rotor_tangential_compliance = EffectChoice::automatic;
-    EffectChoice initial_deformation         = EffectChoice::automatic;
-    EffectChoice static_friction_excess      = EffectChoice::automatic;
-    EffectChoice rotor_inertia               = EffectChoice::automatic;
-    EffectChoice tooth_inertia               = EffectChoice::automatic;
-    EffectChoice tooth_vibration             = EffectChoice::automatic;
-    EffectChoice damping                     = EffectChoice::automatic;
-    EffectChoice stator_back_reaction        = EffectChoice::automatic;
-    EffectChoice spin_convection             = EffectChoice::automatic;
-    /** Plates of a measurement, which no motor has unless they are asked for. */
-    EffectChoice target_plates          = EffectChoice::off;
-    EffectChoice felt_support           = EffectChoice::automatic;
-    EffectChoice piezoelectric_coupling = EffectChoice::automatic;
-    EffectChoice friction_lining        = EffectChoice::automatic;
+  public:
+    Effects();
 
-    /** Declares the entries; reading them changes the members. */
+    /** The choice for the entry of a name. */
+    EffectChoice &operator[](const std::string &name);
+    EffectChoice operator[](const std::string &name) const;
+
+    /** Declares the entries; reading them changes the choices. */
     void declare(dealii::ParameterHandler &prm);
+
+  private:
+    std::map<std::string, EffectChoice> choices;
   };
 
   /** A place on the tooth tops. */

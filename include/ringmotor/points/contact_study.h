@@ -63,7 +63,7 @@ namespace ringmotor
     std::map<std::string, std::unique_ptr<const Condensed>> motors;
     std::string common_motor; ///< its key among these
     CurvePoint stalled;
-    QuantityScales scales{};
+    QuantityScales scales;
     std::vector<PointRequest> requests;
     bool has_curve; ///< whose last request is stall, for the torque alone
     std::vector<ContactSetting> all;

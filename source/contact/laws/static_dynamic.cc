@@ -31,10 +31,11 @@ namespace ringmotor::laws
 
       /** More than one memory is self-consistent. A point that slips loses mu_s; one without it
        * whose predecessor stuck gets it, unless it is refused, so that the search terminates. */
-      bool settle(const Friction &, const FrictionMemory &found, const PointStatus status,
+      bool settle(const Friction &friction, const FrictionMemory &found, const PointStatus status,
                   const bool is_refused, FrictionMemory &memory) const override
       {
-        if (status == PointStatus::open)
+        if (status == PointStatus::open ||
+            friction.static_coefficient == friction.dynamic_coefficient)
           return true;
         const bool sticks =
             memory.stuck ? found.stuck && status == PointStatus::stick : found.stuck && !is_refused;

@@ -10,11 +10,17 @@ namespace ringmotor::effects
     class Damping : public Effect
     {
     public:
-      Damping() : Effect("Damping", &Effects::damping, EffectStage::contact) {}
+      Damping()
+          : Effect({"Damping", "Internal damping of the rotor's motion by the loss factor of its "
+                               "metal; the program losses includes the loss in any case."},
+                   EffectStage::contact)
+      {
+      }
 
       std::string obstacle(const Parameters &parameters) const override
       {
-        if (!is_marched(parameters) || parameters.effects.rotor_inertia != EffectChoice::off)
+        const MotorModel model = motor_model(parameters);
+        if (!model.is_marched || model.rotor_vibrates)
           return "";
         return " is not available with Effects/Rotor inertia = off when the motor is marched "
                "through time: hysteresis needs harmonics of a steady state; allowed: off, or "
@@ -24,8 +30,7 @@ namespace ringmotor::effects
       void enter(const Parameters &parameters, MotorModel &model) const override
       {
         // Without inertia the choice of `auto` is still open.
-        if (choice(parameters) == EffectChoice::on ||
-            parameters.effects.rotor_inertia != EffectChoice::off)
+        if (choice(parameters) == EffectChoice::on || model.rotor_vibrates)
           model.rotor_loss_factor = parameters.materials.rotor_metal.loss_factor;
       }
 
@@ -33,9 +38,9 @@ namespace ringmotor::effects
        * single steps in time neglect it. */
       std::optional<double> indicator(const Scene &scene) const override
       {
-        return scene.parameters.effects.rotor_inertia == EffectChoice::off
-                   ? std::optional<double>(scene.parameters.materials.rotor_metal.loss_factor)
-                   : std::nullopt;
+        return motor_model(scene.parameters).rotor_vibrates
+                   ? std::nullopt
+                   : std::optional<double>(scene.parameters.materials.rotor_metal.loss_factor);
       }
     };
   } // namespace

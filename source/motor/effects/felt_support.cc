@@ -11,7 +11,13 @@ namespace ringmotor::effects
     class FeltSupport : public Effect
     {
     public:
-      FeltSupport() : Effect("Felt support", &Effects::felt_support, EffectStage::stator) {}
+      FeltSupport()
+          : Effect({"Felt support",
+                    "Stiffness of the felt, given in the section Support, in the modes of the "
+                    "stator; the program losses includes its loss in any case."},
+                   EffectStage::stator)
+      {
+      }
 
       void check(const Parameters &parameters) const override
       {

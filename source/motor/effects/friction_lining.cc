@@ -14,7 +14,10 @@ namespace ringmotor::effects
     class FrictionLining : public Effect
     {
     public:
-      FrictionLining() : Effect("Friction lining", &Effects::friction_lining, EffectStage::contact)
+      FrictionLining()
+          : Effect({"Friction lining",
+                    "Finite stiffness of a friction lining, given in the section Friction."},
+                   EffectStage::contact)
       {
       }
 

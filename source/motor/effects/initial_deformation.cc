@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/motor/effects/list.h>
+#include <ringmotor/parameters/check_geometry.h>
+#include <ringmotor/parameters/errors.h>
 
 namespace ringmotor::effects
 {
@@ -10,15 +12,29 @@ namespace ringmotor::effects
     {
     public:
       InitialDeformation()
-          : Effect("Initial deformation", &Effects::initial_deformation, EffectStage::contact)
+          : Effect({"Initial deformation",
+                    "Warp of the stator at rest, given in the section Initial deformation."},
+                   EffectStage::contact)
       {
+      }
+
+      void check(const Parameters &parameters) const override
+      {
+        const double amplitude = parameters.initial_deformation.amplitude;
+        if (amplitude > 0. && parameters.time.scheme == TimeScheme::steady)
+          throw UserError("Time/Scheme = steady is incompatible with " +
+                          ringmotor::entry("Initial deformation/Amplitude", amplitude) +
+                          ": a warped ring has no steady pattern; allowed: auto | marching, or "
+                          "Effects/Initial deformation = off");
       }
 
       void enter(const Parameters &parameters, MotorModel &model) const override
       {
         const ringmotor::InitialDeformation &deformation = parameters.initial_deformation;
-        if (deformation.amplitude > 0.)
-          model.warp = {deformation.amplitude, deformation.n_waves};
+        if (deformation.amplitude == 0.)
+          return;
+        model.warp       = {deformation.amplitude, deformation.n_waves};
+        model.is_marched = true;
       }
 
       void forget(Parameters &parameters) const override { parameters.initial_deformation = {}; }

@@ -14,7 +14,12 @@ namespace ringmotor::effects
     {
     public:
       PiezoelectricCoupling()
-          : Effect("Piezoelectric coupling", &Effects::piezoelectric_coupling, EffectStage::stator)
+          : Effect({"Piezoelectric coupling",
+                    "Electric potential of the ceramic, with the constants of the section "
+                    "Piezoelectricity instead of an isotropic ceramic; needed for voltages and "
+                    "currents. \"auto\" means off without these constants.",
+                    EffectChoice::automatic, true, "Piezoelectricity/"},
+                   EffectStage::stator)
       {
       }
 
@@ -51,6 +56,11 @@ namespace ringmotor::effects
               ", so narrow that the fields there are not resolved; allowed: at least half "
               "of it");
         ElectrodeLayout(parameters.electrodes, parameters.motor, parameters.stator);
+      }
+
+      std::vector<std::string> warnings(const Parameters &parameters) const override
+      {
+        return parameters.piezoelectricity.warnings();
       }
 
       void enter(const Parameters &parameters, MotorModel &model) const override

@@ -12,7 +12,10 @@ namespace ringmotor::effects
     class RotorInertia : public Effect
     {
     public:
-      RotorInertia() : Effect("Rotor inertia", &Effects::rotor_inertia, EffectStage::contact) {}
+      RotorInertia()
+          : Effect({"Rotor inertia", "Inertia of the rotor's vibration."}, EffectStage::contact)
+      {
+      }
 
       std::string obstacle(const Parameters &parameters) const override
       {
@@ -38,10 +41,10 @@ namespace ringmotor::effects
         return "";
       }
 
-      void enter(const Parameters &parameters, MotorModel &model) const override
+      void enter(const Parameters &, MotorModel &model) const override
       {
         model.rotor_vibrates       = true;
-        model.rotor_moves_as_whole = is_marched(parameters);
+        model.rotor_moves_as_whole = model.is_marched;
       }
 
       /** Estimated by the amplification of the lip; where `auto` decides, by operating points if
@@ -51,12 +54,18 @@ namespace ringmotor::effects
         constexpr double roughly = 3.;
         if (!scene.lip || !scene.wave)
           return measured_in(scene);
-        const double rough = scene.lip().rough_effect(scene.wave->angular_frequency);
+        const double rough = scene.lip(choice(scene.parameters) == EffectChoice::off)
+                                 .rough_effect(scene.wave->angular_frequency);
         const bool is_near = rough < roughly * scene.threshold &&
                              rough > scene.threshold / roughly &&
                              obstacle(scene.parameters).empty();
         const std::optional<double> measured = is_near ? measured_in(scene) : std::nullopt;
         return measured ? measured : rough;
+      }
+
+      void add_cost(const CondensedMotor &motor, EffectRow &row) const override
+      {
+        add_modes_to(row, motor, /*of_teeth =*/false);
       }
     };
   } // namespace

@@ -10,8 +10,9 @@ namespace ringmotor::effects
     {
     public:
       RotorTangentialCompliance()
-          : Effect("Rotor tangential compliance", &Effects::rotor_tangential_compliance,
-                   EffectStage::contact)
+          : Effect(
+                {"Rotor tangential compliance", "Elasticity of the rotor under friction forces."},
+                EffectStage::contact)
       {
       }
 

@@ -12,7 +12,10 @@ namespace ringmotor::effects
     class SpinConvection : public Effect
     {
     public:
-      SpinConvection() : Effect("Spin convection", &Effects::spin_convection, EffectStage::contact)
+      SpinConvection()
+          : Effect(
+                {"Spin convection", "Convection of the rotor's deformation by its own rotation."},
+                EffectStage::contact)
       {
       }
 

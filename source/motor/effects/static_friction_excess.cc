@@ -11,13 +11,15 @@ namespace ringmotor::effects
     {
     public:
       StaticFrictionExcess()
-          : Effect("Static friction excess", &Effects::static_friction_excess, EffectStage::contact)
+          : Effect({"Static friction excess",
+                    "A static coefficient of friction above the dynamic one."},
+                   EffectStage::contact)
       {
       }
 
       void enter(const Parameters &parameters, MotorModel &model) const override
       {
-        model.friction.law = parameters.friction.law;
+        model.friction.static_coefficient = parameters.friction.static_coefficient;
       }
 
       /** Zero without an excess; otherwise determined in the run, see

@@ -15,7 +15,14 @@ namespace ringmotor::effects
     class TargetPlates : public Effect
     {
     public:
-      TargetPlates() : Effect("Target plates", &Effects::target_plates, EffectStage::stator) {}
+      TargetPlates()
+          : Effect({"Target plates",
+                    "Thin plates bonded to the tooth edges as targets of an optical measurement, "
+                    "given by Stator/Target plate cross-section and Materials/Target plate.",
+                    EffectChoice::off, false},
+                   EffectStage::stator)
+      {
+      }
 
       void check(const Parameters &parameters) const override
       {

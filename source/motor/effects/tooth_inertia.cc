@@ -10,7 +10,11 @@ namespace ringmotor::effects
     class ToothInertia : public Effect
     {
     public:
-      ToothInertia() : Effect("Tooth inertia", &Effects::tooth_inertia, EffectStage::contact) {}
+      ToothInertia()
+          : Effect({"Tooth inertia", "Inertia of the teeth in the motion that the base drives."},
+                   EffectStage::contact)
+      {
+      }
 
       void enter(const Parameters &, MotorModel &model) const override
       {

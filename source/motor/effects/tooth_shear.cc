@@ -9,7 +9,12 @@ namespace ringmotor::effects
     class ToothShear : public Effect
     {
     public:
-      ToothShear() : Effect("Tooth shear", &Effects::tooth_shear, EffectStage::contact) {}
+      ToothShear()
+          : Effect({"Tooth shear", "Elasticity of the teeth under contact forces; \"auto\", here "
+                                   "and below, switches an effect on if it may be significant."},
+                   EffectStage::contact)
+      {
+      }
 
       void enter(const Parameters &, MotorModel &model) const override
       {

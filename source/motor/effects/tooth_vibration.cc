@@ -10,21 +10,24 @@ namespace ringmotor::effects
     class ToothVibration : public Effect
     {
     public:
-      ToothVibration() : Effect("Tooth vibration", &Effects::tooth_vibration, EffectStage::contact)
+      ToothVibration()
+          : Effect({"Tooth vibration",
+                    "Inertia of the teeth under contact forces, in addition to Tooth inertia."},
+                   EffectStage::contact)
       {
       }
 
       std::string obstacle(const Parameters &parameters) const override
       {
-        return parameters.effects.tooth_inertia == EffectChoice::off
+        return !motor_model(parameters).teeth_move_with_inertia
                    ? " is not available with Effects/Tooth inertia = off; allowed: off, or Tooth "
                      "inertia = on"
                    : "";
       }
 
-      void enter(const Parameters &parameters, MotorModel &model) const override
+      void enter(const Parameters &, MotorModel &model) const override
       {
-        model.teeth_vibrate = parameters.effects.tooth_inertia != EffectChoice::off;
+        model.teeth_vibrate = model.teeth_move_with_inertia;
       }
 
       /** Friction excites the lowest mode of a tooth, at whose frequency a harmonic of the wave may
@@ -33,7 +36,7 @@ namespace ringmotor::effects
       std::optional<double> indicator(const Scene &scene) const override
       {
         constexpr double margin = 3.;
-        if (scene.parameters.effects.tooth_inertia == EffectChoice::off)
+        if (!motor_model(scene.parameters).teeth_move_with_inertia)
           return 0.;
         if (!scene.wave)
           return std::nullopt;
@@ -41,6 +44,11 @@ namespace ringmotor::effects
         const std::optional<double> measured =
             at_most > scene.threshold ? measured_in(scene) : std::nullopt;
         return measured ? measured : at_most;
+      }
+
+      void add_cost(const CondensedMotor &motor, EffectRow &row) const override
+      {
+        add_modes_to(row, motor, /*of_teeth =*/true);
       }
     };
   } // namespace
