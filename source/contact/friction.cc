@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <deal.II/base/exceptions.h>
-
 #include <ringmotor/contact/laws/list.h>
-
-#include <algorithm>
 
 namespace ringmotor
 {
@@ -25,18 +21,26 @@ namespace ringmotor
     return list;
   }
 
+  const std::vector<FrictionLawEntry> &friction_law_entries()
+  {
+    static const std::vector<FrictionLawEntry> entries = []
+    {
+      std::vector<FrictionLawEntry> all;
+      for (const auto &law : all_friction_laws())
+        all.push_back(law->entry);
+      return all;
+    }();
+    return entries;
+  }
+
   const FrictionLawBase &law_of(const Friction &friction)
   {
-    const auto &laws = all_friction_laws();
-    const auto found = std::find_if(laws.begin(), laws.end(),
-                                    [&](const auto &law) { return law->word == friction.law; });
-    AssertThrow(found != laws.end(), dealii::ExcMessage("Friction/Law has a word without a class"));
-    return **found;
+    return *all_friction_laws()[friction.law.index()];
   }
 
   bool has_static_excess(const Friction &friction)
   {
-    return law_of(friction).has_static_coefficient() &&
+    return friction.law.entry().has_static_coefficient &&
            friction.static_coefficient != friction.dynamic_coefficient;
   }
 

@@ -79,10 +79,10 @@ namespace ringmotor
   {
     static const std::vector<EffectEntry> entries = []
     {
-      std::vector<EffectEntry> entries;
+      std::vector<EffectEntry> all;
       for (const auto &effect : all_effects())
-        entries.push_back(effect->entry);
-      return entries;
+        all.push_back(effect->entry);
+      return all;
     }();
     return entries;
   }

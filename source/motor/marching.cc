@@ -44,12 +44,12 @@ namespace ringmotor
     };
     const ContactState &state = steady.solution.state;
     positions                 = first_sample(contact.positions(state));
-    memory                    = first_sample(next_memory(steady.solution, steady.memory));
-    StepEnd start{0.,
-                  contact.time_step(),
-                  contact.speed(state),
-                  {first_sample(state.force), state.rigid},
-                  first_sample(steady.solution.motion)};
+    memory                    = first_sample(next_memory(steady.solution, steady.solution.memory));
+    StepEnd start;
+    start.length = contact.time_step();
+    start.speed  = contact.speed(state);
+    start.state  = {first_sample(state.force), state.rigid};
+    start.motion = first_sample(steady.solution.motion);
     start.state.rigid.resize(contact.n_rigid_motions());
     // A repeating part of a ring has no near-rigid modes, but the whole ring has.
     start.state.rigid.resize(1 + 2 * motor.near_rigid_modes.size());
@@ -86,11 +86,12 @@ namespace ringmotor
     memory    = next_memory(solution, memory);
     const std::vector<double> rigid(solution.state.rigid.begin(),
                                     solution.state.rigid.end() - (load.torque ? 1 : 0));
-    StepEnd end{time() + length, length, contact->speed(solution.state), solution.state,
-                solution.motion};
+    solution.memory = std::move(limits);
+    solution.speed  = contact->speed(solution.state);
+    StepEnd end{solution, time() + length, length};
     end.state.rigid = rigid;
     history.add(std::move(end));
-    OperatingState state{contact, std::move(solution), std::move(limits)};
+    OperatingState state{contact, std::move(solution)};
     if (modes)
     {
       state.modal_power  = modes->step(state.solution.state.force, length);

@@ -83,14 +83,16 @@ namespace ringmotor
     }
   } // namespace
 
-  Parameters relevant_for_points(const Parameters &parameters)
+  Parameters relevant_for_points(Parameters relevant)
   {
     const Parameters defaults;
-    Parameters relevant             = parameters;
+    const bool marched              = is_marched(relevant),
+               needs_modes          = motor_model(relevant).rotor_needs_modes();
+    const auto rotor_loss_factor    = relevant.materials.rotor_metal.loss_factor;
     relevant.loading.control        = defaults.loading.control;
     relevant.loading.values         = defaults.loading.values;
     relevant.loading.n_curve_points = defaults.loading.n_curve_points;
-    if (!is_marched(parameters)) // marching continues until changes are small against the target
+    if (!marched) // marching continues until changes are small against the target
     {
       relevant.accuracy.contact_target = defaults.accuracy.contact_target;
       relevant.accuracy.quantities     = defaults.accuracy.quantities;
@@ -102,8 +104,8 @@ namespace ringmotor
     relevant.support                       = defaults.support;
     relevant.electrodes                    = defaults.electrodes;
     forget_what_never_matters(relevant);
-    if (motor_model(parameters).rotor_needs_modes())
-      relevant.materials.rotor_metal.loss_factor = parameters.materials.rotor_metal.loss_factor;
+    if (needs_modes)
+      relevant.materials.rotor_metal.loss_factor = rotor_loss_factor;
     return relevant;
   }
 

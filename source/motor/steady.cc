@@ -30,7 +30,7 @@ namespace ringmotor
     }
   } // namespace
 
-  std::vector<FrictionMemory> next_memory(const ContactSolution &solution,
+  std::vector<FrictionMemory> next_memory(const StepState &solution,
                                           const std::vector<FrictionMemory> &earlier)
   {
     std::vector<FrictionMemory> memory(earlier.size());
@@ -58,12 +58,12 @@ namespace ringmotor
       dynamics = std::make_shared<const SteadyDynamics>(motor, step, motor.dynamics);
   }
 
-  OperatingState SteadyDriver::find(const RotorLoad &load, Start from) const
+  OperatingState SteadyDriver::find(const RotorLoad &load, StepState from) const
   {
     return find(load, std::move(from), dynamics);
   }
 
-  OperatingState SteadyDriver::find(const RotorLoad &load, Start from,
+  OperatingState SteadyDriver::find(const RotorLoad &load, StepState from,
                                     std::shared_ptr<const SteadyDynamics> with_inertia,
                                     const Fallback fallback) const
   try
@@ -89,10 +89,12 @@ namespace ringmotor
       from.motion.clear();
       if (memory.settled(solution))
       {
-        OperatingState state{contact, std::move(solution), memory.assumed()};
-        state.modal_power  = contact->modal_power(state.solution.state);
-        state.modal_motion = contact->modal_motion(state.solution.state);
-        state.vibration    = contact->vibration_of_modes(state.solution.state);
+        OperatingState state{contact, std::move(solution)};
+        state.solution.memory = memory.assumed();
+        state.solution.speed  = contact->speed(state.solution.state);
+        state.modal_power     = contact->modal_power(state.solution.state);
+        state.modal_motion    = contact->modal_motion(state.solution.state);
+        state.vibration       = contact->vibration_of_modes(state.solution.state);
         return state;
       }
     }
@@ -105,15 +107,15 @@ namespace ringmotor
                            law_of(friction).remedy());
   }
 
-  SteadyDriver::Start SteadyDriver::start_at(const OperatingState &state)
+  StepState SteadyDriver::start_at(const OperatingState &state)
   {
-    return {state.solution.state, state.solution.motion, travelled(*state.contact, state.solution),
-            state.contact->speed(state.solution.state)};
+    StepState start = state.solution;
+    start.memory    = travelled(*state.contact, state.solution);
+    return start;
   }
 
-  SteadyDriver::Start SteadyDriver::by_coefficients(const RingContact &contact, Start from,
-                                                    RowSolver &solver,
-                                                    unsigned int &n_iterations) const
+  StepState SteadyDriver::by_coefficients(const RingContact &contact, StepState from,
+                                          RowSolver &solver, unsigned int &n_iterations) const
   {
     constexpr unsigned int most_states = 40;
     constexpr double nearly            = 1e-4; // of the coefficients
@@ -130,30 +132,31 @@ namespace ringmotor
           },
           motor.bodies.constants, from.state, from.motion, solver);
       n_iterations += solution.n_iterations;
-      from   = {solution.state, solution.motion, travelled(contact, solution), from.speed};
+      from   = {solution.state, solution.motion, travelled(contact, solution), from.speed, {}};
       change = coefficients.update(from.state, from.motion);
     }
     return from;
   }
 
-  SteadyDriver::Start SteadyDriver::from_rest(const RotorLoad &load) const
+  StepState SteadyDriver::from_rest(const RotorLoad &load) const
   {
     // Without load the rotor turns somewhat slower than the wave's crests.
     const RotorLoad with_speed{
         load.preload, {}, load.torque ? 0.97 * motor.bodies.crest_speed(motor.wave) : load.speed};
     const RingContact contact(motor, with_speed, step);
     // The law with a jump starts with the static limit everywhere.
-    const Start pressed{contact.pressed_down(),
-                        {},
-                        std::vector<FrictionMemory>(contact.n_points(), {true, 0.}),
-                        with_speed.speed};
+    const StepState pressed{contact.pressed_down(),
+                            {},
+                            std::vector<FrictionMemory>(contact.n_points(), {true, 0.}),
+                            with_speed.speed,
+                            {}};
     if (!load.torque && !dynamics)
       return pressed;
-    const Start start = start_at(find(with_speed, pressed, nullptr));
+    const StepState start = start_at(find(with_speed, pressed, nullptr));
     return dynamics ? by_damping(with_speed, start) : start;
   }
 
-  SteadyDriver::Start SteadyDriver::by_damping(const RotorLoad &load, Start from) const
+  StepState SteadyDriver::by_damping(const RotorLoad &load, StepState from) const
   {
     std::vector<RingDynamics> stages;
     const RingDynamics &last        = motor.dynamics;
@@ -170,7 +173,7 @@ namespace ringmotor
     return from;
   }
 
-  OperatingState SteadyDriver::find_through(const RotorLoad &load, Start start,
+  OperatingState SteadyDriver::find_through(const RotorLoad &load, StepState start,
                                             const unsigned int n_stages) const
   {
     for (unsigned int stage = n_stages; stage > 0; --stage)
@@ -188,7 +191,7 @@ namespace ringmotor
   {
     if (!dynamics)
       return find(load, *next);
-    std::vector<const Start *> starts{&*next};
+    std::vector<const StepState *> starts{&*next};
     if (other)
       starts.push_back(&*other);
     std::string tried;
@@ -202,7 +205,7 @@ namespace ringmotor
     {
       if (way < first_way)
         continue;
-      for (const Start *const start : starts)
+      for (const StepState *const start : starts)
         try
         {
           // If not at once, it is most often found from the second stage.
@@ -229,18 +232,18 @@ namespace ringmotor
     return state;
   }
 
-  SteadyDriver::Start SteadyDriver::at_other_samples(const RingContact &coarse,
-                                                     const ContactSolution &solution,
-                                                     const RingContact &fine, const double speed)
+  StepState SteadyDriver::at_other_samples(const RingContact &coarse, const StepState &known,
+                                           const RingContact &fine)
   {
-    const unsigned int n_coarse = coarse.n_times(), n_fine = fine.n_times(),
+    const unsigned int n_coarse = coarse.n_time_samples(), n_fine = fine.n_time_samples(),
                        n_points = coarse.n_points() / n_coarse, n_rigid = coarse.n_rigid_motions();
-    const std::vector<FrictionMemory> memory = travelled(coarse, solution);
-    const ContactState &known                = solution.state;
-    Start start{{std::vector<PointVector>(fine.n_points()), std::vector<double>(fine.n_rigid())},
-                std::vector<PointVector>(fine.n_points()),
-                {},
-                speed};
+    const std::vector<FrictionMemory> memory = travelled(coarse, known);
+    StepState start{
+        {std::vector<PointVector>(fine.n_points()), std::vector<double>(fine.n_rigid())},
+        std::vector<PointVector>(fine.n_points()),
+        {},
+        known.speed,
+        {}};
     for (unsigned int m = 0; m < n_fine; ++m)
     {
       const unsigned int before = m * n_coarse / n_fine;
@@ -253,13 +256,13 @@ namespace ringmotor
         const bool is_last     = before + 1 == n_coarse;
         const unsigned int now = m * n_points + i, next_known = is_last ? i : point + n_points,
                            next_fine = m * n_points + (is_last ? coarse.earlier(i) % n_points : i);
-        start.state.force[now] += (1. - later) * known.force[point];
-        start.state.force[next_fine] += later * known.force[next_known];
-        start.motion[now] += (1. - later) * solution.motion[point];
-        start.motion[next_fine] += later * solution.motion[next_known];
+        start.state.force[now] += (1. - later) * known.state.force[point];
+        start.state.force[next_fine] += later * known.state.force[next_known];
+        start.motion[now] += (1. - later) * known.motion[point];
+        start.motion[next_fine] += later * known.motion[next_known];
       }
       for (unsigned int r = 0; r < n_rigid; ++r)
-        start.state.rigid[m * n_rigid + r] = known.rigid[before * n_rigid + r];
+        start.state.rigid[m * n_rigid + r] = known.state.rigid[before * n_rigid + r];
     }
     for (PointVector &motion : start.motion) // slips are smaller in shorter steps
       for (unsigned int c = 1; c < 3; ++c)
@@ -267,41 +270,41 @@ namespace ringmotor
     return start;
   }
 
-  SteadyDriver::Start SteadyDriver::start_from(const RingContact &contact, const RotorLoad &load,
-                                               const ContactSolution &solution,
-                                               const double speed) const
+  StepState SteadyDriver::start_from(const RingContact &contact, const RotorLoad &load,
+                                     const StepState &known) const
   {
-    if (solution.state.force.size() == contact.n_points())
-      return {solution.state, solution.motion, travelled(contact, solution), speed};
-    SteadyStep coarse_step;
-    coarse_step.n_samples = solution.state.force.size() / (contact.n_points() / contact.n_times());
-    return at_other_samples(RingContact(motor, load, coarse_step), solution, contact, speed);
+    if (known.state.force.size() != contact.n_points())
+    {
+      SteadyStep coarse;
+      coarse.n_samples = known.state.force.size() / (contact.n_points() / contact.n_time_samples());
+      return at_other_samples(RingContact(motor, load, coarse), known, contact);
+    }
+    StepState start = known;
+    start.memory    = travelled(contact, known);
+    return start;
   }
 
-  void SteadyDriver::go_on_from(const RotorLoad &load, const ContactSolution &solution,
-                                const double speed)
+  void SteadyDriver::go_on_from(const RotorLoad &load, const StepState &known)
   {
-    next = start_from(RingContact(motor, load, step), load, solution, speed);
+    next = start_from(RingContact(motor, load, step), load, known);
     other.reset();
   }
 
-  void SteadyDriver::go_on_by_change(const RotorLoad &load, const ContactSolution &from,
-                                     const double from_speed, const ContactSolution &to,
-                                     const double to_speed)
+  void SteadyDriver::go_on_by_change(const RotorLoad &load, const StepState &from,
+                                     const StepState &to)
   {
     Assert(next, dealii::ExcMessage("there is no state that could change"));
     const RingContact contact(motor, load, step);
-    const Start before = start_from(contact, load, from, from_speed),
-                after  = start_from(contact, load, to, to_speed);
+    const StepState before = start_from(contact, load, from), after = start_from(contact, load, to);
     for (unsigned int i = 0; i < contact.n_points(); ++i)
     {
       next->state.force[i] += after.state.force[i] - before.state.force[i];
       if (!next->motion.empty())
         next->motion[i] += after.motion[i] - before.motion[i];
     }
-    for (unsigned int r = 0; r < contact.n_times() * contact.n_rigid_motions(); ++r)
+    for (unsigned int r = 0; r < contact.n_time_samples() * contact.n_rigid_motions(); ++r)
       next->state.rigid[r] += after.state.rigid[r] - before.state.rigid[r];
-    next->speed += to_speed - from_speed;
+    next->speed += to.speed - from.speed;
     next->memory = after.memory;
     other        = after;
   }

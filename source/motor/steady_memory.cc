@@ -4,7 +4,7 @@
 
 namespace ringmotor
 {
-  std::vector<FrictionMemory> travelled(const RingContact &contact, const ContactSolution &solution)
+  std::vector<FrictionMemory> travelled(const RingContact &contact, const StepState &solution)
   {
     const unsigned int n_points = contact.n_points();
     std::vector<FrictionMemory> memory(n_points);
@@ -35,7 +35,7 @@ namespace ringmotor
     }
   }
 
-  std::vector<unsigned int> SteadyMemory::along_paths(const ContactSolution &solution) const
+  std::vector<unsigned int> SteadyMemory::along_paths(const StepState &solution) const
   {
     std::vector<unsigned int> order;
     std::vector<char> is_listed(contact.n_points(), false);
@@ -58,7 +58,7 @@ namespace ringmotor
     return order;
   }
 
-  bool SteadyMemory::settled(const ContactSolution &solution)
+  bool SteadyMemory::settled(const StepState &solution)
   {
     constexpr unsigned char most_gains          = 3;
     const FrictionLawBase &law                  = law_of(friction);

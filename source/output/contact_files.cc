@@ -74,7 +74,7 @@ namespace ringmotor
         if (!is_steady)
           sights.push_back({fields.times[m], m, watched});
         else
-          for (unsigned int tooth = 0; tooth < fields.n_teeth; ++tooth)
+          for (unsigned int tooth = 0; tooth < fields.n_repeating_teeth; ++tooth)
           {
             // Tooth i + j is in the state in which tooth i was n j alpha / omega ago.
             double time = fields.times[m] - motor.n_waves * (1. * tooth - watched) * motor.pitch() /
@@ -117,7 +117,8 @@ namespace ringmotor
         for (const Sight &sight : history_of(tooth, motor, points[p].fields, is_steady))
         {
           const ContactFields &fields = points[p].fields;
-          const std::size_t i = (sight.sample * fields.n_teeth + sight.tooth) * n_nodes + node;
+          const std::size_t i =
+              (sight.sample * fields.n_repeating_teeth + sight.tooth) * n_nodes + node;
           std::vector<CsvTable::Entry> row{
               p,    sight.time / micrometre,          tooth,
               node, motor.nodes[node].radius / milli, motor.nodes[node].angle * 180. / numbers::PI};

@@ -75,7 +75,8 @@ namespace ringmotor
                  "strain energy of the rotor by multiple of the wave's frequency");
       file.set_attribute(group, "time_step_s", fields.time_step);
       file.write(group + "/time", fields.times, {fields.times.size()}, "s", "time samples");
-      const std::vector<std::size_t> dims{fields.times.size(), fields.n_teeth, n_nodes, 3};
+      const std::vector<std::size_t> dims{fields.times.size(), fields.n_repeating_teeth, n_nodes,
+                                          3};
       const std::string components = "; components: normal (up), along -theta, radial";
       file.write(group + "/force", flat(fields.force), dims, "N",
                  "force on the rotor by time sample, tooth, node" + components);
@@ -87,7 +88,7 @@ namespace ringmotor
                  "displacement of the rotor without its rigid rotation" + components);
       file.write(group + "/status",
                  std::vector<unsigned int>(fields.status.begin(), fields.status.end()),
-                 {fields.times.size(), fields.n_teeth, n_nodes}, "1",
+                 {fields.times.size(), fields.n_repeating_teeth, n_nodes}, "1",
                  "0 open, 1 stick, 2 slip, by time sample, tooth, node");
     }
 

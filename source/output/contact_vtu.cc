@@ -65,7 +65,8 @@ namespace ringmotor
       /** The index in the fields, at the last time sample. */
       std::size_t point(const unsigned int tooth, const unsigned int node) const
       {
-        return ((fields.times.size() - 1) * fields.n_teeth + tooth % fields.n_teeth) *
+        return ((fields.times.size() - 1) * fields.n_repeating_teeth +
+                tooth % fields.n_repeating_teeth) *
                    motor.nodes.size() +
                node;
       }

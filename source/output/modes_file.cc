@@ -120,27 +120,22 @@ namespace ringmotor
       return path;
     }
 
-    /** The file of the motor of some parameters. */
-    class ModesFile : public Hdf5Reader
+    /** @throws UserError if the file is of another motor, or has no wave */
+    void require_motor_of(const Parameters &parameters, const Hdf5Reader &file,
+                          const std::string &path)
     {
-    public:
-      ModesFile(const std::string &path, const Parameters &parameters)
-          : Hdf5Reader(existing(path), "ringmotor modes", modes_format_version)
-      {
-        const std::string other =
-            difference(attribute<std::string>("/", "parameters"), relevant_for_wave(parameters));
-        if (!other.empty())
-          throw UserError(path + " belongs to another motor: " + other +
-                          "; run the program stator with these parameters first");
-        const std::string n_waves = std::to_string(parameters.motor.n_waves);
-        if (!has("wave"))
-          throw UserError(path + " has modes, but none of them is the wave of the motor (" +
-                          n_waves + " waves, out of plane); Modes/Nodal diameters must include " +
-                          n_waves +
-                          ", and Modes/Number of modes must be large enough; then run the program "
-                          "stator again");
-      }
-    };
+      const std::string other =
+          difference(file.attribute<std::string>("/", "parameters"), relevant_for_wave(parameters));
+      if (!other.empty())
+        throw UserError(path + " belongs to another motor: " + other +
+                        "; run the program stator with these parameters first");
+      const std::string n_waves = std::to_string(parameters.motor.n_waves);
+      if (!file.has("wave"))
+        throw UserError(path + " has modes, but none of them is the wave of the motor (" + n_waves +
+                        " waves, out of plane); Modes/Nodal diameters must include " + n_waves +
+                        ", and Modes/Number of modes must be large enough; then run the program "
+                        "stator again");
+    }
 
     /** @param cause what its error counts as */
     Estimate shape_number(const Hdf5Reader &file, const std::string &name,
@@ -183,38 +178,25 @@ namespace ringmotor
               "is meant, set Motor/Unusual values = accept";
       throw UserError(text.str());
     }
-
-    /** @throws UserError if the ceramic had no potential */
-    VoltageDrive read_voltage_drive(const std::string &path, const Parameters &parameters)
-    {
-      const std::optional<DrivenWave> driven = read_driven_wave(path, parameters);
-      if (!driven)
-        throw UserError(path + " has no circuits of the phases, which Wave/Drive = voltage needs, "
-                               "as Effects/Piezoelectric coupling = auto was off; set it to on and "
-                               "run the program stator again");
-      if (driven->standing_part > DrivenWave::negligible)
-        throw UserError(
-            "Electrodes/Distance of phases = " + short_text(parameters.electrodes.phase_distance) +
-            ": voltages a quarter of a period apart then drive a wave that is partly standing (" +
-            short_text(100. * driven->standing_part) +
-            " %), which Wave/Drive = voltage does not compute; allowed: a distance of a quarter of "
-            "a wavelength, as 0.25 or 0.75, or Wave/Drive = amplitude");
-      CurvePoint at_rest; // with the wave alone
-      at_rest.result.amplitude = driven->amplitude;
-      const LossBudget losses  = loss_budget(at_rest, read_wave_energies(path, parameters),
-                                             parameters.materials, parameters.support);
-      VoltageDrive drive =
-          voltage_drive(*driven, losses, driven->amplitude, *parameters.wave.voltage);
-      drive.rotor_loss_factor = parameters.materials.rotor_metal.loss_factor;
-      drive.force_factor.errors[causes::circuits] += // it is the mean of both phases
-          0.5 * difference_of_phases(*driven) * std::abs(drive.force_factor.value);
-      return drive;
-    }
   } // namespace
 
-  StatorWave read_stator_wave(const std::string &path, const Parameters &parameters)
+  ModesFile::ModesFile(const std::string &path, const Parameters &parameters)
+      : parameters(parameters), reader(std::make_unique<const Hdf5Reader>(
+                                    existing(path), "ringmotor modes", modes_format_version))
   {
-    const ModesFile file(path, parameters);
+    require_motor_of(parameters, *reader, path);
+  }
+
+  ModesFile::ModesFile(const Parameters &parameters)
+      : ModesFile(parameters.output.directory + "/stator/modes.h5", parameters)
+  {
+  }
+
+  ModesFile::~ModesFile() = default;
+
+  StatorWave ModesFile::wave() const
+  {
+    const Hdf5Reader &file = *reader;
     StatorWave wave;
     wave.n_waves           = file.attribute<unsigned int>("/wave", "nodal_diameter");
     wave.angular_frequency = file.attribute<double>("/wave", "angular_frequency_rad_per_s");
@@ -228,14 +210,12 @@ namespace ringmotor
     wave.top         = motion_of(top);
     wave.fingerprint = fingerprint(foot->bytes() + top->bytes() + to_bytes(wave.n_waves) +
                                    to_bytes(wave.angular_frequency));
-    if (parameters.wave.drive == Drive::voltage)
-      wave.drive = read_voltage_drive(path, parameters);
     return wave;
   }
 
-  WaveEnergies read_wave_energies(const std::string &path, const Parameters &parameters)
+  WaveEnergies ModesFile::energies() const
   {
-    const ModesFile file(path, parameters);
+    const Hdf5Reader &file = *reader;
     WaveEnergies energies;
     energies.angular_frequency = file.attribute<double>("/wave", "angular_frequency_rad_per_s");
     energies.amplitude         = file.attribute<double>("/wave", "amplitude_m");
@@ -251,9 +231,9 @@ namespace ringmotor
     return energies;
   }
 
-  std::optional<DrivenWave> read_driven_wave(const std::string &path, const Parameters &parameters)
+  std::optional<DrivenWave> ModesFile::driven_wave() const
   {
-    const ModesFile file(path, parameters);
+    const Hdf5Reader &file = *reader;
     if (!file.has("circuits"))
       return {};
     DrivenWave wave;
@@ -282,9 +262,9 @@ namespace ringmotor
     return wave;
   }
 
-  SectorField read_wave_body(const std::string &path, const Parameters &parameters)
+  SectorField ModesFile::body() const
   {
-    const ModesFile file(path, parameters);
+    const Hdf5Reader &file  = *reader;
     const std::string group = "/wave/body";
     SectorField body;
     body.order                  = lattice_order(file, group);
@@ -312,5 +292,13 @@ namespace ringmotor
         cell.displacement.back()[d] = {real[3 * i + d], imaginary[3 * i + d]};
     }
     return body;
+  }
+
+  StatorWave read_stator_wave(const ModesFile &file, const Parameters &parameters)
+  {
+    StatorWave wave = file.wave();
+    if (parameters.wave.drive == Drive::voltage)
+      add_voltage_drive(wave, file.driven_wave(), file.energies(), parameters);
+    return wave;
   }
 } // namespace ringmotor

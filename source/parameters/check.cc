@@ -191,7 +191,7 @@ namespace ringmotor
         warnings.push_back("Wave/Response torques" + without);
     }
     if (parameters.friction.dynamic_coefficient > parameters.friction.static_coefficient &&
-        parameters.friction.law != FrictionLaw::coulomb)
+        parameters.friction.law.entry().has_static_coefficient)
       warnings.push_back("Friction/Dynamic coefficient is above Friction/Static coefficient: "
                          "this is unusual; the values are used as given");
     return warnings;

@@ -24,16 +24,27 @@ namespace ringmotor
         "stall.");
   }
 
+  FrictionLaw::FrictionLaw(const std::string &name) : number(0)
+  {
+    const std::vector<FrictionLawEntry> &entries = friction_law_entries();
+    while (number < entries.size() && entries[number].name != name)
+      ++number;
+    AssertThrow(number < entries.size(), ExcMessage(name + " is no law of friction"));
+  }
+
   void Friction::declare(ParameterHandler &prm)
   {
-    add_entry(
-        prm, "Law", law,
-        selection<FrictionLaw>({{"coulomb", FrictionLaw::coulomb},
-                                {"static-dynamic", FrictionLaw::static_dynamic},
-                                {"velocity", FrictionLaw::velocity},
-                                {"slip-weakening", FrictionLaw::slip_weakening}}),
-        "Friction law: one coefficient (the dynamic one), a jump from the static to the dynamic "
-        "one, a decay with the sliding velocity, or a decay over a sliding length.");
+    std::vector<std::pair<std::string, FrictionLaw>> laws;
+    std::string described = "Friction law: ";
+    for (const FrictionLawEntry &entry : friction_law_entries())
+    {
+      described += (laws.empty()                                      ? ""
+                    : laws.size() + 1 < friction_law_entries().size() ? ", "
+                                                                      : ", or ") +
+                   entry.description;
+      laws.emplace_back(entry.name, FrictionLaw(entry.name));
+    }
+    add_entry(prm, "Law", law, selection<FrictionLaw>(laws), described + ".");
     add_entry(prm, "Static coefficient", static_coefficient,
               plausible(non_negative_number(), 1e-3, 5.),
               "Coefficient of friction of sticking contact nodes; with the law \"coulomb\" it is "

@@ -51,7 +51,7 @@ namespace ringmotor
       std::vector<std::string> &not_given = parameters.not_given;
       const auto missing =
           std::find(not_given.begin(), not_given.end(), "Friction/Static coefficient");
-      if (parameters.friction.law != FrictionLaw::coulomb || missing == not_given.end())
+      if (parameters.friction.law.entry().has_static_coefficient || missing == not_given.end())
         return;
       parameters.friction.static_coefficient = parameters.friction.dynamic_coefficient;
       not_given.erase(missing);

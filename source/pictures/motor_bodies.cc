@@ -68,9 +68,10 @@ namespace ringmotor
     for (unsigned int tooth = 0; tooth < n_teeth; ++tooth)
       for (unsigned int a = 0; a < n_nodes; ++a)
       {
-        const PointVector &force =
-            at.fields
-                .force[(at.sample * at.fields.n_teeth + tooth % at.fields.n_teeth) * n_nodes + a];
+        const PointVector &force = at.fields.force[(at.sample * at.fields.n_repeating_teeth +
+                                                    tooth % at.fields.n_repeating_teeth) *
+                                                       n_nodes +
+                                                   a];
         if (force == PointVector())
           continue;
         for (const MortarCoupling::Weight &weight : mortar.nodes[a].weights)
@@ -186,7 +187,10 @@ namespace ringmotor
           for (unsigned int c = 0; c < 3; ++c)
           {
             const double force =
-                fields.force[(sample * fields.n_teeth + tooth % fields.n_teeth) * n_nodes + a][c];
+                fields
+                    .force[(sample * fields.n_repeating_teeth + tooth % fields.n_repeating_teeth) *
+                               n_nodes +
+                           a][c];
             forces[mortar.nodes[a].tooth_node][c] = -force;
             is_pressed                            = is_pressed || force != 0.;
           }

@@ -33,9 +33,9 @@ namespace ringmotor
     append(vibration, later.vibration);
     append(rigid, later.rigid);
     append(status, later.status);
-    n_teeth   = later.n_teeth;
-    time_step = later.time_step;
-    turn      = later.turn;
+    n_repeating_teeth = later.n_repeating_teeth;
+    time_step         = later.time_step;
+    turn              = later.turn;
   }
 
   ContactFields fields_of(const OperatingState &state, const double first_time)
@@ -43,9 +43,9 @@ namespace ringmotor
     const RingContact &contact      = *state.contact;
     const ContactSolution &solution = state.solution;
     ContactFields fields;
-    for (unsigned int sample = 0; sample < contact.n_times(); ++sample)
+    for (unsigned int sample = 0; sample < contact.n_time_samples(); ++sample)
       fields.times.push_back(first_time + sample * contact.time_step());
-    fields.n_teeth                   = contact.n_teeth();
+    fields.n_repeating_teeth         = contact.n_repeating_teeth();
     fields.time_step                 = contact.time_step();
     fields.force                     = solution.state.force;
     fields.motion                    = solution.motion;
@@ -54,7 +54,7 @@ namespace ringmotor
     fields.modal                     = state.modal_motion;
     fields.vibration                 = state.vibration;
     const std::vector<double> &rigid = solution.state.rigid; // a turn may follow
-    const std::size_t size           = contact.n_times() * contact.n_rigid_motions();
+    const std::size_t size           = contact.n_time_samples() * contact.n_rigid_motions();
     fields.rigid.assign(rigid.begin(), rigid.begin() + size);
     fields.turn = rigid.size() > size ? rigid.back() : 0.;
     for (const PointStatus status : solution.status)

@@ -116,10 +116,10 @@ namespace ringmotor
     return std::max(1., std::ceil(most_steps / n_undivided));
   }
 
-  Parameters with_parts_of_a_step(const Parameters &parameters, const unsigned int n_parts)
+  Parameters with_parts_of_a_step(Parameters parameters, const unsigned int n_parts)
   {
-    Parameters divided       = parameters;
-    divided.time.n_snapshots = (is_marched(parameters) ? parameters.time.n_snapshots : 1) * n_parts;
-    return divided;
+    unsigned int &n_snapshots = parameters.time.n_snapshots;
+    n_snapshots               = (is_marched(parameters) ? n_snapshots : 1) * n_parts;
+    return parameters;
   }
 } // namespace ringmotor

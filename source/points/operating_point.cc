@@ -36,7 +36,8 @@ namespace ringmotor
       point.modal_power   = state.modal_power.taken;
       point.modal_damping = state.modal_power.damped_by_factor;
       // Converts sums over the points of all time samples to powers of the whole ring.
-      const double per_second = contact.n_repeats() / (contact.n_times() * contact.time_step());
+      const double per_second =
+          contact.n_repeats() / (contact.n_time_samples() * contact.time_step());
       double pressed = 0., stuck = 0.;
       std::set<std::pair<unsigned int, unsigned int>> touching;
       for (unsigned int i = 0; i < contact.n_points(); ++i)
@@ -64,7 +65,7 @@ namespace ringmotor
       const CondensedMotor &motor = contact.condensed_motor();
       point.amplitude             = contact.stator_wave().amplitude;
       point.teeth_in_contact      = static_cast<double>(touching.size()) * contact.n_repeats() /
-                               (contact.n_times() * motor.n_waves);
+                               (contact.n_time_samples() * motor.n_waves);
       point.stick_fraction = pressed > 0. ? stuck / pressed : 0.;
       drop_rounding(point.speed, motor.crest_speed(contact.stator_wave()));
       drop_rounding(point.torque, pressed * motor.nodes.front().radius);
@@ -92,7 +93,7 @@ namespace ringmotor
     double work                = 0.;
     for (unsigned int i = 0; i < contact.n_points(); ++i)
       work += state.solution.state.force[i] * contact.free_motion(i);
-    work *= static_cast<double>(contact.n_repeats()) / contact.n_times();
+    work *= static_cast<double>(contact.n_repeats()) / contact.n_time_samples();
     const double energy = contact.stator_wave().energy;
     return energy > 0. ? work / (4. * energy) : 0.;
   }

@@ -23,28 +23,29 @@ namespace ringmotor
 
   namespace
   {
-    /** The solution by which a point of the steady state was found, without its certificate. */
-    ContactSolution solution_of(const CurvePoint &point)
+    /** The state of a point of the steady state. */
+    StepState state_of(const CurvePoint &point)
     {
-      ContactSolution solution;
-      solution.state  = {point.fields.force, point.fields.rigid};
-      solution.motion = point.fields.motion;
+      StepState known{{point.fields.force, point.fields.rigid},
+                      point.fields.motion,
+                      {},
+                      point.result.speed,
+                      {}};
       if (point.request.control == Control::torque)
-        solution.state.rigid.push_back(point.fields.turn);
+        known.state.rigid.push_back(point.fields.turn);
       for (const unsigned char status : point.fields.status)
-        solution.status.push_back(static_cast<PointStatus>(status));
-      return solution;
+        known.status.push_back(static_cast<PointStatus>(status));
+      return known;
     }
   } // namespace
 
-  OperatingPointFinder::OperatingPointFinder(const Parameters &all_parameters,
-                                             const MotorInUse &motor,
+  OperatingPointFinder::OperatingPointFinder(Parameters all_parameters, const MotorInUse &motor,
                                              const Discretisation &discretisation,
                                              const std::optional<VoltageDrive> &drive,
                                              PointMemory *memory)
       : n_joined(discretisation.steps.n_joined),
         variation(discretisation.variation ? *discretisation.variation : Variation()),
-        parameters(relevant_for_points(all_parameters)), model(motor_model(parameters)),
+        parameters(relevant_for_points(std::move(all_parameters))), model(motor_model(parameters)),
         motor(motor), drive(drive),
         steady(motor, model.friction, {parameters.time.n_snapshots, n_joined}),
         amplitude(motor.wave.amplitude), memory(memory)
@@ -69,15 +70,14 @@ namespace ringmotor
     if (!neighbour_is_nearer)
     {
       begin_with_wave_of(start);
-      steady.go_on_from(load, solution_of(start), start.result.speed);
+      steady.go_on_from(load, state_of(start));
       return;
     }
     amplitude = start.result.amplitude;
     if (start_before)
     {
       detuning += start.result.detuning - start_before->result.detuning;
-      steady.go_on_by_change(load, solution_of(*start_before), start_before->result.speed,
-                             solution_of(start), start.result.speed);
+      steady.go_on_by_change(load, state_of(*start_before), state_of(start));
     }
   }
 
@@ -95,8 +95,7 @@ namespace ringmotor
       {
         if (!is_marched(parameters))
         {
-          steady.go_on_from(load_of(parameters.loading, request), solution_of(*known),
-                            known->result.speed);
+          steady.go_on_from(load_of(parameters.loading, request), state_of(*known));
           begin_with_wave_of(*known);
         }
         return *known;

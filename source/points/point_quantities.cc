@@ -65,11 +65,11 @@ namespace ringmotor
     static const std::vector<double OperatingPoint::*> members = []
     {
       // In addition to the list, one that only serves to compute another.
-      std::vector<double OperatingPoint::*> members{&OperatingPoint::modal_damping};
+      std::vector<double OperatingPoint::*> all{&OperatingPoint::modal_damping};
       for (const PointQuantity &quantity : point_quantities())
         if (const auto *member = std::get_if<double OperatingPoint::*>(&quantity.source))
-          members.push_back(*member);
-      return members;
+          all.push_back(*member);
+      return all;
     }();
     return members;
   }

@@ -7,6 +7,7 @@
 #include <deal.II/base/timer.h>
 
 #include <map>
+#include <optional>
 
 namespace ringmotor
 {
@@ -81,10 +82,11 @@ namespace ringmotor
     progress.enter("operating points, " + discretisation.text());
     progress.before_points(discretisation, motor, requests.size());
     const Variation variation = discretisation.variation ? *discretisation.variation : Variation();
-    Parameters varied         = parameters;
+    std::optional<Parameters> other;
     if (variation.change_parameters)
-      variation.change_parameters(varied);
-    MotorInUse in_use = motor;
+      variation.change_parameters(other.emplace(parameters));
+    const Parameters &varied = other ? *other : parameters;
+    MotorInUse in_use        = motor;
     if (variation.change_motor)
       variation.change_motor(in_use, wave.relative_error);
     const std::unique_ptr<PointMemory> memory = store.points(varied, discretisation);

@@ -63,7 +63,7 @@ namespace ringmotor
   std::vector<double> rotor_energies(const ContactFields &fields, const RingPattern &pattern,
                                      const unsigned int first_sample)
   {
-    const unsigned int n_teeth           = fields.n_teeth, // of one repetition
+    const unsigned int n_teeth           = fields.n_repeating_teeth, // of one repetition
         n_repeats                        = pattern.n_teeth / n_teeth;
     const std::size_t n_samples          = fields.times.size(),
                       n_nodes            = fields.force.size() / (n_samples * n_teeth);

@@ -8,6 +8,7 @@
 #include <boost/algorithm/string/join.hpp>
 
 #include <algorithm>
+#include <array>
 #include <ostream>
 #include <tuple>
 
@@ -102,21 +103,65 @@ namespace ringmotor
                         boost::algorithm::join(forms, " or " + option + "="));
       return optarg;
     }
+
+    const std::array<option, 11> options{{{"set", required_argument, nullptr, 's'},
+                                          {"output", required_argument, nullptr, 'o'},
+                                          {"from", required_argument, nullptr, 'f'},
+                                          {"check", optional_argument, nullptr, 'k'},
+                                          {"study", no_argument, nullptr, 't'},
+                                          {"resume", no_argument, nullptr, 'r'},
+                                          {"clear", no_argument, nullptr, 'c'},
+                                          {"help", optional_argument, nullptr, 'h'},
+                                          {"version", no_argument, nullptr, 'v'},
+                                          {"done", required_argument, nullptr, 'd'},
+                                          {nullptr, 0, nullptr, 0}}};
+
+    /** Takes an option that getopt_long() has @p found, with its value. @return whether it is one
+     */
+    bool take(const int found, CommandLine &line)
+    {
+      switch (found)
+      {
+      case 's':
+        line.overrides.emplace_back(optarg);
+        return true;
+      case 'o':
+        line.overrides.push_back("Output/Directory = " + std::string(optarg));
+        return true;
+      case 'f':
+        line.from = optarg;
+        return true;
+      case 'k':
+        line.check = true;
+        line.form  = form_of("--check", {"json", "lines"});
+        return true;
+      case 't':
+        line.study = true;
+        return true;
+      case 'r':
+        line.resume = true;
+        return true;
+      case 'c':
+        line.clear = true;
+        return true;
+      case 'h':
+        line.help = true;
+        line.form = form_of("--help", {"json"});
+        return true;
+      case 'v':
+        line.version = true;
+        return true;
+      case 'd':
+        line.done = optarg;
+        return true;
+      default:
+        return false;
+      }
+    }
   } // namespace
 
   CommandLine read_command_line(int argc, char **argv, const Process &process)
   {
-    const option options[]  = {{"set", required_argument, nullptr, 's'},
-                               {"output", required_argument, nullptr, 'o'},
-                               {"from", required_argument, nullptr, 'f'},
-                               {"check", optional_argument, nullptr, 'k'},
-                               {"study", no_argument, nullptr, 't'},
-                               {"resume", no_argument, nullptr, 'r'},
-                               {"clear", no_argument, nullptr, 'c'},
-                               {"help", optional_argument, nullptr, 'h'},
-                               {"version", no_argument, nullptr, 'v'},
-                               {"done", required_argument, nullptr, 'd'},
-                               {nullptr, 0, nullptr, 0}};
     const std::string usage = "; usage: " + process.name +
                               " FILE.prm [--set 'Section/Entry = value']..." + options_of(process) +
                               ", or " + process.name + " --help for all entries";
@@ -127,50 +172,15 @@ namespace ringmotor
     {
       // A cluster of letters, such as -np, is one word: optind passes it with its last letter.
       const std::string word = argv[optind];
-      const int found        = getopt_long(argc, argv, "+:h", options, nullptr);
-      switch (found)
-      {
-      case -1: // no option, or "--" before one
-        if (optind < argc)
-          files.emplace_back(argv[optind++]);
-        break;
-      case 's':
-        line.overrides.emplace_back(optarg);
-        break;
-      case 'o':
-        line.overrides.push_back("Output/Directory = " + std::string(optarg));
-        break;
-      case 'f':
-        line.from = optarg;
-        break;
-      case 'k':
-        line.check = true;
-        line.form  = form_of("--check", {"json", "lines"});
-        break;
-      case 't':
-        line.study = true;
-        break;
-      case 'r':
-        line.resume = true;
-        break;
-      case 'c':
-        line.clear = true;
-        break;
-      case 'h':
-        line.help = true;
-        line.form = form_of("--help", {"json"});
-        break;
-      case 'v':
-        line.version = true;
-        break;
-      case 'd':
-        line.done = optarg;
-        break;
-      case ':':
+      const int found        = getopt_long(argc, argv, "+:h", options.data(), nullptr);
+      if (take(found, line))
+        continue;
+      if (found == ':')
         throw UserError("the option " + word + " needs a value" + usage);
-      default:
+      if (found != -1)
         throw UserError("unknown option " + word + usage);
-      }
+      if (optind < argc) // no option, or "--" before one
+        files.emplace_back(argv[optind++]);
     }
     if (line.help || line.version)
       return line;

@@ -72,6 +72,7 @@ namespace ringmotor
       const bool is_root_rank;
       Log log;
       Phases phases;
+      const ModesFile modes; ///< of the program stator
       const StatorWave wave;
       ChosenEffects effects;
       const Parameters &parameters; ///< no effect of the contact is `auto`
@@ -96,8 +97,8 @@ namespace ringmotor
               "--resume, or a larger Accuracy/Contact target")),
           given(parameters), folder(results_folder("contact", parameters)),
           is_root_rank(Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0), log(is_root_rank),
-          wave(read_stator_wave(parameters.output.directory + "/stator/modes.h5", parameters)),
-          effects(choose_effects()), parameters(effects.parameters())
+          modes(parameters), wave(read_stator_wave(modes, parameters)), effects(choose_effects()),
+          parameters(effects.parameters())
     {
       for (const std::string &warning : check_for_contact(parameters))
         log.line("warning: " + warning);
@@ -280,9 +281,7 @@ namespace ringmotor
       write_contact_surfaces(folder, search.motor(), search.points(), height);
       const MotorBodies bodies(parameters, wave,
                                ContactDiscretisation::level(search.discretisation().level));
-      const StatorAtWave stator{
-          read_wave_body(parameters.output.directory + "/stator/modes.h5", given), wave.amplitude,
-          motor_model(parameters).warp};
+      const StatorAtWave stator{modes.body(), wave.amplitude, motor_model(parameters).warp};
       write_motor_bodies(folder, search.motor(), bodies, stator, search.points(), height);
     }
 

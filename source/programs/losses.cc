@@ -35,7 +35,7 @@ namespace ringmotor
     private:
       void find_losses();
       /** The wave with its electrodes; none if they cannot drive it. */
-      std::optional<DrivenWave> driven_wave(const std::string &path);
+      std::optional<DrivenWave> driven_wave(const ModesFile &modes);
       void report();
       void write_results();
 
@@ -66,15 +66,15 @@ namespace ringmotor
 
     void LossesProgram::find_losses()
     {
-      const auto scope        = phases.measure("losses");
-      const std::string &from = parameters.output.directory;
-      wave                    = read_wave_energies(from + "/stator/modes.h5", parameters);
+      const auto scope = phases.measure("losses");
+      const ModesFile modes(parameters);
+      wave = modes.energies();
       if (is_root_rank && parameters.output.vtu)
-        body = read_wave_body(from + "/stator/modes.h5", parameters);
-      const StatorWave of_now = read_stator_wave(from + "/stator/modes.h5", parameters);
-      const auto driven       = driven_wave(from + "/stator/modes.h5");
-      for (const CurvePoint &point :
-           read_contact_points(from + "/contact/contact.h5", parameters, of_now))
+        body = modes.body();
+      const StatorWave of_now = read_stator_wave(modes, parameters);
+      const auto driven       = driven_wave(modes);
+      for (const CurvePoint &point : read_contact_points(
+               parameters.output.directory + "/contact/contact.h5", parameters, of_now))
       {
         PointLosses losses{point,
                            loss_budget(point, wave, parameters.materials, parameters.support)};
@@ -84,9 +84,9 @@ namespace ringmotor
       }
     }
 
-    std::optional<DrivenWave> LossesProgram::driven_wave(const std::string &path)
+    std::optional<DrivenWave> LossesProgram::driven_wave(const ModesFile &modes)
     {
-      auto driven = read_driven_wave(path, parameters);
+      auto driven = modes.driven_wave();
       if (!driven)
         return {};
       if (driven->standing_part > DrivenWave::negligible)

@@ -172,11 +172,16 @@ namespace ringmotor
           element.matrices(stiffness, mass);
           add_shifted(dofs, 0);
         });
+    add_foundations();
+  }
+
+  void SectorStiffness::add_foundations()
+  {
     all.for_each_owned_foundation(
         [&](const auto &cell, const types::boundary_id, FoundationElement &element)
         {
           std::vector<Dof> dofs = all.dofs_of(cell);
-          stiffness.reinit(dofs.size(), dofs.size());
+          FullMatrix<double> stiffness(dofs.size(), dofs.size());
           element.matrix(stiffness);
           // A foundation acts on a face: no force on, and no motion of, the inner ones.
           const unsigned int n_outer = dofs.size() - n_inner(dofs);

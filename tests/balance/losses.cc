@@ -28,7 +28,7 @@ namespace
   {
     constexpr unsigned int n_teeth = 90;
     ContactFields fields;
-    fields.n_teeth = n_teeth;
+    fields.n_repeating_teeth = n_teeth;
     for (unsigned int sample = 0; sample < n_samples; ++sample)
     {
       fields.times.push_back(sample * 2. * M_PI / omega / (n_teeth * n_samples));

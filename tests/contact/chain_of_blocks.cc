@@ -14,7 +14,7 @@ namespace
 {
   /** Blocks of points on a ring, coupled through far shapes only. In the steady state slips are
    * measured relative to the previous block. */
-  class RingOfBlocks : public DenseContact
+  class RingOfBlocks : public DenseContact, public BlockStructure
   {
   public:
     RingOfBlocks(const unsigned int n_blocks, const bool is_steady)
@@ -57,6 +57,7 @@ namespace
       }
     }
 
+    const BlockStructure &structure() const override { return *this; }
     unsigned int n_blocks() const override { return blocks; }
     unsigned int block_of_point(const unsigned int point) const override
     {

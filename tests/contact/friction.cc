@@ -81,38 +81,38 @@ TEST(FrictionLaws, HaveTheirValues)
 {
   for (const FrictionMemory &memory : {stuck, slipping})
     for (const double slip : {0., 1e-12, 1e-7, 1e-5, 1.})
-      EXPECT_EQ(value(FrictionLaw::coulomb, slip, memory), mu_d);
+      EXPECT_EQ(value(FrictionLaw("coulomb"), slip, memory), mu_d);
 
   for (const double slip : {0., 1e-12, 1e-5, 1.})
   {
-    EXPECT_EQ(value(FrictionLaw::static_dynamic, slip, stuck), mu_s);
-    EXPECT_EQ(value(FrictionLaw::static_dynamic, slip, slipping), mu_d);
+    EXPECT_EQ(value(FrictionLaw("static-dynamic"), slip, stuck), mu_s);
+    EXPECT_EQ(value(FrictionLaw("static-dynamic"), slip, slipping), mu_d);
   }
 
-  EXPECT_EQ(value(FrictionLaw::velocity, 0.), mu_s);
-  EXPECT_NEAR(value(FrictionLaw::velocity, 1e-6 * decay_length), mu_s, 1e-6);
-  EXPECT_NEAR(value(FrictionLaw::velocity, decay_length), 0.373575888, 1e-9); // 0.3 + 0.2/e
-  EXPECT_EQ(value(FrictionLaw::velocity, 1.), mu_d);
+  EXPECT_EQ(value(FrictionLaw("velocity"), 0.), mu_s);
+  EXPECT_NEAR(value(FrictionLaw("velocity"), 1e-6 * decay_length), mu_s, 1e-6);
+  EXPECT_NEAR(value(FrictionLaw("velocity"), decay_length), 0.373575888, 1e-9); // 0.3 + 0.2/e
+  EXPECT_EQ(value(FrictionLaw("velocity"), 1.), mu_d);
 
-  EXPECT_EQ(value(FrictionLaw::slip_weakening, 0.), mu_s);
-  EXPECT_NEAR(value(FrictionLaw::slip_weakening, 1e-6), 0.45, 1e-12);
-  EXPECT_NEAR(value(FrictionLaw::slip_weakening, 3.999999e-6), mu_d, 1e-6);
-  EXPECT_EQ(value(FrictionLaw::slip_weakening, weakening_length), mu_d);
-  EXPECT_EQ(value(FrictionLaw::slip_weakening, 1.), mu_d);
+  EXPECT_EQ(value(FrictionLaw("slip-weakening"), 0.), mu_s);
+  EXPECT_NEAR(value(FrictionLaw("slip-weakening"), 1e-6), 0.45, 1e-12);
+  EXPECT_NEAR(value(FrictionLaw("slip-weakening"), 3.999999e-6), mu_d, 1e-6);
+  EXPECT_EQ(value(FrictionLaw("slip-weakening"), weakening_length), mu_d);
+  EXPECT_EQ(value(FrictionLaw("slip-weakening"), 1.), mu_d);
 }
 
 TEST(FrictionLaws, HaveTheirDerivatives)
 {
   for (const FrictionMemory &memory : {stuck, slipping})
-    for (const FrictionLaw law : {FrictionLaw::coulomb, FrictionLaw::static_dynamic,
-                                  FrictionLaw::velocity, FrictionLaw::slip_weakening})
+    for (const FrictionLaw law : {FrictionLaw("coulomb"), FrictionLaw("static-dynamic"),
+                                  FrictionLaw("velocity"), FrictionLaw("slip-weakening")})
       for (const double slip : {1e-11, 1e-8, decay_length, 1.5e-6, 1e-5, 1.})
         expect_derivative(law, slip, memory);
   // At rest, where only the one-sided derivative exists
   EXPECT_NEAR(
-      friction_coefficient(friction_of(FrictionLaw::velocity), stuck, 0., time_step).derivative,
+      friction_coefficient(friction_of(FrictionLaw("velocity")), stuck, 0., time_step).derivative,
       -(mu_s - mu_d) / decay_length, 1e-6 / decay_length);
-  EXPECT_NEAR(friction_coefficient(friction_of(FrictionLaw::slip_weakening), stuck, 0., time_step)
+  EXPECT_NEAR(friction_coefficient(friction_of(FrictionLaw("slip-weakening")), stuck, 0., time_step)
                   .derivative,
               -(mu_s - mu_d) / weakening_length, 1e-6 / weakening_length);
 }
@@ -121,10 +121,10 @@ TEST(FrictionLaws, Remember)
 {
   // Weakening continues from the end of the last step, however the slip is divided into steps.
   for (const double before : {0., 1e-6, 2.5e-6, 4e-6, 1.})
-    EXPECT_NEAR(value(FrictionLaw::slip_weakening, 0.5e-6, {false, before}),
-                value(FrictionLaw::slip_weakening, 0.5e-6 + before, {true, 0.}), 1e-12);
+    EXPECT_NEAR(value(FrictionLaw("slip-weakening"), 0.5e-6, {false, before}),
+                value(FrictionLaw("slip-weakening"), 0.5e-6 + before, {true, 0.}), 1e-12);
   // The velocity law depends on the velocity only.
-  const Friction velocity = friction_of(FrictionLaw::velocity);
+  const Friction velocity = friction_of(FrictionLaw("velocity"));
   EXPECT_NEAR(friction_coefficient(velocity, stuck, 1e-8, time_step).value,
               friction_coefficient(velocity, slipping, 3e-8, 3. * time_step).value, 1e-12);
 }
@@ -134,7 +134,7 @@ TEST(FrictionOfAPoint, SolvesTheScalarEquation)
   EXPECT_NEAR(slip_on_springs(coulomb(0.3)), 1e-6 - 2e-7 * 0.6, 1e-15);
   EXPECT_NEAR(slip_on_springs(coulomb(3.)), 0., 1e-15); // 6 N would hold it, the spring has 5 N
 
-  const Friction velocity      = friction_of(FrictionLaw::velocity);
+  const Friction velocity      = friction_of(FrictionLaw("velocity"));
   const PointFriction by_speed = [&](const unsigned int, const double slip)
   { return friction_coefficient(velocity, stuck, slip, 10. * time_step); };
   double low = 0., high = 1e-6; // slip - pull + compliance mu(slip) p grows with the slip
@@ -146,7 +146,7 @@ TEST(FrictionOfAPoint, SolvesTheScalarEquation)
   }
   EXPECT_NEAR(slip_on_springs(by_speed), low, 1e-15);
 
-  const Friction weakening         = friction_of(FrictionLaw::slip_weakening);
+  const Friction weakening         = friction_of(FrictionLaw("slip-weakening"));
   const PointFriction by_slip_path = [&](const unsigned int, const double slip)
   { return friction_coefficient(weakening, stuck, slip, time_step); };
   // slip = pull - compliance p (0.5 - 0.2 slip/length)
@@ -157,7 +157,7 @@ TEST(FrictionOfAPoint, MayJumpWhereItWeakensQuickly)
 {
   // From 3 to 0.3 within 1e-7 m: friction falls by 5.4 N, the spring by 0.5 N. It may stick (the
   // pull of 5 N is below 6 N) or slip at 0.6 N; the third, intermediate solution is unstable.
-  Friction friction           = friction_of(FrictionLaw::slip_weakening);
+  Friction friction           = friction_of(FrictionLaw("slip-weakening"));
   friction.static_coefficient = 3.;
   friction.weakening_length   = 1e-7;
   const PointFriction weakens = [&](const unsigned int, const double slip)
@@ -172,8 +172,8 @@ TEST(FrictionOfManyPoints, FallsFromTheStaticCoefficientWhereThePullExceedsIt)
   // static coefficient at first. Those pulled with less than 6 N stick, the others slip at 0.6 N.
   constexpr unsigned int n_points = 60;
   constexpr double compliance     = 2e-7; // m/N
-  Friction weakening              = friction_of(FrictionLaw::slip_weakening),
-           velocity               = friction_of(FrictionLaw::velocity);
+  Friction weakening              = friction_of(FrictionLaw("slip-weakening")),
+           velocity               = friction_of(FrictionLaw("velocity"));
   weakening.static_coefficient = velocity.static_coefficient = 3.;
   weakening.weakening_length                                 = 1e-7;
   velocity.decay_velocity                                    = 1e-8 / time_step;

@@ -12,7 +12,7 @@ namespace
 {
   /** Points on individual springs, each moved slightly by the next one's force, with a common rigid
    * motion; in blocks, with matrices for at most two of them. */
-  class SpringBed : public ContactProblem
+  class SpringBed : public ContactProblem, public BlockStructure
   {
   public:
     explicit SpringBed(const unsigned int size) : size(size) {}
@@ -48,6 +48,7 @@ namespace
         matrix(3 * i, 3 * columns.size()) = 1e6;
       }
     }
+    const BlockStructure &structure() const override { return *this; }
     unsigned int n_blocks() const override { return size / of_block; }
     unsigned int block_of_point(const unsigned int point) const override
     {

@@ -56,9 +56,9 @@ namespace
       read_contact_points(path, parameters, wave);
     else
     {
-      use(read_stator_wave(path, parameters));
-      read_wave_energies(path, parameters);
-      read_wave_body(path, parameters);
+      use(read_stator_wave(ModesFile(path, parameters), parameters));
+      ModesFile(path, parameters).energies();
+      ModesFile(path, parameters).body();
     }
   }
 
@@ -106,7 +106,7 @@ int main(int argc, char **argv)
   spare_the_network_search();
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const Parameters parameters = read_parameters(argv[1], {});
-  const StatorWave wave       = read_stator_wave(argv[2], parameters);
+  const StatorWave wave       = ModesFile(argv[2], parameters).wave();
   for (std::string path; std::getline(std::cin, path);)
   {
     alarm(longest);

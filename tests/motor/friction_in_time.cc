@@ -73,18 +73,19 @@ namespace
     const std::vector<double> found =
         marched(law, {0., 0.2e-6, 0.2e-6, 0.01e-6, 0.01e-6, -0.05e-6, 0.12e-6});
     for (unsigned int step = 0; step < expected.size(); ++step)
-      EXPECT_NEAR(found[step], expected[step], 1e-6) << "law " << int(law) << ", step " << step;
+      EXPECT_NEAR(found[step], expected[step], 1e-6)
+          << "law " << law.entry().name << ", step " << step;
   }
 } // namespace
 
 TEST(MarchedFriction, FollowsItsLawFromStepToStep)
 {
-  expect_forces(FrictionLaw::coulomb, {0., 1.5, 1.5, 1.5, 1.5, 1., 1.5});
+  expect_forces(FrictionLaw("coulomb"), {0., 1.5, 1.5, 1.5, 1.5, 1., 1.5});
   // Beyond 2.5 N it falls to 1.5 N within the step, and has the static limit after sticking again.
-  expect_forces(FrictionLaw::static_dynamic, {0., 2., 1.5, 1.5, 1.5, 1., 2.2});
+  expect_forces(FrictionLaw("static-dynamic"), {0., 2., 1.5, 1.5, 1.5, 1., 2.2});
   // 2.5 N - 1e6 N/m times the distance slipped, over all steps since it last stuck.
   const double third = 2.5 - 1.5 / 9., on = 0.1 / 9., back = third - 2. * on - 0.5;
-  expect_forces(FrictionLaw::slip_weakening,
+  expect_forces(FrictionLaw("slip-weakening"),
                 {0., 2., third, third - on, third - 2. * on, back, 2.5 - (back + 1.2 - 2.5) / 9.});
 }
 
@@ -94,11 +95,12 @@ TEST(SteadyFriction, IsThatOfPointsThatSlipAllAlong)
   constexpr double velocity  = 0.3; // m/s
   const double decayed       = mu_d + (mu_s - mu_d) * std::exp(-velocity / 0.2);
   for (const auto &[law, mu] :
-       {std::pair(FrictionLaw::coulomb, mu_d), std::pair(FrictionLaw::static_dynamic, mu_d),
-        std::pair(FrictionLaw::velocity, decayed), std::pair(FrictionLaw::slip_weakening, mu_d)})
+       {std::pair(FrictionLaw("coulomb"), mu_d), std::pair(FrictionLaw("static-dynamic"), mu_d),
+        std::pair(FrictionLaw("velocity"), decayed),
+        std::pair(FrictionLaw("slip-weakening"), mu_d)})
   {
     SteadyDriver driver(motor, friction_of(law), {});
     const OperatingState state = driver.at({n_teeth * pressed, {}, velocity / radius});
-    EXPECT_NEAR(friction_on_a_tooth(state), mu * pressed, 1e-6) << int(law);
+    EXPECT_NEAR(friction_on_a_tooth(state), mu * pressed, 1e-6) << law.entry().name;
   }
 }

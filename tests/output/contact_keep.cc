@@ -306,7 +306,7 @@ TEST_F(ContactKeepFiles, NeverGiveADamagedMotorOrThatOfAnother)
 // The remaining points start from the last existing one, as if it had just been computed.
 TEST_F(ContactKeepFiles, PointsThatAreMissingComeOutTheSameToTheLastBit)
 {
-  parameters.friction.law                = FrictionLaw::static_dynamic;
+  parameters.friction.law                = FrictionLaw("static-dynamic");
   parameters.friction.static_coefficient = 0.48;
   const CondensedMotor motor             = condensed(keep(false));
   for (const unsigned int n_left : {1u, 2u, 3u})

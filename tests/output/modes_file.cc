@@ -25,6 +25,11 @@ using ringmotor::sample::with;
 
 namespace
 {
+  StatorWave wave_of(const std::string &path, const Parameters &parameters)
+  {
+    return ModesFile(path, parameters).wave();
+  }
+
   /** All entries of these sections except those below, and single entries of others. */
   bool is_of_the_wave(const std::string &entry)
   {
@@ -68,7 +73,7 @@ namespace
 
     std::string refusal(const Parameters &parameters) const
     {
-      return message_of([&]() { read_stator_wave(path, parameters); });
+      return message_of([&]() { read_stator_wave(ModesFile(path, parameters), parameters); });
     }
 
     const Scratch scratch;
@@ -82,7 +87,7 @@ TEST_P(ModesFileOwner, IsToldByEveryEntryThatTheWaveDependsOn)
   Parameters motor               = with({});
   motor.effects["Target plates"] = GetParam();
   write(motor);
-  EXPECT_GT(read_stator_wave(path, motor).angular_frequency, 0.);
+  EXPECT_GT(ModesFile(path, motor).wave().angular_frequency, 0.);
 
   unsigned int n_refused = 0, n_accepted = 0;
   const auto values_of = [](const Parameters &parameters)
@@ -108,7 +113,7 @@ TEST_P(ModesFileOwner, IsToldByEveryEntryThatTheWaveDependsOn)
     }
     else
     {
-      EXPECT_NO_THROW(read_stator_wave(path, other)) << change;
+      EXPECT_NO_THROW(ModesFile(path, other).wave()) << change;
       ++n_accepted;
     }
   }
@@ -131,8 +136,7 @@ TEST_F(ModesFileCeramic, IsToldByItsEntries)
   for (const std::string entry : {"Piezoelectricity/Stiffness c11", "Piezoelectricity/Coupling 15",
                                   "Electrodes/Distance of phases", "Electrodes/Arcs of phase A"})
     expect_message(refusal(with({on, entry + (entry[0] == 'P' ? " = 13e10" : " = 1")})), {entry});
-  EXPECT_NO_THROW(
-      read_stator_wave(path, with({on, "Piezoelectricity/Dielectric loss factor = 0.02"})));
+  EXPECT_NO_THROW(wave_of(path, with({on, "Piezoelectricity/Dielectric loss factor = 0.02"})));
 }
 
 class ModesFileMesh : public ModesFileOwner
@@ -147,12 +151,12 @@ TEST_F(ModesFileMesh, CountsByItsContentNotByItsPlace)
   std::filesystem::copy_file(source, there);
   const auto motor = [](const std::string &mesh) { return with({"Stator/Mesh file = " + mesh}); };
   write(motor(here));
-  EXPECT_NO_THROW(read_stator_wave(path, motor(here)));
-  EXPECT_NO_THROW(read_stator_wave(path, motor(there)));
+  EXPECT_NO_THROW(wave_of(path, motor(here)));
+  EXPECT_NO_THROW(wave_of(path, motor(there)));
   expect_message(refusal(with({})), {"Stator/Mesh file = content ", " there, none here"});
   std::ofstream(here, std::ios::app) << "\n";
   expect_message(refusal(motor(here)), {"Stator/Mesh file = content ", " there, content "});
-  EXPECT_NO_THROW(read_stator_wave(path, motor(there)));
+  EXPECT_NO_THROW(wave_of(path, motor(there)));
 }
 
 TEST_F(ModesFileMesh, WithoutTheWaveIsRefused)

@@ -46,7 +46,7 @@ namespace
         {{"speed", 0.5}, {"friction_loss", 2e-3}, {"rotor_power_per_loss_factor", 3e-5}}};
     point.errors[causes::circuits]["amplitude"] = 1e-3; // of a driven wave
     point.fields.times                          = {0.};
-    point.fields.n_teeth                        = 1;
+    point.fields.n_repeating_teeth              = 1;
     point.fields.force = point.fields.motion = point.fields.tooth = point.fields.rotor = {{}};
     point.fields.status                                                                = {0};
     return point;

@@ -76,7 +76,7 @@ namespace
     EXPECT_FALSE(parameters.wave.frequency.has_value());
     EXPECT_DOUBLE_EQ(parameters.loading.preload, 14.);
     EXPECT_EQ(parameters.loading.control, Control::torque);
-    EXPECT_EQ(parameters.friction.law, FrictionLaw::static_dynamic);
+    EXPECT_EQ(parameters.friction.law, FrictionLaw("static-dynamic"));
     EXPECT_DOUBLE_EQ(parameters.friction.static_coefficient, 0.48);
     EXPECT_DOUBLE_EQ(parameters.friction.dynamic_coefficient, 0.40);
     EXPECT_EQ(parameters.initial_deformation.amplitude, 0.);

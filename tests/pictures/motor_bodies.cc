@@ -88,8 +88,9 @@ namespace
     for (unsigned int tooth = 0; tooth < motor.n_teeth; ++tooth)
       for (unsigned int a = 0; a < motor.nodes.size(); ++a)
       {
-        const std::size_t i =
-            (last * fields.n_teeth + tooth % fields.n_teeth) * motor.nodes.size() + a;
+        const std::size_t i = (last * fields.n_repeating_teeth + tooth % fields.n_repeating_teeth) *
+                                  motor.nodes.size() +
+                              a;
         const PointVector of_tooth = motion_at(bodies.teeth(), teeth, motor.nodes[a].radius,
                                                motor.nodes[a].angle + tooth * motor.pitch(), top);
         PointVector of_rotor;

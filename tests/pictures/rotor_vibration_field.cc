@@ -64,8 +64,8 @@ namespace
     ContactFields fields(const unsigned int k, const double frequency) const
     {
       ContactFields fields;
-      fields.times   = {0.};
-      fields.n_teeth = n_teeth;
+      fields.times             = {0.};
+      fields.n_repeating_teeth = n_teeth;
       fields.rigid.assign(3, 0.);
       for (unsigned int j = 0; j < n_teeth; ++j)
         for (unsigned int a = 0; a < mortar.nodes.size(); ++a)

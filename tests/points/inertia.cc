@@ -139,7 +139,7 @@ namespace
 TEST(MassesOnSprings, PressAsTheyAreAccelerated)
 {
   Friction none;
-  none.law                 = FrictionLaw::coulomb;
+  none.law                 = FrictionLaw("coulomb");
   none.dynamic_coefficient = 0.;
   const double mass        = 1e-4;
   for (const double ratio :
@@ -172,7 +172,7 @@ TEST(MassesOnSprings, PressAsTheyAreAccelerated)
 TEST(MassesOnSprings, LagByTheirLossFactorWithoutInertia)
 {
   Friction none;
-  none.law                 = FrictionLaw::coulomb;
+  none.law                 = FrictionLaw("coulomb");
   none.dynamic_coefficient = 0.;
   const double mass = 1e-4, wave_frequency = 2. * M_PI * 30e3, loss_factor = 0.05;
   for (const double ratio : {0.5, 1., 3.}) // whatever the frequency

@@ -194,8 +194,7 @@ TEST_F(WarpedMotor, IsForeseenOnceItHasSettled)
       for (unsigned int step = 0; step < 6. * steps; ++step)
       {
         const OperatingState state = driver.step({14., {}, 70. * rpm}, length);
-        const StepEnd end{driver.time(), length, 70. * rpm, state.solution.state,
-                          state.solution.motion};
+        const StepEnd end{state.solution, driver.time(), length};
         if (step >= 5. * steps)
         {
           const StepEnd &foreseen = history.predict(length);

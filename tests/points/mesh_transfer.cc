@@ -38,8 +38,8 @@ namespace
   ContactFields edge_contact()
   {
     ContactFields fields;
-    fields.times   = {0.};
-    fields.n_teeth = 2;
+    fields.times             = {0.};
+    fields.n_repeating_teeth = 2;
     for (unsigned int tooth = 0; tooth < 2; ++tooth)
       for (unsigned int node = 0; node < 6; ++node)
       {

@@ -306,7 +306,7 @@ TEST_F(ReferenceMotor, RemembersHowFarItsPointsHaveSlipped)
   // From a crest that touches to a ring pressed nearly flat: at each contact node the friction that
   // the law allows for the distance slipped since it last stuck or came into contact.
   Friction friction            = parameters.friction;
-  friction.law                 = FrictionLaw::slip_weakening;
+  friction.law                 = FrictionLaw("slip-weakening");
   friction.static_coefficient  = 0.48;
   friction.dynamic_coefficient = 0.40;
   friction.weakening_length    = 1e-7;

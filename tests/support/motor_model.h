@@ -15,7 +15,7 @@ namespace ringmotor::tests
   {
     Parameters parameters                   = paper_motor();
     parameters.accuracy.target              = 1e-3;
-    parameters.friction.law                 = FrictionLaw::coulomb;
+    parameters.friction.law                 = FrictionLaw("coulomb");
     parameters.friction.static_coefficient  = 0.40;
     parameters.friction.dynamic_coefficient = 0.40;
     parameters.rotor.flange_element         = ElementKind::solid;
@@ -42,6 +42,6 @@ namespace ringmotor::tests
     const Scratch scratch;
     const std::string path = scratch.path("modes.h5");
     write_modes_h5(path, parameters, body.search().sector(), body.search().modes(), body.wave());
-    return read_stator_wave(path, parameters);
+    return read_stator_wave(ModesFile(path, parameters), parameters);
   }
 } // namespace ringmotor::tests

@@ -24,7 +24,7 @@ namespace ringmotor::tests
 
   /** A problem with random entries, whose contact nodes form a ring of parts of equal size. If
    * there are several parts, the last rigid motion belongs to none of them. */
-  class RandomProblem : public DenseContact
+  class RandomProblem : public DenseContact, public BlockStructure
   {
   public:
     RandomProblem(const unsigned int n_points, const unsigned int n_parts,
@@ -48,6 +48,7 @@ namespace ringmotor::tests
       }
     }
 
+    const BlockStructure &structure() const override { return *this; }
     unsigned int part_of_point(const unsigned int point) const override
     {
       return point * n_parts / n_points();

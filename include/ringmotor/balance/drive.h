@@ -51,6 +51,12 @@ namespace ringmotor
   VoltageDrive voltage_drive(const DrivenWave &wave, const LossBudget &losses,
                              const double amplitude, const double voltage);
 
+  /** Adds the drive by the given voltage to a wave.
+   * @throws UserError if the ceramic had no potential, or the electrodes drive a wave that is
+   * partly standing */
+  void add_voltage_drive(StatorWave &wave, const std::optional<DrivenWave> &driven,
+                         const WaveEnergies &energies, const Parameters &parameters);
+
   DrivePoint drive_point(const CurvePoint &point, const LossBudget &budget, const DrivenWave &wave);
 
   /** The relative difference of the force factors of both phases. Above a percent or so they need

@@ -12,26 +12,22 @@ namespace ringmotor
 {
   /**
    * A law of friction: the entries that it needs, its coefficient, and how marching and the search
-   * for a steady state treat the memory of its points. One class for each word of Friction/Law, in
+   * for a steady state treat the memory of its points. One class for each, in
    * contact/laws; all_friction_laws() is the list. Laws have no state of their own.
    */
   class FrictionLawBase
   {
   public:
-    /** @param word which word of the entry it is */
-    explicit FrictionLawBase(const FrictionLaw word) : word(word) {}
+    explicit FrictionLawBase(const FrictionLawEntry &entry) : entry(entry) {}
     virtual ~FrictionLawBase() = default;
 
     /** Checks the entries that this law needs besides the coefficients. @throws UserError */
     virtual void check(const Friction &) const {}
 
-    /** Whether the static coefficient is used; without it a law has only the dynamic one. */
-    virtual bool has_static_coefficient() const { return true; }
-
     /** The largest coefficient that a point can have. */
     double largest_coefficient(const Friction &friction) const
     {
-      return has_static_coefficient()
+      return entry.has_static_coefficient
                  ? std::max(friction.static_coefficient, friction.dynamic_coefficient)
                  : friction.dynamic_coefficient;
     }
@@ -80,10 +76,10 @@ namespace ringmotor
      * sentence, from its semicolon on, or nothing. */
     virtual std::string remedy() const { return {}; }
 
-    const FrictionLaw word;
+    const FrictionLawEntry entry;
   };
 
-  /** All of them, in the order of the words of Friction/Law. */
+  /** All of them, in the order of their entries. */
   const std::vector<std::unique_ptr<const FrictionLawBase>> &all_friction_laws();
 
   /** The class of the chosen law. */

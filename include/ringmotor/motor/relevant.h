@@ -15,7 +15,7 @@ namespace ringmotor
   /** @p parameters with all entries at their defaults that do not affect a single operating point:
    * the list of operating points, the output, the criteria for refinement, and the entries that
    * only earlier and later programs read. */
-  Parameters relevant_for_points(const Parameters &parameters);
+  Parameters relevant_for_points(Parameters parameters);
 
   /** The same for the condensation of a motor, see condense_motor(): without load, friction, warp
    * and time. */

@@ -50,7 +50,7 @@ namespace ringmotor
    * sample, the rotor's rise (m) and the cosine and sine parts of its near-rigid modes; and last,
    * if the torque is given, its rotation (rad) in a step.
    */
-  class RingContact : public ContactProblem
+  class RingContact : public ContactProblem, public BlockStructure
   {
   public:
     /** The steady state with steps of a given length. @p motor must outlive this object.
@@ -72,6 +72,7 @@ namespace ringmotor
     void derivatives(const std::vector<unsigned int> &rows,
                      const std::vector<unsigned int> &columns,
                      dealii::FullMatrix<double> &matrix) const override;
+    const BlockStructure &structure() const override { return *this; }
     unsigned int part_of_point(const unsigned int point) const override
     {
       return compliance->part_of(point / n_nodes);
@@ -109,9 +110,9 @@ namespace ringmotor
     const CondensedMotor &condensed_motor() const { return motor; }
     const WaveAtNodes &stator_wave() const { return wave; }
     /** Number of teeth after which the motion repeats, and of repetitions around the ring. */
-    unsigned int n_teeth() const { return n_sectors; }
+    unsigned int n_repeating_teeth() const { return n_sectors; }
     unsigned int n_repeats() const { return fold; }
-    unsigned int n_times() const { return n_samples; }
+    unsigned int n_time_samples() const { return n_samples; }
     /** Number of rigid motions of the rotor at one time sample. */
     unsigned int n_rigid_motions() const { return n_rigid_of_sample; }
 

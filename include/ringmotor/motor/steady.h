@@ -13,10 +13,9 @@ namespace ringmotor
   struct OperatingState
   {
     std::shared_ptr<const RingContact> contact;
-    ContactSolution solution;
-    std::vector<FrictionMemory> memory;      ///< of each contact point, at the begin of its step
-    ModalPower modal_power{};                ///< of a motor with modes
-    std::vector<PointVector> modal_motion{}; ///< m, of all contact points in these modes
+    ContactSolution solution;                      ///< with memory and speed
+    ModalPower modal_power{};                      ///< of a motor with modes
+    std::vector<PointVector> modal_motion{};       ///< m, of all contact points in these modes
     std::vector<std::complex<double>> vibration{}; ///< of these modes, see SteadyInertia::vibration
   };
 
@@ -52,15 +51,13 @@ namespace ringmotor
     /** Whether there is a state from which the next search starts. */
     bool has_state() const { return next.has_value(); }
 
-    /** Sets a known state, in which the rotor turns with @p speed (rad/s), as the start of the next
-     * search. If it has other time samples, those in between are interpolated. Of @p solution, the
-     * state, the motion and the status of all contact points are used. */
-    void go_on_from(const RotorLoad &load, const ContactSolution &solution, const double speed);
+    /** Sets a known state as the start of the next search. If it has other time samples, those in
+     * between are interpolated. Its memory is not used. */
+    void go_on_from(const RotorLoad &load, const StepState &known);
     /** Adds the change from one state to another to the known one, as the start of the next search:
-     * both with other time samples or of a similar motor, in which the rotor turns with the given
-     * speeds (rad/s). Where the search fails from there, it starts from the latter. */
-    void go_on_by_change(const RotorLoad &load, const ContactSolution &from,
-                         const double from_speed, const ContactSolution &to, const double to_speed);
+     * both with other time samples or of a similar motor. Where the search fails from there, it
+     * starts from the latter. */
+    void go_on_by_change(const RotorLoad &load, const StepState &from, const StepState &to);
     /** Forgets it. */
     void start_from_rest()
     {
@@ -69,53 +66,45 @@ namespace ringmotor
     }
 
   private:
-    /** The start of the search for a state. */
-    struct Start
-    {
-      ContactState state;
-      std::vector<PointVector> motion; ///< gap and slip, if known
-      std::vector<FrictionMemory> memory;
-      double speed; ///< rad/s
-    };
-    OperatingState find(const RotorLoad &load, Start start) const;
-    OperatingState find(const RotorLoad &load, Start start,
+    OperatingState find(const RotorLoad &load, StepState start) const;
+    OperatingState find(const RotorLoad &load, StepState start,
                         std::shared_ptr<const SteadyDynamics> with_inertia,
                         const Fallback fallback = Fallback::proximal_points) const;
     /** The state as the start of the search for another one. */
-    static Start start_at(const OperatingState &state);
+    static StepState start_at(const OperatingState &state);
     /** From a nearby state by Newton's method alone, through states with inertia and 3^n, ..., 9, 3
      * times the loss factor. */
-    OperatingState find_through(const RotorLoad &load, Start start,
+    OperatingState find_through(const RotorLoad &load, StepState start,
                                 const unsigned int n_stages) const;
     /** From #next or #other; with inertia through as few such stages as lead to the state, because
      * there may be several, and strong damping may lead to another one; at last by_damping(). */
     OperatingState find_or_damp(const RotorLoad &load, const Way first_way) const;
     /** From another state, possibly without inertia, through states with inertia and decreasing
      * damping. */
-    Start by_damping(const RotorLoad &load, Start start) const;
+    StepState by_damping(const RotorLoad &load, StepState start) const;
     /** A start near the state under a law that decreases with the distance slipped: the last of a
      * sequence of states, in each of which the friction coefficients follow from memory and slip in
      * the previous one. Adds the number of systems solved to @p n_iterations. */
-    Start by_coefficients(const RingContact &contact, Start start, RowSolver &solver,
-                          unsigned int &n_iterations) const;
-    Start from_rest(const RotorLoad &load) const;
+    StepState by_coefficients(const RingContact &contact, StepState start, RowSolver &solver,
+                              unsigned int &n_iterations) const;
+    StepState from_rest(const RotorLoad &load) const;
     /** The start from a state, with the time samples of @p contact. */
-    Start start_from(const RingContact &contact, const RotorLoad &load,
-                     const ContactSolution &solution, const double speed) const;
+    StepState start_from(const RingContact &contact, const RotorLoad &load,
+                         const StepState &known) const;
     /** From a state at the time samples of @p coarse to those of @p fine, with forces interpolated
      * linearly. */
-    static Start at_other_samples(const RingContact &coarse, const ContactSolution &solution,
-                                  const RingContact &fine, const double speed);
+    static StepState at_other_samples(const RingContact &coarse, const StepState &known,
+                                      const RingContact &fine);
 
     MotorInUse motor;
     const Friction friction;
     const SteadyStep step;
     std::shared_ptr<const SteadyDynamics> dynamics; ///< of a motor with inertia
-    std::optional<Start> next, other;               ///< to start from, and if that fails
+    std::optional<StepState> next, other;           ///< to start from, and if that fails
   };
 
   /** The distance that each contact point has slipped (m) since it stuck or came into contact, at
    * the end of the step; @p earlier gives the same at its begin. */
-  std::vector<FrictionMemory> next_memory(const ContactSolution &solution,
+  std::vector<FrictionMemory> next_memory(const StepState &solution,
                                           const std::vector<FrictionMemory> &earlier);
 } // namespace ringmotor

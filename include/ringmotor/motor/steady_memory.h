@@ -10,8 +10,7 @@
 namespace ringmotor
 {
   /** The memory of contact points in the steady state: the state one step earlier. */
-  std::vector<FrictionMemory> travelled(const RingContact &contact,
-                                        const ContactSolution &solution);
+  std::vector<FrictionMemory> travelled(const RingContact &contact, const StepState &solution);
 
   /**
    * Makes the memory that the points of a steady state are assumed to have agree with what happens
@@ -34,12 +33,12 @@ namespace ringmotor
 
     /** Changes the memory where it disagrees with a @p solution in which it was assumed. Returns
      * whether all agreed. */
-    bool settled(const ContactSolution &solution);
+    bool settled(const StepState &solution);
 
   private:
     /** Points in the order of time: each after its earlier one, if that one touches; then the open
      * ones. */
-    std::vector<unsigned int> along_paths(const ContactSolution &solution) const;
+    std::vector<unsigned int> along_paths(const StepState &solution) const;
 
     const RingContact &contact;
     const Friction &friction;

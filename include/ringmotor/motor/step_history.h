@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/contact/solve/contact_problem.h>
+#include <ringmotor/contact/solve/contact_solver.h>
 #include <ringmotor/motor/condensed_motor.h>
 #include <ringmotor/motor/repetition.h>
 #include <ringmotor/motor/warp.h>
@@ -13,13 +13,10 @@
 namespace ringmotor
 {
   /** The state of a marched motor at the end of a step. */
-  struct StepEnd
+  struct StepEnd : StepState ///< without the rotation among its rigid motions
   {
-    double time   = 0.;              ///< s
-    double length = 0.;              ///< s, of the step
-    double speed  = 0.;              ///< rad/s
-    ContactState state;              ///< without the rotation
-    std::vector<PointVector> motion; ///< gaps, and slips in the step; empty if there was none
+    double time   = 0.; ///< s
+    double length = 0.; ///< s, of the step
   };
 
   /** The same on a ring rotated by some teeth: what was at tooth 0 is at tooth @p by. */

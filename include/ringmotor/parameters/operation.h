@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace dealii
@@ -33,18 +34,39 @@ namespace ringmotor
     void declare(dealii::ParameterHandler &prm);
   };
 
-  enum class FrictionLaw
+  /** A law of friction as `Friction/Law` names it. */
+  struct FrictionLawEntry
   {
-    coulomb,        ///< one coefficient, the dynamic one
-    static_dynamic, ///< a jump from the static to the dynamic coefficient
-    velocity,       ///< an exponential decay with the sliding velocity
-    slip_weakening  ///< a decay over a sliding length
+    std::string name;
+    std::string description;            ///< in words, without "a law with"
+    bool has_static_coefficient = true; ///< else it has only the dynamic one
+  };
+
+  /** All of them. Each law declares its own: this function is that of the room that models them,
+   * see contact/friction_law.h. */
+  const std::vector<FrictionLawEntry> &friction_law_entries();
+
+  /** One of them. */
+  class FrictionLaw
+  {
+  public:
+    /** @param name which must exist */
+    explicit FrictionLaw(const std::string &name);
+
+    const FrictionLawEntry &entry() const { return friction_law_entries()[number]; }
+    unsigned int index() const { return number; }
+    bool operator==(const FrictionLaw &other) const { return number == other.number; }
+    bool operator!=(const FrictionLaw &other) const { return number != other.number; }
+    bool operator<(const FrictionLaw &other) const { return number < other.number; }
+
+  private:
+    unsigned int number; ///< in the list
   };
 
   /** Friction between lip and tooth tops. */
   struct Friction
   {
-    FrictionLaw law            = FrictionLaw::static_dynamic;
+    FrictionLaw law            = FrictionLaw("static-dynamic");
     double static_coefficient  = 0.48;
     double dynamic_coefficient = 0.40;
     std::optional<double> decay_velocity;              ///< m/s, for the law `velocity`

@@ -15,8 +15,8 @@ namespace ringmotor
   struct ContactFields
   {
     std::vector<double> times;             ///< s
-    unsigned int n_teeth = 0;              ///< those of one repetition in the steady state
-    double time_step     = 0.;             ///< s
+    unsigned int n_repeating_teeth = 0;    ///< all in a marched motor
+    double time_step               = 0.;   ///< s
     std::vector<PointVector> force;        ///< N, on the rotor
     std::vector<PointVector> motion;       ///< m, gap and slip in the step
     std::vector<PointVector> tooth, rotor; ///< m, displacements; the rotor's without its rotation
@@ -36,8 +36,8 @@ namespace ringmotor
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &times &n_teeth &time_step &force &motion &tooth &rotor &modal &vibration &rigid &turn
-          &status;
+      archive &times &n_repeating_teeth &time_step &force &motion &tooth &rotor &modal &vibration
+          &rigid &turn &status;
     }
   };
 

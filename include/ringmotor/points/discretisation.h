@@ -109,5 +109,5 @@ namespace ringmotor
 
   /** The parameters with shorter steps: with @p n_parts time samples in the steady state, with each
    * step divided into @p n_parts when marching. */
-  Parameters with_parts_of_a_step(const Parameters &parameters, const unsigned int n_parts);
+  Parameters with_parts_of_a_step(Parameters parameters, const unsigned int n_parts);
 } // namespace ringmotor

@@ -24,7 +24,7 @@ namespace ringmotor
     /** The bodies of @p motor and @p memory, which is optional, must outlive this object. @p
      * parameters must match @p discretisation in the parts of a step, @p motor in all else. Without
      * a @p drive the wave has the amplitude of the motor, else the one that the drive gives it. */
-    OperatingPointFinder(const Parameters &parameters, const MotorInUse &motor,
+    OperatingPointFinder(Parameters parameters, const MotorInUse &motor,
                          const Discretisation &discretisation     = {},
                          const std::optional<VoltageDrive> &drive = {},
                          PointMemory *memory                      = nullptr);

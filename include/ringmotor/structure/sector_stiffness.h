@@ -75,6 +75,7 @@ namespace ringmotor
     /** Adds an element with a matrix in Cartesian components; the last @p n_inner of @p dofs are
      * eliminated. */
     void add(std::vector<Dof> dofs, const unsigned int n_inner, dealii::FullMatrix<double> &matrix);
+    void add_foundations();
     /** The share of a cell with a potential. */
     void add_piezoelectric(const SectorElements::Cell &cell, SolidElement &element,
                            const double shift);

@@ -9,9 +9,7 @@ namespace ringmotor::laws
     class Coulomb : public FrictionLawBase
     {
     public:
-      Coulomb() : FrictionLawBase(FrictionLaw::coulomb) {}
-
-      bool has_static_coefficient() const override { return false; }
+      Coulomb() : FrictionLawBase({"coulomb", "one coefficient (the dynamic one)", false}) {}
 
       FrictionCoefficient coefficient(const Friction &friction, const FrictionMemory &,
                                       const double, const double) const override

@@ -12,7 +12,7 @@ namespace ringmotor::laws
     class SlipWeakening : public FrictionLawBase
     {
     public:
-      SlipWeakening() : FrictionLawBase(FrictionLaw::slip_weakening) {}
+      SlipWeakening() : FrictionLawBase({"slip-weakening", "a decay over a sliding length"}) {}
 
       void check(const Friction &friction) const override
       {

@@ -10,7 +10,10 @@ namespace ringmotor::laws
     class StaticDynamic : public FrictionLawBase
     {
     public:
-      StaticDynamic() : FrictionLawBase(FrictionLaw::static_dynamic) {}
+      StaticDynamic()
+          : FrictionLawBase({"static-dynamic", "a jump from the static to the dynamic one"})
+      {
+      }
 
       FrictionCoefficient coefficient(const Friction &friction, const FrictionMemory &memory,
                                       const double, const double) const override

@@ -12,7 +12,7 @@ namespace ringmotor::laws
     class Velocity : public FrictionLawBase
     {
     public:
-      Velocity() : FrictionLawBase(FrictionLaw::velocity) {}
+      Velocity() : FrictionLawBase({"velocity", "a decay with the sliding velocity"}) {}
 
       void check(const Friction &friction) const override
       {

@@ -30,18 +30,18 @@ namespace ringmotor
 
   void ChainOfBlocks::find_blocks()
   {
-    std::vector<unsigned int> place(problem.n_blocks(), none);
+    std::vector<unsigned int> place(problem.structure().n_blocks(), none);
     for (const unsigned int unknown : rows.unknowns())
     {
       if (unknown >= rows.n_of_nodes())
         break;
-      const unsigned int number = problem.block_of_point(rows.point_of(unknown));
+      const unsigned int number = problem.structure().block_of_point(rows.point_of(unknown));
       if (place[number] == none)
       {
         place[number] = blocks.size();
         blocks.emplace_back();
         blocks.back().number = number;
-        blocks.back().before = problem.block_before(number);
+        blocks.back().before = problem.structure().block_before(number);
       }
       Block &block                  = blocks[place[number]];
       const Tensor<1, 3> &by_motion = rows.by_motion(unknown);
@@ -67,7 +67,7 @@ namespace ringmotor
     // The first shapes are the most significant. With three the Krylov method takes some 40 steps,
     // with eight 10.
     constexpr unsigned int fewest = 3, affordable = 1500;
-    n_shapes = std::min<unsigned int>(problem.n_far_shapes(),
+    n_shapes = std::min<unsigned int>(problem.structure().n_far_shapes(),
                                       std::max<unsigned int>(fewest, affordable / felt.size()));
     n_far    = n_shapes * felt.size();
     for (Block &block : blocks)
@@ -80,7 +80,7 @@ namespace ringmotor
           for (unsigned int s = 0; s < n_shapes; ++s)
           {
             const unsigned int unknown = block.unknowns[i];
-            const double shape         = problem.far_shape(rows.point_of(unknown), c, s);
+            const double shape = problem.structure().far_shape(rows.point_of(unknown), c, s);
             if (c == unknown % 3)
               block.shapes(i, s) = shape;
             block.by_motion(i, s) += rows.by_motion(unknown)[c] * shape;
@@ -95,7 +95,8 @@ namespace ringmotor
     kernel.reinit(n_far, n_shapes * blocks.size());
     for (unsigned int b = 0; b < blocks.size() && n_shapes > 0; ++b)
       for (unsigned int g = 0; g < felt.size(); ++g)
-        if (const FullMatrix<double> *of_pair = problem.far_kernel(felt[g], blocks[b].number))
+        if (const FullMatrix<double> *of_pair =
+                problem.structure().far_kernel(felt[g], blocks[b].number))
           for (unsigned int s = 0; s < n_shapes; ++s)
             for (unsigned int t = 0; t < n_shapes; ++t)
               kernel(n_shapes * g + s, n_shapes * b + t) = (*of_pair)(s, t);
@@ -149,7 +150,7 @@ namespace ringmotor
     const auto add =
         [&](const LAPACKFullMatrix<double> &motions, const unsigned int moved, const double factor)
     {
-      const FullMatrix<double> *of_pair = problem.far_kernel(moved, loaded.number);
+      const FullMatrix<double> *of_pair = problem.structure().far_kernel(moved, loaded.number);
       if (!of_pair || n_shapes == 0)
         return;
       FullMatrix<double> first_shapes(n_shapes, n_shapes);

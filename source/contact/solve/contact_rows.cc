@@ -54,8 +54,8 @@ namespace ringmotor
 
   unsigned int ContactRows::part_of(const unsigned int unknown) const
   {
-    return unknown < n_of_nodes() ? problem.part_of_point(touching[unknown / 3])
-                                  : problem.part_of_rigid(unknown - n_of_nodes());
+    return unknown < n_of_nodes() ? problem.structure().part_of_point(touching[unknown / 3])
+                                  : problem.structure().part_of_rigid(unknown - n_of_nodes());
   }
 
   LAPACKFullMatrix<double>

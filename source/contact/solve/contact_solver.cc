@@ -175,8 +175,10 @@ namespace ringmotor
                              "violation of the contact laws after a number of linear solves: " +
                              search.tried());
     const ContactIterate &found = search.result();
-    return {found.state,       found.motion,          status_of(found, bound_of),
-            found.certificate, search.n_iterations(), search.tried()};
+    return {{found.state, found.motion, {}, 0., status_of(found, bound_of)},
+            found.certificate,
+            search.n_iterations(),
+            search.tried()};
   }
 
   ContactSolution solve_contact(const ContactProblem &problem, const PointFriction &friction,

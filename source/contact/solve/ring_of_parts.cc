@@ -13,7 +13,7 @@ namespace ringmotor
   {
     std::map<unsigned int, std::vector<unsigned int>> by_part;
     for (const unsigned int unknown : rows.unknowns())
-      (rows.part_of(unknown) == ContactProblem::no_part ? border : by_part[rows.part_of(unknown)])
+      (rows.part_of(unknown) == BlockStructure::no_part ? border : by_part[rows.part_of(unknown)])
           .push_back(unknown);
     for (auto &part : by_part)
       parts.push_back(std::move(part.second));

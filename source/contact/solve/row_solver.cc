@@ -90,7 +90,7 @@ namespace ringmotor
     const unsigned int n = rows.unknowns().size();
     if (n == 0) // LAPACK does not take empty matrices
       return true;
-    if (n >= fewest_for_blocks && problem.n_blocks() > 1 &&
+    if (n >= fewest_for_blocks && problem.structure().n_blocks() > 1 &&
         solve_by_blocks(rows, reduction, solution))
       return true;
     RingOfParts ring(rows);

@@ -12,10 +12,10 @@ namespace ringmotor::effects
     {
     public:
       StatorBackReaction()
-          : Effect(
-                {"Stator back-reaction", "Shift of the frequency of the stator's wave by the "
-                                         "contact forces; the shape of the wave does not change."},
-                EffectStage::contact)
+          : Effect({"Stator back-reaction",
+                    "Shift of the frequency of the stator's wave by the "
+                    "contact forces; the shape of the wave does not change."},
+                   EffectStage::contact)
       {
       }
 

@@ -30,7 +30,7 @@ namespace ringmotor
     void vmult(dealii::Vector<double> &result, const dealii::Vector<double> &vector) const;
 
   private:
-    static constexpr unsigned int none = ContactProblem::no_part;
+    static constexpr unsigned int none = BlockStructure::no_part;
 
     /** Unknowns of the touching nodes of a block. */
     struct Block

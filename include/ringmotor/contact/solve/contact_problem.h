@@ -35,34 +35,12 @@ namespace ringmotor
     }
   };
 
-  /**
-   * The linear relation between the forces at contact points and the motions of the bodies there in
-   * a time step: elastic bodies, condensed to their contact. Points touch where the gap closes; the
-   * slip is the motion of the rotor over the stator in the step.
-   */
-  class ContactProblem
+  /** What the linear solver makes use of: how the points of a contact problem couple. Without
+   * overrides it is a single block, of which nothing is known. */
+  class BlockStructure
   {
   public:
-    virtual ~ContactProblem() = default;
-
-    virtual unsigned int n_points() const = 0;
-    /** Number of rigid motions, and of the balances that go with them. */
-    virtual unsigned int n_rigid() const = 0;
-
-    /** For each point the gap (m), and the slip of the rotor over the stator in the step (m). */
-    virtual std::vector<PointVector> relative_motion(const ContactState &state) const = 0;
-
-    /** The linear part of the relative motion: how forces and rigid motions alone change it. */
-    virtual std::vector<PointVector> motion_by(const ContactState &change) const = 0;
-
-    /**
-     * Derivatives of the relative motion of some points @p rows, three rows for each, by the forces
-     * at points @p columns, three columns for each, and by the rigid motions, one column for each.
-     * Sets size and all entries of @p matrix.
-     */
-    virtual void derivatives(const std::vector<unsigned int> &rows,
-                             const std::vector<unsigned int> &columns,
-                             dealii::FullMatrix<double> &matrix) const = 0;
+    virtual ~BlockStructure() = default;
 
     /** The problem may consist of parts (the time samples of a steady state) in a ring, each of
      * which moves only itself and the next one. Rigid motions common to all parts belong to
@@ -95,6 +73,43 @@ namespace ringmotor
                                                          const unsigned int /*loaded*/) const
     {
       return nullptr;
+    }
+  };
+
+  /**
+   * The linear relation between the forces at contact points and the motions of the bodies there in
+   * a time step: elastic bodies, condensed to their contact. Points touch where the gap closes; the
+   * slip is the motion of the rotor over the stator in the step.
+   */
+  class ContactProblem
+  {
+  public:
+    virtual ~ContactProblem() = default;
+
+    virtual unsigned int n_points() const = 0;
+    /** Number of rigid motions, and of the balances that go with them. */
+    virtual unsigned int n_rigid() const = 0;
+
+    /** For each point the gap (m), and the slip of the rotor over the stator in the step (m). */
+    virtual std::vector<PointVector> relative_motion(const ContactState &state) const = 0;
+
+    /** The linear part of the relative motion: how forces and rigid motions alone change it. */
+    virtual std::vector<PointVector> motion_by(const ContactState &change) const = 0;
+
+    /**
+     * Derivatives of the relative motion of some points @p rows, three rows for each, by the forces
+     * at points @p columns, three columns for each, and by the rigid motions, one column for each.
+     * Sets size and all entries of @p matrix.
+     */
+    virtual void derivatives(const std::vector<unsigned int> &rows,
+                             const std::vector<unsigned int> &columns,
+                             dealii::FullMatrix<double> &matrix) const = 0;
+
+    /** How its points couple, for the linear solver. */
+    virtual const BlockStructure &structure() const
+    {
+      static const BlockStructure without;
+      return without;
     }
 
     /** For each rigid motion the sum of forces that must vanish. */

@@ -37,7 +37,7 @@ namespace ringmotor
 
     /** The unknowns, in ascending order. */
     const std::vector<unsigned int> &unknowns() const { return all_unknowns; }
-    /** The part of the problem that an unknown belongs to, see ContactProblem::no_part. */
+    /** The part of the problem that an unknown belongs to, see BlockStructure::no_part. */
     unsigned int part_of(const unsigned int unknown) const;
 
     /** The entries in the rows of some unknowns and the columns of others, both in ascending order.

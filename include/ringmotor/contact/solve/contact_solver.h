@@ -9,12 +9,20 @@
 
 namespace ringmotor
 {
-  /** The solution of a contact problem. */
-  struct ContactSolution
+  /** The contact at the end of a step: what the next step, or the search for a similar state,
+   * starts from. */
+  struct StepState
   {
     ContactState state;
-    std::vector<PointVector> motion; ///< gap and slip (m) by point
+    std::vector<PointVector> motion;    ///< gap and slip (m) by point; empty if not known
+    std::vector<FrictionMemory> memory; ///< by point, at the begin of the step
+    double speed = 0.;                  ///< rad/s, of the rotor
     std::vector<PointStatus> status;
+  };
+
+  /** The solution of a contact problem, without memory and speed, of which it knows nothing. */
+  struct ContactSolution : StepState
+  {
     ContactCertificate certificate;
     unsigned int n_iterations = 0; ///< linear problems solved
     std::string how;               ///< what was tried, in words, if Newton's method alone failed

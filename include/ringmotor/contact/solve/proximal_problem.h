@@ -34,34 +34,7 @@ namespace ringmotor
     void derivatives(const std::vector<unsigned int> &rows,
                      const std::vector<unsigned int> &columns,
                      dealii::FullMatrix<double> &matrix) const override;
-    unsigned int part_of_point(const unsigned int point) const override
-    {
-      return problem.part_of_point(point);
-    }
-    unsigned int part_of_rigid(const unsigned int motion) const override
-    {
-      return problem.part_of_rigid(motion);
-    }
-    unsigned int n_blocks() const override { return problem.n_blocks(); }
-    unsigned int block_of_point(const unsigned int point) const override
-    {
-      return problem.block_of_point(point);
-    }
-    unsigned int block_before(const unsigned int block) const override
-    {
-      return problem.block_before(block);
-    }
-    unsigned int n_far_shapes() const override { return problem.n_far_shapes(); }
-    double far_shape(const unsigned int point, const unsigned int component,
-                     const unsigned int shape) const override
-    {
-      return problem.far_shape(point, component, shape);
-    }
-    const dealii::FullMatrix<double> *far_kernel(const unsigned int moved,
-                                                 const unsigned int loaded) const override
-    {
-      return problem.far_kernel(moved, loaded);
-    }
+    const BlockStructure &structure() const override { return problem.structure(); }
     std::vector<double> balances(const ContactState &state) const override;
     void balance_derivatives(const std::vector<unsigned int> &points,
                              dealii::FullMatrix<double> &matrix) const override;
