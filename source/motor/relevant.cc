@@ -2,6 +2,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <ringmotor/motor/effect.h>
+#include <ringmotor/motor/motor_model.h>
 #include <ringmotor/motor/relevant.h>
 #include <ringmotor/parameters/fingerprint.h>
 #include <ringmotor/parameters/prm_file.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/motor_model.h>
 #include <ringmotor/points/chosen_effects.h>
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/motor_model.h>
 #include <ringmotor/motor/relevant.h>
 #include <ringmotor/motor/warp.h>
 #include <ringmotor/parameters/errors.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/motor_model.h>
 #include <ringmotor/points/mesh_transfer.h>
 #include <ringmotor/points/point_quantities.h>
 #include <ringmotor/points/point_table.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/contact/friction_law.h>
+#include <ringmotor/motor/motor_model.h>
 #include <ringmotor/output/contact_files.h>
 #include <ringmotor/output/contact_h5.h>
 #include <ringmotor/output/contact_keep.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/motor_model.h>
 #include <ringmotor/points/causes/list.h>
 #include <ringmotor/points/point_quantities.h>
 
@@ -12,6 +13,12 @@ namespace ringmotor
                                     parameters.time.average_from_step = {};
                                     parameters.time.average_to_step   = {};
                                   }};
+
+    /** With steps of the length that the user has given. */
+    Discretisation undivided(const ErrorScene &scene)
+    {
+      return scene.plain().with(Steps());
+    }
 
     bool has_window(const ErrorScene &scene)
     {
@@ -29,7 +36,7 @@ namespace ringmotor
       {
         if (!has_window(scene))
           return {};
-        return {scene.plain().with(settled_means)};
+        return {undivided(scene), undivided(scene).with(settled_means)};
       }
 
       PointError of(const PointRequest &request, const Discretisation &own,
@@ -37,9 +44,9 @@ namespace ringmotor
       {
         if (!has_window(scene))
           return scene.table.at(own, request).unsettled_means;
-        // What a window misses does not depend on the steps.
-        const CurvePoint &settled = scene.table.at(scene.plain().with(settled_means), request);
-        return change(settled, scene.table.at(scene.plain(), request)) + settled.unsettled_means;
+        // What a window misses hardly depends on the steps, if they are those that it counts.
+        const CurvePoint &settled = scene.table.at(undivided(scene).with(settled_means), request);
+        return change(settled, scene.table.at(undivided(scene), request)) + settled.unsettled_means;
       }
     };
   } // namespace
