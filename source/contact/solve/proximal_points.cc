@@ -35,8 +35,9 @@ namespace ringmotor
         }
       }
 
-      /** That of the touching nodes, or of the stiffest node if that is larger. */
-      std::vector<double> against(const ContactState &state) const
+      /** That of the touching nodes, or of the stiffest node if that is larger, times @p strength.
+       */
+      std::vector<double> against(const ContactState &state, const double strength) const
       {
         std::vector<double> stiffness; // with the sign for each motion
         for (const std::vector<double> &of_motion : of_node)
@@ -49,7 +50,8 @@ namespace ringmotor
             if (state.force[i][0] > 0.)
               of_touching += of_motion[i];
           }
-          stiffness.push_back(std::abs(largest) > std::abs(of_touching) ? largest : of_touching);
+          stiffness.push_back(strength *
+                              (std::abs(largest) > std::abs(of_touching) ? largest : of_touching));
         }
         return stiffness;
       }
@@ -87,10 +89,9 @@ namespace ringmotor
     { return step < (found.certificate.worst() < close ? most_if_close : most_steps); };
     for (unsigned int step = 0; may_go_on(step) && strength < strongest; ++step)
     {
-      ProximalProblem::Springs springs{strength / constants.normal, strength / constants.tangential,
-                                       rigid_stiffness.against(found.state)};
-      for (double &stiffness : springs.rigid_stiffness)
-        stiffness *= strength;
+      const ProximalProblem::Springs springs{strength / constants.normal,
+                                             strength / constants.tangential,
+                                             rigid_stiffness.against(found.state, strength)};
       const ProximalProblem proximal(problem, found.state, springs);
       const ComplementarityConstants softer{constants.normal / (1. + strength),
                                             constants.tangential / (1. + strength)};
