@@ -34,7 +34,7 @@ class ContactResults:
             self.attributes = dict(file.attrs)
             self.radius = file["nodes/radius"][:]
             self.angle = file["nodes/angle"][:]
-            self.points = [{**point.attrs, **{name: point[name][:] for name in point}}
+            self.points = [{**point.attrs, **{name: item[:] for name, item in point.items() if isinstance(item, h5py.Dataset)}}
                            for _, point in sorted(file["points"].items())]
         self.n_repeats = int(self.attributes["n_teeth"]) // self.points[0]["force"].shape[1]
 
