@@ -57,29 +57,24 @@ namespace ringmotor
     return drive;
   }
 
-  void add_voltage_drive(StatorWave &wave, const std::optional<DrivenWave> &driven,
-                         const WaveEnergies &energies, const Parameters &parameters)
+  void add_voltage_drive(StatorWave &wave, const DrivenWave &driven, const WaveEnergies &energies,
+                         const Parameters &parameters)
   {
-    if (!driven)
-      throw UserError("the stator's results have no circuits of the phases, which Wave/Drive = "
-                      "voltage needs, as Effects/Piezoelectric coupling = auto was off; set it to "
-                      "on and run the program stator again");
-    if (driven->standing_part > DrivenWave::negligible)
+    if (driven.standing_part > DrivenWave::negligible)
       throw UserError(
           "Electrodes/Distance of phases = " + short_text(parameters.electrodes.phase_distance) +
           ": voltages a quarter of a period apart then drive a wave that is partly standing (" +
-          short_text(100. * driven->standing_part) +
+          short_text(100. * driven.standing_part) +
           " %), which Wave/Drive = voltage does not compute; allowed: a distance of a quarter of "
           "a wavelength, as 0.25 or 0.75, or Wave/Drive = amplitude");
     CurvePoint at_rest; // with the wave alone
-    at_rest.result.amplitude = driven->amplitude;
+    at_rest.result.amplitude = driven.amplitude;
     const LossBudget losses =
         loss_budget(at_rest, energies, parameters.materials, parameters.support);
-    VoltageDrive drive =
-        voltage_drive(*driven, losses, driven->amplitude, *parameters.wave.voltage);
+    VoltageDrive drive = voltage_drive(driven, losses, driven.amplitude, *parameters.wave.voltage);
     drive.rotor_loss_factor = parameters.materials.rotor_metal.loss_factor;
     drive.force_factor.errors[causes::circuits] += // it is the mean of both phases
-        0.5 * difference_of_phases(*driven) * std::abs(drive.force_factor.value);
+        0.5 * difference_of_phases(driven) * std::abs(drive.force_factor.value);
     wave.drive = drive;
   }
 

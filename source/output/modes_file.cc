@@ -181,8 +181,9 @@ namespace ringmotor
   } // namespace
 
   ModesFile::ModesFile(const std::string &path, const Parameters &parameters)
-      : parameters(parameters), reader(std::make_unique<const Hdf5Reader>(
-                                    existing(path), "ringmotor modes", modes_format_version))
+      : path(path), parameters(parameters),
+        reader(std::make_unique<const Hdf5Reader>(existing(path), "ringmotor modes",
+                                                  modes_format_version))
   {
     require_motor_of(parameters, *reader, path);
   }
@@ -297,8 +298,15 @@ namespace ringmotor
   StatorWave read_stator_wave(const ModesFile &file, const Parameters &parameters)
   {
     StatorWave wave = file.wave();
-    if (parameters.wave.drive == Drive::voltage)
-      add_voltage_drive(wave, file.driven_wave(), file.energies(), parameters);
+    if (parameters.wave.drive != Drive::voltage)
+      return wave;
+    const std::optional<DrivenWave> driven = file.driven_wave();
+    if (!driven)
+      throw UserError(file.path +
+                      " has no circuits of the phases, which Wave/Drive = voltage needs, as "
+                      "Effects/Piezoelectric coupling = auto was off; set it to on and run the "
+                      "program stator again");
+    add_voltage_drive(wave, *driven, file.energies(), parameters);
     return wave;
   }
 } // namespace ringmotor

@@ -52,10 +52,9 @@ namespace ringmotor
                              const double amplitude, const double voltage);
 
   /** Adds the drive by the given voltage to a wave.
-   * @throws UserError if the ceramic had no potential, or the electrodes drive a wave that is
-   * partly standing */
-  void add_voltage_drive(StatorWave &wave, const std::optional<DrivenWave> &driven,
-                         const WaveEnergies &energies, const Parameters &parameters);
+   * @throws UserError if the electrodes drive a wave that is partly standing */
+  void add_voltage_drive(StatorWave &wave, const DrivenWave &driven, const WaveEnergies &energies,
+                         const Parameters &parameters);
 
   DrivePoint drive_point(const CurvePoint &point, const LossBudget &budget, const DrivenWave &wave);
 

@@ -36,11 +36,14 @@ namespace ringmotor
     /** The motion of the stator and the distribution of its strain energy in the wave. */
     SectorField body() const;
 
+    const std::string path;
+
   private:
     const Parameters &parameters;
     const std::unique_ptr<const Hdf5Reader> reader;
   };
 
-  /** The motor's wave with what drives it. */
+  /** The motor's wave with what drives it. @throws UserError for a voltage if the ceramic had no
+   * potential */
   StatorWave read_stator_wave(const ModesFile &file, const Parameters &parameters);
 } // namespace ringmotor
