@@ -132,6 +132,17 @@ namespace ringmotor
                         "without Effects/Initial deformation, or Wave/Drive = amplitude");
     }
 
+    /** The model without effects that `auto` may leave out by a formula of the parameters. */
+    MotorModel certain_model(Parameters parameters)
+    {
+      const Parameters given = parameters;
+      for (const auto &effect : all_effects())
+        if (effect->choice(given) == EffectChoice::automatic &&
+            effect->indicator({given, nullptr, {}}))
+          parameters.effects[effect->name] = EffectChoice::off;
+      return motor_model(parameters);
+    }
+
     void check_tangential_compliance(const Parameters &parameters, const MotorModel &model)
     {
       if (!model.teeth_give_way && !model.rotor_gives_way_along &&
@@ -155,9 +166,8 @@ namespace ringmotor
       }
     if (last == EffectStage::stator)
       return;
-    const MotorModel model = motor_model(parameters);
-    check_drive(parameters, model);
-    check_tangential_compliance(parameters, model);
+    check_drive(parameters, motor_model(parameters));
+    check_tangential_compliance(parameters, certain_model(parameters));
   }
 
   std::vector<std::string> warnings_of_effects(const Parameters &parameters,

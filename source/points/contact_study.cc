@@ -51,7 +51,7 @@ namespace ringmotor
          << setting.knob << " " << setting.value << "\n"
          << setting.text();
     for (const PointRequest &request : requests)
-      text << (request.control == Control::torque ? "torque " : "speed ") << request.value << "\n";
+      text << request.text() << "\n";
     return text.str();
   }
 

@@ -66,7 +66,7 @@ namespace ringmotor
       : is_marched(ringmotor::is_marched(parameters)),
         is_fixed(parameters.accuracy.mode == AccuracyMode::fixed),
         n_snapshots(parameters.time.n_snapshots), few_steps(steps_to_compare_with(parameters)),
-        n_undivided(is_marched ? period / parameters.time.time_step * n_snapshots
+        n_undivided(is_marched ? period / parameters.time.time_step
                                : teeth_that_differ(parameters.motor))
   {
   }
@@ -74,18 +74,20 @@ namespace ringmotor
   Steps StepChoice::at_least(const double n_steps) const
   {
     constexpr double nearly = 0.99;
+    const double in_period  = is_marched ? n_undivided * n_snapshots : n_undivided;
     Steps steps;
-    steps.n_parts = std::max(1., std::ceil(nearly * n_steps / n_undivided));
-    while (2 * steps.n_joined * nearly * n_steps <= n_undivided)
+    steps.n_parts = std::max(1., std::ceil(nearly * n_steps / in_period));
+    while (2 * steps.n_joined * nearly * n_steps <= in_period)
       steps.n_joined *= 2;
     return steps;
   }
 
   Steps StepChoice::plain() const
   {
-    Steps plain = at_least(few_steps);
-    if (is_marched) // as long as the user wants them
-      plain.n_parts = 1;
+    if (!is_marched)
+      return at_least(few_steps);
+    Steps plain   = at_least(few_steps * n_snapshots);
+    plain.n_parts = 1; // no shorter than the user wants them
     return plain;
   }
 

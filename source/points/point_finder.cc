@@ -94,7 +94,7 @@ namespace ringmotor
     if (memory)
       if (std::optional<CurvePoint> known = memory->recall(request))
       {
-        if (!is_marched(parameters))
+        if (!model.is_marched)
         {
           steady.go_on_from(load_of(parameters.loading, request), state_of(*known));
           begin_with_wave_of(*known);
@@ -121,7 +121,7 @@ namespace ringmotor
         return from_start();
       }
     };
-    CurvePoint point = is_marched(parameters) ? find_marched(parameters, motor, request, n_joined)
+    CurvePoint point = model.is_marched ? find_marched(parameters, motor, request, n_joined)
                        : start && variation.starts_from_neighbours ? anew()
                                                                    : from_start();
     point.request    = request;

@@ -10,10 +10,13 @@
 #include "support/record.h"
 
 #include <ringmotor/motor/effect.h>
+#include <ringmotor/parameters/declared_entries.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/points/effect_on_points.h>
 #include <ringmotor/points/point_finder.h>
 #include <ringmotor/points/point_quantities.h>
+
+#include <deal.II/base/parameter_handler.h>
 
 #include <gtest/gtest.h>
 
@@ -70,7 +73,12 @@ TEST(Effects, HaveEachAnEntryOfTheirOwn)
                 other->choice(reference_motor()) == EffectChoice::off || other == one)
           << one->name << " " << other->name;
   }
-  EXPECT_EQ(names.size(), effect_entries().size());
+  dealii::ParameterHandler prm;
+  Effects().declare(prm);
+  const DeclaredEntries declared(prm);
+  for (const std::string &name : names)
+    EXPECT_NE(declared.find(name), nullptr) << name;
+  EXPECT_EQ(names.size(), 14u);
 }
 
 TEST(Effects, SayWhatTheyNeed)
@@ -337,4 +345,28 @@ TEST(StatorBackReaction, FollowsTheFrequencyOfTheWaveWithInertia)
   const CurvePoint given = OperatingPointFinder(parameters, motor).find(request);
   EXPECT_NEAR(given.result.detuning, shift, 1e-6 * shift);
   EXPECT_NEAR(given.result.speed, own.result.speed, 1e-6 * own.result.speed);
+}
+
+TEST(Effects, MarchAWarpedRingOnlyWhereTheSchemeIsOpen)
+{
+  // What effects change is measured on a uniform ring: in the steady state, whatever the warp.
+  Parameters warped                    = reference_motor();
+  warped.initial_deformation.amplitude = 4e-6;
+  warped.time.scheme                   = TimeScheme::automatic;
+  EXPECT_TRUE(is_marched(warped));
+  warped.time.scheme = TimeScheme::steady;
+  EXPECT_FALSE(is_marched(warped));
+}
+
+TEST(Effects, LeaveSomeTangentialComplianceForCertain)
+{
+  Parameters rigid                             = with("Tooth shear", EffectChoice::off);
+  rigid.effects["Rotor tangential compliance"] = EffectChoice::off;
+  rigid.contact.formulation                    = ContactFormulation::mortar;
+  rigid.friction.lining_normal_stiffness       = 1e13;
+  rigid.friction.lining_tangential_stiffness   = 1e13;
+  rigid.effects["Friction lining"]             = EffectChoice::automatic; // may leave it out
+  expect_refused(rigid, EffectStage::contact, {"leave no tangential compliance"});
+  rigid.effects["Friction lining"] = EffectChoice::on;
+  EXPECT_NO_THROW(check_effects(rigid, EffectStage::contact));
 }

@@ -327,7 +327,7 @@ class Paper(WithContact):
 
     def test_its_window_is_in_the_error_bar(self):
         """The mean of steps 6 to 15 and its bar hold the mean over a whole period of the solution."""
-        torques, errors = [], []
+        torques, errors, losses, loss_errors = [], [], [], []
         for steps in (FIFTEEN_STEPS, ()):
             done = self.contact("Loading/Control = speed", "Loading/Values = 8", "Friction/Law = coulomb", *steps,
                                 "Initial deformation/Amplitude = 4e-6", "Accuracy/Mode = fixed", "Output/VTU = false")
@@ -336,9 +336,13 @@ class Paper(WithContact):
             torque = next(quantity for quantity in summary["quantities"] if quantity["name"] == "torque")
             torques.append(torque["value"])
             errors.append(torque["error_causes"]["averaging window"])
+            loss = next(quantity for quantity in summary["quantities"] if quantity["name"] == "friction_loss")
+            losses.append(loss["value"])
+            loss_errors.append(loss["error_causes"]["averaging window"])
         self.assertLess(errors[1], 0.1 * 0.05 * 0.2)
         self.assertGreater(errors[0], errors[1])
         self.assertLessEqual(abs(torques[0] - torques[1]), errors[0])
+        self.assertLessEqual(abs(losses[0] - losses[1]), loss_errors[0])
         with h5py.File(self.case / "contact" / "contact.h5") as file:
             moments = file["points/000/time"][()]
             period = 2 * np.pi / file.attrs["angular_frequency_rad_per_s"]

@@ -33,8 +33,9 @@ namespace ringmotor::effects
         const ringmotor::InitialDeformation &deformation = parameters.initial_deformation;
         if (deformation.amplitude == 0.)
           return;
-        model.warp       = {deformation.amplitude, deformation.n_waves};
-        model.is_marched = true;
+        model.warp = {deformation.amplitude, deformation.n_waves};
+        if (parameters.time.scheme == TimeScheme::automatic)
+          model.is_marched = true;
       }
 
       void forget(Parameters &parameters) const override { parameters.initial_deformation = {}; }
