@@ -114,7 +114,7 @@ namespace ringmotor
                                  : needed * (1. + stiffness_error / std::abs(stiffness)) * of_phases;
     drive.voltage_mismatch = std::abs(needed / drive.voltage.value - 1.);
     // Currents and powers are those at the voltage that the state needs, which balance. How far it
-    // is from the given one counts in the error of the amplitude, see balanced_amplitude().
+    // is from the given one counts in the error of the amplitude, see balanced().
     const Complex motional = eta.value * Complex(0., omega) * (eta.value * needed / stiffness),
                   parallel = Complex(0., omega) * c0.value *
                              Complex(1., -wave.dielectric_loss_factor) * needed,

@@ -15,11 +15,9 @@ namespace ringmotor
   {
     constexpr double micrometre = 1e-6, milli = 1e-3;
 
-    const char *name_of(const unsigned char status)
+    const char *name_of(const PointStatus status)
     {
-      return status == static_cast<unsigned char>(PointStatus::open)    ? "open"
-             : status == static_cast<unsigned char>(PointStatus::stick) ? "stick"
-                                                                        : "slip";
+      return status == PointStatus::open ? "open" : status == PointStatus::stick ? "stick" : "slip";
     }
 
     /** A contact point whose history is written. */
@@ -111,19 +109,17 @@ namespace ringmotor
                     "force_t_N", "force_r_N", "gap_um", "slip_t_um", "slip_r_um", "tooth_n_um",
                     "tooth_t_um", "tooth_r_um", "rotor_n_um", "rotor_t_um", "rotor_r_um",
                     "status"});
-    const std::size_t n_nodes = motor.nodes.size();
     for (unsigned int p = 0; p < points.size(); ++p)
       for (const auto &[tooth, node] : watched_points(motor, places))
         for (const Sight &sight : history_of(tooth, motor, points[p].fields, is_steady))
         {
           const ContactFields &fields = points[p].fields;
-          const std::size_t i =
-              (sight.sample * fields.n_repeating_teeth + sight.tooth) * n_nodes + node;
+          const std::size_t i         = fields.point(sight.sample, sight.tooth, node);
           std::vector<CsvTable::Entry> row{
               p,    sight.time / micrometre,          tooth,
               node, motor.nodes[node].radius / milli, motor.nodes[node].angle * 180. / numbers::PI};
           for (unsigned int c = 0; c < 3; ++c)
-            row.push_back(fields.force[i][c]);
+            row.push_back(fields.state.force[i][c]);
           for (const PointVector &vector : {fields.motion[i], fields.tooth[i], fields.rotor[i]})
             for (unsigned int c = 0; c < 3; ++c)
               row.push_back(vector[c] / micrometre);

@@ -78,7 +78,7 @@ namespace ringmotor
       const std::vector<std::size_t> dims{fields.times.size(), fields.n_repeating_teeth, n_nodes,
                                           3};
       const std::string components = "; components: normal (up), along -theta, radial";
-      file.write(group + "/force", flat(fields.force), dims, "N",
+      file.write(group + "/force", flat(fields.state.force), dims, "N",
                  "force on the rotor by time sample, tooth, node" + components);
       file.write(group + "/gap_and_slip", flat(fields.motion), dims, "m",
                  "gap, and slip of the rotor over the stator in the step" + components);
@@ -86,8 +86,10 @@ namespace ringmotor
                  "displacement of the teeth" + components);
       file.write(group + "/rotor", flat(fields.rotor), dims, "m",
                  "displacement of the rotor without its rigid rotation" + components);
-      file.write(group + "/status",
-                 std::vector<unsigned int>(fields.status.begin(), fields.status.end()),
+      std::vector<unsigned int> status;
+      for (const PointStatus of_point : fields.status)
+        status.push_back(static_cast<unsigned int>(of_point));
+      file.write(group + "/status", status,
                  {fields.times.size(), fields.n_repeating_teeth, n_nodes}, "1",
                  "0 open, 1 stick, 2 slip, by time sample, tooth, node");
     }

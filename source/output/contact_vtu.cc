@@ -27,7 +27,8 @@ namespace ringmotor
     std::array<double, 6> values_at(const CondensedMotor::Node &node, const ContactFields &fields,
                                     const std::size_t point)
     {
-      const PointVector traction = fields.force[point] / node.area, &motion = fields.motion[point];
+      const PointVector traction = fields.state.force[point] / node.area,
+                        &motion  = fields.motion[point];
       return {{traction[0], traction[1], traction[2],
                std::hypot(motion[1], motion[2]) / fields.time_step,
                static_cast<double>(fields.status[point]), motion[0]}};
@@ -65,10 +66,7 @@ namespace ringmotor
       /** The index in the fields, at the last time sample. */
       std::size_t point(const unsigned int tooth, const unsigned int node) const
       {
-        return ((fields.times.size() - 1) * fields.n_repeating_teeth +
-                tooth % fields.n_repeating_teeth) *
-                   motor.nodes.size() +
-               node;
+        return fields.point(fields.times.size() - 1, tooth, node);
       }
 
       const CondensedMotor &motor;

@@ -117,7 +117,7 @@ namespace ringmotor
                                      worst_electrical, OperatingPoint::largest_imbalance});
       summary.certificate.push_back(
           {"voltage that the amplitude found needs against the given one, relative", mismatch,
-           driven_wave::largest_excess});
+           largest_excess_of_drive});
     }
   }
 } // namespace ringmotor

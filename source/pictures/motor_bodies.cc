@@ -68,10 +68,7 @@ namespace ringmotor
     for (unsigned int tooth = 0; tooth < n_teeth; ++tooth)
       for (unsigned int a = 0; a < n_nodes; ++a)
       {
-        const PointVector &force = at.fields.force[(at.sample * at.fields.n_repeating_teeth +
-                                                    tooth % at.fields.n_repeating_teeth) *
-                                                       n_nodes +
-                                                   a];
+        const PointVector &force = at.fields.state.force[at.fields.point(at.sample, tooth, a)];
         if (force == PointVector())
           continue;
         for (const MortarCoupling::Weight &weight : mortar.nodes[a].weights)
@@ -108,7 +105,7 @@ namespace ringmotor
         std::vector<CondensationLoad> of_sample = loads_on_half(forces[m][k], rotor_body.whole_lip);
         // Displacements of supports, see RingContact: rise, then cosine and sine parts of each
         // near-rigid mode. The rotation is left out.
-        const std::vector<double> &rigid = samples[m].fields.rigid;
+        const std::vector<double> &rigid = samples[m].fields.state.rigid;
         AssertThrow(!rigid.empty(), ExcMessage("the rigid motions of the rotor are missing"));
         const std::size_t n_rigid = rigid.size() / samples[m].fields.times.size(),
                           first   = samples[m].sample * n_rigid;
@@ -186,11 +183,7 @@ namespace ringmotor
         for (unsigned int a = 0; a < n_nodes; ++a)
           for (unsigned int c = 0; c < 3; ++c)
           {
-            const double force =
-                fields
-                    .force[(sample * fields.n_repeating_teeth + tooth % fields.n_repeating_teeth) *
-                               n_nodes +
-                           a][c];
+            const double force = fields.state.force[fields.point(sample, tooth, a)][c];
             forces[mortar.nodes[a].tooth_node][c] = -force;
             is_pressed                            = is_pressed || force != 0.;
           }

@@ -113,17 +113,12 @@ namespace ringmotor
         return points;
       }
 
-      /** The amplitude that the drive sustains at the resonance; the search begins at @p start. */
-      double at_resonance(const PointRequest &request, const double start)
+      /** The amplitude that the drive sustains at the resonance. */
+      double at_resonance(const PointRequest &request)
       {
         VoltageDrive following = drive;
         following.frequency.reset();
-        const auto excess = [&](const double amplitude)
-        {
-          const WaveLoad load = load_at(finders[0]->find_at(request, amplitude));
-          return std::make_pair(following.excess(load, false), load);
-        };
-        return balanced_amplitude<WaveLoad>(start, excess).found.state.amplitude;
+        return finders[0]->find_driven(request, following).result.amplitude;
       }
 
     private:
@@ -175,7 +170,7 @@ namespace ringmotor
     std::vector<ResponsePoint> above;
     try
     {
-      const double largest = estimator.at_resonance(request, fine.wave.amplitude);
+      const double largest = estimator.at_resonance(request);
       for (const double share : shares)
       {
         const std::array<ResponsePoint, 2> sides = estimator.at(request, share * largest);

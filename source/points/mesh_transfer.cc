@@ -70,18 +70,18 @@ namespace ringmotor
   {
     constexpr double closed   = 1e-12; // m
     const unsigned int n_from = target.size(), n_to = source.size(),
-                       n_blocks = known.force.size() / n_from; // a tooth at a time sample
+                       n_blocks = known.state.force.size() / n_from; // a tooth at a time sample
     ContactFields result        = known;
     result.tooth.clear();
     result.rotor.clear();
     result.modal.clear();
     result.vibration.clear();
-    result.force.assign(n_blocks * n_to, PointVector());
+    result.state.force.assign(n_blocks * n_to, PointVector());
     result.motion.clear();
     result.status.clear();
     for (unsigned int block = 0; block < n_blocks; ++block)
     {
-      PointVector *force        = &result.force[block * n_to];
+      PointVector *force        = &result.state.force[block * n_to];
       const PointVector *motion = &known.motion[block * n_from];
       for (unsigned int a = 0; a < n_to; ++a)
       {
@@ -108,7 +108,7 @@ namespace ringmotor
           sum = 1.;
         }
         for (const auto &[a, share] : shares)
-          force[a] += share / sum * known.force[block * n_from + b];
+          force[a] += share / sum * known.state.force[block * n_from + b];
       }
     }
     return result;

@@ -22,24 +22,6 @@ namespace ringmotor
             result.taken_from_wave(drive.rotor_loss_factor * point.rotor_power)};
   }
 
-  namespace
-  {
-    /** The state of a point of the steady state. */
-    StepState state_of(const CurvePoint &point)
-    {
-      StepState known{{point.fields.force, point.fields.rigid},
-                      point.fields.motion,
-                      {},
-                      point.result.speed,
-                      {}};
-      if (point.request.control == Control::torque)
-        known.state.rigid.push_back(point.fields.turn);
-      for (const unsigned char status : point.fields.status)
-        known.status.push_back(static_cast<PointStatus>(status));
-      return known;
-    }
-  } // namespace
-
   OperatingPointFinder::OperatingPointFinder(Parameters all_parameters, const MotorInUse &motor,
                                              const Discretisation &discretisation,
                                              const std::optional<VoltageDrive> &drive,
@@ -61,7 +43,7 @@ namespace ringmotor
     // not closer than that with a slightly different wave or modes.
     const bool neighbour_is_nearer =
         model.has_inertia() && steady.has_state() && variation.name.empty();
-    if (start.fields.force.empty())
+    if (start.fields.state.force.empty())
     {
       steady.start_from_rest();
       amplitude = motor.wave.amplitude;
@@ -71,14 +53,14 @@ namespace ringmotor
     if (!neighbour_is_nearer)
     {
       begin_with_wave_of(start);
-      steady.go_on_from(load, state_of(start));
+      steady.go_on_from(load, start.fields);
       return;
     }
     amplitude = start.result.amplitude;
     if (start_before)
     {
       detuning += start.result.detuning - start_before->result.detuning;
-      steady.go_on_by_change(load, state_of(*start_before), state_of(start));
+      steady.go_on_by_change(load, start_before->fields, start.fields);
     }
   }
 
@@ -96,7 +78,7 @@ namespace ringmotor
       {
         if (!model.is_marched)
         {
-          steady.go_on_from(load_of(parameters.loading, request), state_of(*known));
+          steady.go_on_from(load_of(parameters.loading, request), known->fields);
           begin_with_wave_of(*known);
         }
         return *known;
@@ -133,20 +115,6 @@ namespace ringmotor
 
   namespace
   {
-    /** Whether the difference between two points, of which @p share counts, is far below the
-     * smallest targets; what it is becomes part of the error bars. */
-    bool are_alike(const CurvePoint &one, const CurvePoint &other, const double share,
-                   const double preload, const MotorInUse &motor)
-    {
-      constexpr double negligible = 1e-4, little = 1e-2;
-      const double torque = preload * motor.bodies.nodes.front().radius,
-                   speed  = motor.bodies.crest_speed(motor.wave) * one.result.amplitude /
-                           motor.wave.amplitude,
-                   loss = std::max(one.result.friction_loss(), little * torque * speed);
-      PointError rest   = share / negligible * change(other, one);
-      return rest["speed"] <= speed && rest["torque"] <= torque && rest["friction_loss"] <= loss;
-    }
-
     /** What the search for an amplitude or a frequency leaves open. */
     PointError unsettled(const StableRoot<CurvePoint> &root)
     {
@@ -157,53 +125,67 @@ namespace ringmotor
     }
   } // namespace
 
+  bool OperatingPointFinder::is_negligible(const StableRoot<CurvePoint> &root) const
+  {
+    // Far below the smallest targets; what it is becomes part of the error bars.
+    constexpr double negligible = 1e-4, little = 1e-2;
+    const OperatingPoint &found = root.found.state.result;
+    const double torque         = parameters.loading.preload * motor.bodies.nodes.front().radius,
+                 speed =
+                     motor.bodies.crest_speed(motor.wave) * found.amplitude / motor.wave.amplitude,
+                 loss = std::max(found.friction_loss(), little * torque * speed);
+    PointError rest   = unsettled(root);
+    return rest["speed"] <= negligible * speed && rest["torque"] <= negligible * torque &&
+           rest["friction_loss"] <= negligible * loss;
+  }
+
+  CurvePoint OperatingPointFinder::balance(const WaveUnknown &unknown, const double start,
+                                           const TrialPoint &at) const
+  {
+    const StableRoot<CurvePoint> root = balanced<CurvePoint>(
+        unknown, start, at,
+        [&](const StableRoot<CurvePoint> &so_far) { return is_negligible(so_far); });
+    CurvePoint point = root.found.state;
+    point.unsettled += unsettled(root);
+    return point;
+  }
+
+  CurvePoint OperatingPointFinder::find_driven(const PointRequest &request, const VoltageDrive &by)
+  {
+    const auto at = [&](const double logarithm)
+    {
+      CurvePoint point = find_at(request, std::exp(logarithm));
+      const double own = by.natural_frequency.value * (1. + point.result.detuning);
+      const double excess =
+          by.excess(wave_load(point, by, by.frequency.value_or(own)), variation.has_drive_errors);
+      return std::make_pair(excess, std::move(point));
+    };
+    CurvePoint point = balance(driven_amplitude, std::log(amplitude), at);
+    amplitude        = point.result.amplitude;
+    return point;
+  }
+
   CurvePoint OperatingPointFinder::find_steady(const PointRequest &request)
   {
-    if (!drive)
-      return find_at(request, motor.wave.amplitude);
-    const StableRoot<CurvePoint> balanced = balanced_amplitude<CurvePoint>(
-        amplitude,
-        [&](const double of_wave)
-        {
-          CurvePoint point    = find_at(request, of_wave);
-          const double own    = drive->natural_frequency.value * (1. + point.result.detuning);
-          const double excess = drive->excess(
-              wave_load(point, *drive, drive->frequency.value_or(own)), variation.has_drive_errors);
-          return std::make_pair(excess, std::move(point));
-        });
-    CurvePoint point = balanced.found.state;
-    point.unsettled += unsettled(balanced);
-    amplitude = point.result.amplitude;
-    return point;
+    return drive ? find_driven(request, *drive) : find_at(request, motor.wave.amplitude);
   }
 
   CurvePoint OperatingPointFinder::find_at(const PointRequest &request, const double of_wave)
   {
+    const double natural = motor.wave.angular_frequency;
     if (!model.wave_feels_contact)
-      return at_frequency(request, of_wave, motor.wave.angular_frequency);
+      return at_frequency(request, of_wave, natural);
     // The frequency at which the state found there has the detuning that this frequency requires.
     // With inertia the state depends on it, so that mere repetition converges slowly, beside a
     // resonance not at all.
-    const double natural              = motor.wave.angular_frequency;
-    const StableRoot<CurvePoint> root = stable_root<CurvePoint>(
-        1. + detuning,
-        [&](const double place)
-        {
-          CurvePoint point    = at_frequency(request, of_wave, place * natural);
-          const double excess = place - 1. - point.result.detuning;
-          return std::make_pair(excess, std::move(point));
-        },
-        [&](const StableRoot<CurvePoint> &so_far)
-        {
-          return std::abs(so_far.found.excess) <= shifted_wave::settled ||
-                 (so_far.other && are_alike(so_far.found.state, so_far.other->state, so_far.share(),
-                                            parameters.loading.preload, motor));
-        },
-        shifted_wave::limits);
-    shifted_wave::require_settled(root.end, root.found.place, root.found.excess);
-    CurvePoint point = root.found.state;
+    const auto at = [&](const double ratio)
+    {
+      CurvePoint point    = at_frequency(request, of_wave, ratio * natural);
+      const double excess = ratio - 1. - point.result.detuning;
+      return std::make_pair(excess, std::move(point));
+    };
+    CurvePoint point = balance(shifted_frequency, 1. + detuning, at);
     detuning         = point.result.detuning;
-    point.unsettled += unsettled(root);
     return point;
   }
 

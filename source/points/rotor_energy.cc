@@ -66,8 +66,8 @@ namespace ringmotor
     const unsigned int n_teeth           = fields.n_repeating_teeth, // of one repetition
         n_repeats                        = pattern.n_teeth / n_teeth;
     const std::size_t n_samples          = fields.times.size(),
-                      n_nodes            = fields.force.size() / (n_samples * n_teeth);
-    const std::vector<std::size_t> nodes = pressed_nodes(fields.force, n_nodes);
+                      n_nodes            = fields.state.force.size() / (n_samples * n_teeth);
+    const std::vector<std::size_t> nodes = pressed_nodes(fields.state.force, n_nodes);
     std::vector<double> energies(1, 0.);
     for (unsigned int q = 0; q < n_teeth; ++q)
     {
@@ -80,7 +80,7 @@ namespace ringmotor
         const std::size_t first = sample * n_teeth * n_nodes;
         const auto part         = [&](const std::vector<PointVector> &vectors)
         { return wave_part(vectors.data() + first, n_teeth, n_nodes, nodes, q); };
-        const std::vector<Complex> force = part(fields.force), motion = part(fields.rotor),
+        const std::vector<Complex> force = part(fields.state.force), motion = part(fields.rotor),
                                    modal = fields.modal.empty() ? std::vector<Complex>(force.size())
                                                                 : part(fields.modal);
         double work                      = 0.;

@@ -38,7 +38,7 @@ namespace
         PointVector f, u;
         f[0] = 3. + force * std::cos(phase); // the mean is not part of the wave
         u[0] = motion * std::cos(phase - lag);
-        fields.force.push_back(f);
+        fields.state.force.push_back(f);
         fields.rotor.push_back(u);
       }
     }
@@ -109,7 +109,7 @@ TEST(RotorEnergy, AMomentOfAllTeethTellsThePeriodOfOne)
         {
           const double time                = -7. * tooth * 2. * M_PI / 90. / omega;
           const std::complex<double> phase = std::polar(1. / 90., -omega * m * time);
-          force += phase * point.fields.force[tooth * n_nodes + node][c];
+          force += phase * point.fields.state.force[tooth * n_nodes + node][c];
           motion += phase * point.fields.rotor[tooth * n_nodes + node][c];
         }
         energy += 90. * (std::conj(force) * motion).real();

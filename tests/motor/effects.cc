@@ -305,9 +305,9 @@ TEST(StatorBackReaction, TunesTheWaveAsRayleighSays)
     // The work of the forces on the rotor in the motion of the stator's wave, at one time sample.
     double work                = 0.;
     const unsigned int n_nodes = motor.nodes.size();
-    for (unsigned int i = 0; i < given.fields.force.size(); ++i)
+    for (unsigned int i = 0; i < given.fields.state.force.size(); ++i)
       for (unsigned int c = 0; c < 3; ++c)
-        work += given.fields.force[i][c] *
+        work += given.fields.state.force[i][c] *
                 (motor.wave.free_motion[i % n_nodes][c] *
                  std::polar(1., motor.wave.angular_frequency * given.fields.times[0] -
                                     2. * M_PI * 7. / 90. * (i / n_nodes)))

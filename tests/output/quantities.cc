@@ -47,8 +47,8 @@ namespace
     point.errors[causes::circuits]["amplitude"] = 1e-3; // of a driven wave
     point.fields.times                          = {0.};
     point.fields.n_repeating_teeth              = 1;
-    point.fields.force = point.fields.motion = point.fields.tooth = point.fields.rotor = {{}};
-    point.fields.status                                                                = {0};
+    point.fields.state.force = point.fields.motion = point.fields.tooth = point.fields.rotor = {{}};
+    point.fields.status = {PointStatus::open};
     return point;
   }
 

@@ -66,13 +66,14 @@ namespace
       ContactFields fields;
       fields.times             = {0.};
       fields.n_repeating_teeth = n_teeth;
-      fields.rigid.assign(3, 0.);
+      fields.state.rigid.assign(3, 0.);
       for (unsigned int j = 0; j < n_teeth; ++j)
         for (unsigned int a = 0; a < mortar.nodes.size(); ++a)
         {
-          fields.force.emplace_back();
+          fields.state.force.emplace_back();
           for (unsigned int c = 0; c < 3; ++c)
-            fields.force.back()[c] = (force(a, k)[c] * std::polar(1., -(j * k * pitch))).real();
+            fields.state.force.back()[c] =
+                (force(a, k)[c] * std::polar(1., -(j * k * pitch))).real();
         }
       for (unsigned int other = 0; other < motor.modes.size(); ++other)
         for (const RingMode &mode : motor.modes[other])

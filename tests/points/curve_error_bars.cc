@@ -210,8 +210,8 @@ TEST(CurveErrorBars, AreAtLeastWhatCountingResolves)
                      return;
                    for (const double pressure : {3., 1., 0., 4.})
                    {
-                     point.fields.force.emplace_back();
-                     point.fields.force.back()[0] = pressure;
+                     point.fields.state.force.emplace_back();
+                     point.fields.state.force.back()[0] = pressure;
                    }
                  }});
   const PointError &bars = search.find().points().front().errors.at("time step");

@@ -255,11 +255,11 @@ TEST_F(WarpedMotor, IsTheSameHalfAPeriodLaterAndHalfATurnOn)
   for (unsigned int sample = 0; sample < n_steps; ++sample)
     for (unsigned int tooth = 0; tooth < 90; ++tooth)
     {
-      const double force = sum_of(first.force, (sample * 90 + tooth) * n_nodes, n_nodes, 1),
-                   later =
-                       sum_of(next.force, (sample * 90 + (tooth + 45) % 90) * n_nodes, n_nodes, 1);
-      largest = std::max(largest, std::abs(force));
-      worst   = std::max(worst, std::abs(force - later));
+      const double force = sum_of(first.state.force, (sample * 90 + tooth) * n_nodes, n_nodes, 1),
+                   later = sum_of(next.state.force, (sample * 90 + (tooth + 45) % 90) * n_nodes,
+                                  n_nodes, 1);
+      largest            = std::max(largest, std::abs(force));
+      worst              = std::max(worst, std::abs(force - later));
     }
   record("largest difference over the largest force", worst / largest);
   EXPECT_LT(worst, 1e-6 * largest);

@@ -52,10 +52,9 @@ namespace
         }
         else
           motion[0] = 1e-6;
-        fields.force.push_back(force);
+        fields.state.force.push_back(force);
         fields.motion.push_back(motion);
-        fields.status.push_back(
-            static_cast<unsigned char>(node < 3 ? PointStatus::slip : PointStatus::open));
+        fields.status.push_back(node < 3 ? PointStatus::slip : PointStatus::open);
       }
     return fields;
   }
@@ -72,10 +71,10 @@ namespace
 TEST(MeshTransfer, ChangesNothingOnTheSameMesh)
 {
   const ContactFields fields = edge_contact(), same = MeshTransfer(coarse, coarse).fields(fields);
-  ASSERT_EQ(same.force.size(), fields.force.size());
-  for (unsigned int i = 0; i < fields.force.size(); ++i)
+  ASSERT_EQ(same.state.force.size(), fields.state.force.size());
+  for (unsigned int i = 0; i < fields.state.force.size(); ++i)
   {
-    EXPECT_LT((same.force[i] - fields.force[i]).norm(), 1e-14);
+    EXPECT_LT((same.state.force[i] - fields.state.force[i]).norm(), 1e-14);
     EXPECT_LT((same.motion[i] - fields.motion[i]).norm(), 1e-20);
     EXPECT_EQ(same.status[i], fields.status[i]);
   }
@@ -85,20 +84,20 @@ TEST(MeshTransfer, LosesNoForceAndKeepsTheEdge)
 {
   const ContactFields fields = edge_contact(), finer = MeshTransfer(coarse, fine).fields(fields),
                       back = MeshTransfer(fine, coarse).fields(finer);
-  ASSERT_EQ(finer.force.size(), 30u);
+  ASSERT_EQ(finer.state.force.size(), 30u);
   for (unsigned int tooth = 0; tooth < 2; ++tooth)
   {
-    const PointVector sum = sum_of_tooth(fields.force, tooth);
-    EXPECT_LT((sum_of_tooth(finer.force, tooth) - sum).norm(), 1e-13);
-    EXPECT_LT((sum_of_tooth(back.force, tooth) - sum).norm(), 1e-13);
+    const PointVector sum = sum_of_tooth(fields.state.force, tooth);
+    EXPECT_LT((sum_of_tooth(finer.state.force, tooth) - sum).norm(), 1e-13);
+    EXPECT_LT((sum_of_tooth(back.state.force, tooth) - sum).norm(), 1e-13);
     for (unsigned int node = 0; node < 15; ++node)
     {
       const unsigned int i = 15 * tooth + node;
-      EXPECT_EQ(finer.force[i][0] > 0., node < 5) << node;
+      EXPECT_EQ(finer.state.force[i][0] > 0., node < 5) << node;
       EXPECT_EQ(finer.motion[i][0] > 0., node >= 5) << node;
       if (node < 5)
       {
-        EXPECT_EQ(finer.status[i], static_cast<unsigned char>(PointStatus::slip));
+        EXPECT_EQ(finer.status[i], PointStatus::slip);
       }
     }
   }

@@ -49,7 +49,7 @@ namespace
   double force_sum(const ContactFields &fields, const unsigned int component, const double sign)
   {
     double sum = 0.;
-    for (const PointVector &force : fields.force)
+    for (const PointVector &force : fields.state.force)
       sum += std::max(0., sign * force[component]);
     return sum;
   }
@@ -104,13 +104,13 @@ TEST_F(ReferenceMotor, TouchesAtTheCrestsAlongTheOuterLine)
   EXPECT_GT(point.result.teeth_in_contact, 3.);
   EXPECT_LT(point.result.teeth_in_contact, 4.);
   double inside = 0.;
-  for (unsigned int i = 0; i < point.fields.force.size(); ++i)
+  for (unsigned int i = 0; i < point.fields.state.force.size(); ++i)
     if (motor.nodes[i % motor.nodes.size()].radius < 34.0e-3)
-      inside += point.fields.force[i][0];
+      inside += point.fields.state.force[i][0];
   record("share of the normal force at r < 34.0 mm", inside / 14.);
   EXPECT_LT(inside, 0.02 * 14.);
-  for (unsigned int i = 0; i < point.fields.force.size(); ++i)
-    if (point.fields.force[i][0] > 0.)
+  for (unsigned int i = 0; i < point.fields.state.force.size(); ++i)
+    if (point.fields.state.force[i][0] > 0.)
     {
       EXPECT_GT(point.fields.tooth[i][0], 1e-6) << "only crests touch, 2 um high";
     }
@@ -139,11 +139,11 @@ namespace
       // Tooth j is where tooth 0 was earlier: 13 teeth further on, the wave is one step behind.
       const unsigned int tooth = (45 * 90 - 13 * (step + 45)) % 90;
       const std::size_t i      = tooth * n_nodes + node;
-      const auto status        = static_cast<PointStatus>(point.fields.status[i]);
-      story += status == PointStatus::open     ? 'o'
-               : status == PointStatus::stick  ? 's'
-               : point.fields.force[i][1] > 0. ? 'd'
-                                               : 'b';
+      const auto status        = point.fields.status[i];
+      story += status == PointStatus::open           ? 'o'
+               : status == PointStatus::stick        ? 's'
+               : point.fields.state.force[i][1] > 0. ? 'd'
+                                                     : 'b';
     }
     return story;
   }
@@ -173,7 +173,7 @@ TEST_F(ReferenceMotor, CountsTheSecondSticksOfAllNodes)
     for (unsigned int step = 90; step < 180; ++step)
     {
       const unsigned int tooth = (45 * 90 - 13 * (step - 90 + 45)) % 90;
-      const double force       = point.fields.force[tooth * motor.nodes.size() + node][0];
+      const double force       = point.fields.state.force[tooth * motor.nodes.size() + node][0];
       const auto contact       = story.find_last_of('o', step);
       pressed += force;
       if (story[step] == 's' && contact != std::string::npos &&

@@ -187,7 +187,7 @@ TEST(MotorIndependenceRanks, SameResultsOnTwo)
   {
     EXPECT_NEAR(two[i].result.speed, one[i].result.speed, 1e-7 * one[0].result.speed) << i;
     EXPECT_NEAR(two[i].result.torque, one[i].result.torque, 1e-9) << i;
-    EXPECT_EQ(two[i].fields.force.size(), one[i].fields.force.size()) << i;
+    EXPECT_EQ(two[i].fields.state.force.size(), one[i].fields.state.force.size()) << i;
   }
 }
 

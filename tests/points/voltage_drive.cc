@@ -30,11 +30,25 @@ namespace
     return drive;
   }
 
+  /** For the amplitude where an excess vanishes, to 1e-5 of it. */
+  StableRoot<double> search(const double start, const std::function<double(double)> &excess)
+  {
+    return balanced<double>(
+        driven_amplitude, std::log(start),
+        [&](const double place)
+        { return std::make_pair(excess(std::exp(place)), std::exp(place)); },
+        [](const StableRoot<double> &root)
+        {
+          return root.share() * std::abs(root.found.state - root.other->state) <=
+                 1e-5 * root.found.state;
+        });
+  }
+
   double amplitude_from(const double start, const VoltageDrive &drive,
                         const std::function<WaveLoad(double amplitude)> &contact)
   {
-    const auto found = balanced_amplitude<double>(
-        start, [&](const double a) { return std::make_pair(drive.excess(contact(a), false), a); });
+    const auto found =
+        search(start, [&](const double a) { return drive.excess(contact(a), false); });
     EXPECT_EQ(found.end, RootEnd::settled);
     return found.found.state;
   }
@@ -171,8 +185,7 @@ TEST(VoltageDrive, KnowsTheAmplitudeAsWellAsItsNumbers)
   drive.internal_loss.errors["losses"] = 0.02 * drive.internal_loss.value;
   const auto free    = [](const double a) { return WaveLoad{a, natural, 0., 0.}; };
   const double exact = 5. * natural / 1e11;
-  const auto found   = balanced_amplitude<double>(
-      exact, [&](const double a) { return std::make_pair(drive.excess(free(a), true), a); });
+  const auto found   = search(exact, [&](const double a) { return drive.excess(free(a), true); });
   EXPECT_NEAR(found.found.state / exact, 1.01 / 0.98, 1e-4);
 }
 

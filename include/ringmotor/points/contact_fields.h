@@ -11,22 +11,28 @@
 
 namespace ringmotor
 {
-  /** All fields at the contact nodes at some time samples; by time sample, tooth, node. */
-  struct ContactFields
+  /** The contact at some time samples: its states, one after the other, by time sample, tooth and
+   * node, without the rotation of the rotor among the rigid motions and without the memory, which
+   * follow from speed and status; and the displacements that the states mean. */
+  struct ContactFields : StepState
   {
     std::vector<double> times;             ///< s
     unsigned int n_repeating_teeth = 0;    ///< all in a marched motor
     double time_step               = 0.;   ///< s
-    std::vector<PointVector> force;        ///< N, on the rotor
-    std::vector<PointVector> motion;       ///< m, gap and slip in the step
     std::vector<PointVector> tooth, rotor; ///< m, displacements; the rotor's without its rotation
     std::vector<PointVector> modal;        ///< m, of the rotor, by its modes, if it has inertia
     /** Amplitudes of the modes of rotor and teeth beyond their static motions, by time sample,
      * nodal diameter and mode, see SteadyInertia::vibration(); empty without modes. */
     std::vector<std::complex<double>> vibration;
-    std::vector<double> rigid;         ///< rigid motions by time sample, see RingContact
-    std::vector<unsigned char> status; ///< see PointStatus
-    double turn = 0.; ///< rad, of the rotor in the last step, if the torque was given
+
+    /** The place of a tooth's node among the values by time sample, tooth and node. Of a motor in
+     * which the motion of some teeth repeats, every tooth has one. */
+    std::size_t point(const std::size_t sample, const unsigned int tooth,
+                      const unsigned int node) const
+    {
+      const std::size_t n_nodes = state.force.size() / (times.size() * n_repeating_teeth);
+      return (sample * n_repeating_teeth + tooth % n_repeating_teeth) * n_nodes + node;
+    }
 
     /** Reserves memory for @p n_samples time samples in total, each of the present size. */
     void reserve(const std::size_t n_samples);
@@ -36,11 +42,11 @@ namespace ringmotor
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &times &n_repeating_teeth &time_step &force &motion &tooth &rotor &modal &vibration
-          &rigid &turn &status;
+      archive &state.force &state.rigid &motion &status &speed &times &n_repeating_teeth &time_step
+          &tooth &rotor &modal &vibration;
     }
   };
 
-  /** The fields of a state whose first time sample is at @p first_time (s). */
+  /** The fields of the state whose first time sample is at @p first_time (s). */
   ContactFields fields_of(const OperatingState &state, const double first_time);
 } // namespace ringmotor

@@ -12,7 +12,9 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <functional>
 #include <optional>
+#include <utility>
 
 namespace ringmotor
 {
@@ -46,7 +48,17 @@ namespace ringmotor
      * @throws ComputationError if none is found */
     CurvePoint find_at(const PointRequest &request, const double of_wave);
 
+    /** The steady state in which a drive balances the forces on the wave; the amplitude is searched
+     * from that of the previous point. @throws ComputationError if none is found */
+    CurvePoint find_driven(const PointRequest &request, const VoltageDrive &by);
+
   private:
+    /** The excess of an unknown of the wave at a place, and the point there. */
+    using TrialPoint = std::function<std::pair<double, CurvePoint>(double place)>;
+    /** The point at which an unknown of the wave is in balance, see balanced(). */
+    CurvePoint balance(const WaveUnknown &unknown, const double start, const TrialPoint &at) const;
+    /** Whether what a search leaves open is negligible in all results. */
+    bool is_negligible(const StableRoot<CurvePoint> &root) const;
     /** Sets the start of a steady state. */
     void begin(const PointRequest &request, const CurvePoint &start,
                const CurvePoint *start_before);

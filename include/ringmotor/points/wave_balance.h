@@ -5,67 +5,60 @@
 
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <utility>
+
+// The searches for what the contact and a voltage make of the wave. They are nested: each trial of
+// an amplitude is the search for a frequency, each trial of a frequency that for a steady state.
+// All end by one rule, see balanced().
 
 namespace ringmotor
 {
-  /** The search for the frequency to which the contact shifts a wave, over that without contact. */
-  namespace shifted_wave
+  /** An unknown of the wave with the rotor on the stator. */
+  struct WaveUnknown
   {
-    inline constexpr RootLimits limits{0.1, 0.5, 1e-7};
-    /** The excess that counts as none. */
-    inline constexpr double settled = 1e-8;
+    RootLimits limits;
+    /** @param other_excess that beyond the root, if it is enclosed
+     * @throws ComputationError if a search has not ended at a balance */
+    void (*require_settled)(const RootEnd end, const double start, const double place,
+                            const double excess, const double other_excess);
+  };
 
-    /** @throws ComputationError if there is no such frequency within the limits */
-    void require_settled(const RootEnd end, const double place, const double excess);
-  } // namespace shifted_wave
+  /** The frequency to which the contact shifts a wave, over that without contact; its excess is
+   * the difference from that which the state there has. */
+  extern const WaveUnknown shifted_frequency;
 
-  /** The search for the amplitude of a driven wave. Places are logarithms of amplitudes (m), so
-   * that the excess has a slope of about one: the force of the voltage over that of dampers and
-   * springs falls with the amplitude to a power of about one. */
-  namespace driven_wave
-  {
-    inline constexpr RootLimits limits{0.4, 4.6 /* a hundred times */, 3e-6};
-    /** The excess that may remain where the forces of the contact jump from one state to a
-     * neighbouring one, as with static friction above dynamic friction. */
-    inline constexpr double largest_excess = 1e-2;
+  /** The logarithm of the amplitude (m) of a driven wave; its excess, see VoltageDrive::excess(),
+   * has a slope of about one: the force of the voltage over that of dampers and springs falls with
+   * the amplitude to a power of about one. As the search follows its sign, the amplitude found is
+   * stable. */
+  extern const WaveUnknown driven_amplitude;
 
-    /** @param excess the smaller one @param width of the interval that encloses the root, infinite
-     * if there is none */
-    bool is_balanced(const double excess, const double width);
-
-    /** @throws ComputationError if the wave grew or decayed for ever, or the excess jumps from @p
-     * excess at @p place to one as large beyond it */
-    void require_balance(const RootEnd end, const double start, const double place,
-                         const double excess, const double beyond);
-  } // namespace driven_wave
+  /** The excess of a driven amplitude that may remain where the forces of the contact jump from one
+   * state to a neighbouring one, as with static friction above dynamic friction. */
+  inline constexpr double largest_excess_of_drive = 1e-2;
 
   /**
-   * The amplitude to which a driven wave grows or decays from @p start (m): where its excess
-   * vanishes, see VoltageDrive::excess(). As the search follows the sign of the excess, the balance
-   * that it finds is one in which the amplitude is stable.
-   * @param at the excess of an amplitude (m), and the state there
-   * @return StableRoot by logarithms of the amplitude
-   * @throws ComputationError if the amplitude does not settle between a hundredth and a hundred
-   * times @p start, or if the excess jumps by more than driven_wave::largest_excess
+   * The balance of an unknown. The search ends where the excess vanishes to rounding, or where the
+   * states of the last two places differ so little that what is left of the search is negligible.
+   * @param at the excess of a place, and the state there
+   * @param is_negligible whether StableRoot::share() of the difference between both states is
+   * @throws ComputationError by WaveUnknown::require_settled
    */
   template <typename State>
-  StableRoot<State> balanced_amplitude(const double start,
-                                       const std::function<std::pair<double, State>(double)> &at)
+  StableRoot<State> balanced(const WaveUnknown &unknown, const double start,
+                             const std::function<std::pair<double, State>(double)> &at,
+                             const std::function<bool(const StableRoot<State> &)> &is_negligible)
   {
-    const auto width = [](const StableRoot<State> &root)
-    {
-      return root.is_enclosed() ? std::abs(root.found.place - root.other->place)
-                                : std::numeric_limits<double>::infinity();
-    };
+    constexpr double vanishing   = 1e-8;
     const StableRoot<State> root = stable_root<State>(
-        std::log(start), [&](const double place) { return at(std::exp(place)); },
-        [&](const StableRoot<State> &so_far)
-        { return driven_wave::is_balanced(std::abs(so_far.found.excess), width(so_far)); },
-        driven_wave::limits);
-    driven_wave::require_balance(root.end, start, std::exp(root.found.place), root.found.excess,
-                                 root.other ? root.other->excess : 0.);
+        start, at,
+        [&](const StableRoot<State> &so_far) {
+          return std::abs(so_far.found.excess) <= vanishing ||
+                 (so_far.other && is_negligible(so_far));
+        },
+        unknown.limits);
+    unknown.require_settled(root.end, start, root.found.place, root.found.excess,
+                            root.other ? root.other->excess : 0.);
     return root;
   }
 } // namespace ringmotor

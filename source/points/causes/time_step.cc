@@ -26,7 +26,7 @@ namespace ringmotor
       step["teeth_in_contact_per_wave"] = static_cast<double>(motor.n_teeth) / motor.n_waves *
                                           point.fields.time_step / motor.period();
       double largest = 0., whole = 0.;
-      for (const PointVector &force : point.fields.force)
+      for (const PointVector &force : point.fields.state.force)
       {
         largest = std::max(largest, force[0]);
         whole += force[0];
