@@ -3,33 +3,16 @@
 
 namespace ringmotor
 {
-  namespace
+  const PartList<FrictionLawBase> &all_friction_laws()
   {
-    std::vector<std::unique_ptr<const FrictionLawBase>> make_laws()
-    {
-      std::vector<std::unique_ptr<const FrictionLawBase>> list;
-      for (const auto make :
-           {laws::coulomb, laws::static_dynamic, laws::velocity, laws::slip_weakening})
-        list.push_back(make());
-      return list;
-    }
-  } // namespace
-
-  const std::vector<std::unique_ptr<const FrictionLawBase>> &all_friction_laws()
-  {
-    static const std::vector<std::unique_ptr<const FrictionLawBase>> list = make_laws();
+    static const PartList<FrictionLawBase> list = made_by<FrictionLawBase>(
+        {laws::coulomb, laws::static_dynamic, laws::velocity, laws::slip_weakening});
     return list;
   }
 
   const std::vector<FrictionLawEntry> &friction_law_entries()
   {
-    static const std::vector<FrictionLawEntry> entries = []
-    {
-      std::vector<FrictionLawEntry> all;
-      for (const auto &law : all_friction_laws())
-        all.push_back(law->entry);
-      return all;
-    }();
+    static const auto entries = entries_of<FrictionLawEntry>(all_friction_laws());
     return entries;
   }
 

@@ -12,19 +12,6 @@ namespace ringmotor
 {
   namespace
   {
-    std::vector<std::unique_ptr<const Effect>> make_effects()
-    {
-      std::vector<std::unique_ptr<const Effect>> list;
-      for (const auto make :
-           {effects::tooth_shear, effects::rotor_tangential_compliance,
-            effects::initial_deformation, effects::static_friction_excess, effects::rotor_inertia,
-            effects::tooth_inertia, effects::tooth_vibration, effects::damping,
-            effects::stator_back_reaction, effects::spin_convection, effects::target_plates,
-            effects::felt_support, effects::piezoelectric_coupling, effects::friction_lining})
-        list.push_back(make());
-      return list;
-    }
-
     std::string per_cent(const double share)
     {
       std::ostringstream text;
@@ -77,19 +64,18 @@ namespace ringmotor
 
   const std::vector<EffectEntry> &effect_entries()
   {
-    static const std::vector<EffectEntry> entries = []
-    {
-      std::vector<EffectEntry> all;
-      for (const auto &effect : all_effects())
-        all.push_back(effect->entry);
-      return all;
-    }();
+    static const auto entries = entries_of<EffectEntry>(all_effects());
     return entries;
   }
 
-  const std::vector<std::unique_ptr<const Effect>> &all_effects()
+  const PartList<Effect> &all_effects()
   {
-    static const std::vector<std::unique_ptr<const Effect>> list = make_effects();
+    static const PartList<Effect> list = made_by<Effect>(
+        {effects::tooth_shear, effects::rotor_tangential_compliance, effects::initial_deformation,
+         effects::static_friction_excess, effects::rotor_inertia, effects::tooth_inertia,
+         effects::tooth_vibration, effects::damping, effects::stator_back_reaction,
+         effects::spin_convection, effects::target_plates, effects::felt_support,
+         effects::piezoelectric_coupling, effects::friction_lining});
     return list;
   }
 

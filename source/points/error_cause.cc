@@ -5,22 +5,12 @@
 
 namespace ringmotor
 {
-  namespace
+  const PartList<ErrorCause> &all_error_causes()
   {
-    std::vector<std::unique_ptr<const ErrorCause>> make_causes()
-    {
-      std::vector<std::unique_ptr<const ErrorCause>> list;
-      for (const auto make : {causes::of_meshes, causes::of_modes, causes::of_time_step,
-                              causes::of_scheme, causes::of_window, causes::of_wave,
-                              causes::of_effects, causes::of_algebra, causes::of_circuits})
-        list.push_back(make());
-      return list;
-    }
-  } // namespace
-
-  const std::vector<std::unique_ptr<const ErrorCause>> &all_error_causes()
-  {
-    static const std::vector<std::unique_ptr<const ErrorCause>> list = make_causes();
+    static const PartList<ErrorCause> list =
+        made_by<ErrorCause>({causes::of_meshes, causes::of_modes, causes::of_time_step,
+                             causes::of_scheme, causes::of_window, causes::of_wave,
+                             causes::of_effects, causes::of_algebra, causes::of_circuits});
     return list;
   }
 

@@ -26,8 +26,7 @@ namespace ringmotor
                                              const Discretisation &discretisation,
                                              const std::optional<VoltageDrive> &drive,
                                              PointMemory *memory)
-      : n_joined(discretisation.steps.n_joined),
-        variation(discretisation.variation ? *discretisation.variation : Variation()),
+      : n_joined(discretisation.steps.n_joined), variation(discretisation.changes()),
         parameters(relevant_for_points(std::move(all_parameters))), model(motor_model(parameters)),
         motor(motor), drive(drive),
         steady(motor, model.friction, {parameters.time.n_snapshots, n_joined}),

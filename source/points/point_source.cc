@@ -81,7 +81,7 @@ namespace ringmotor
   {
     progress.enter("operating points, " + discretisation.text());
     progress.before_points(discretisation, motor, requests.size());
-    const Variation variation = discretisation.variation ? *discretisation.variation : Variation();
+    const Variation variation = discretisation.changes();
     std::optional<Parameters> other;
     if (variation.change_parameters)
       variation.change_parameters(other.emplace(parameters));

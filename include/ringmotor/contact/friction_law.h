@@ -2,6 +2,7 @@
 #pragma once
 
 #include <ringmotor/contact/friction.h>
+#include <ringmotor/parameters/part_list.h>
 
 #include <algorithm>
 #include <memory>
@@ -80,7 +81,7 @@ namespace ringmotor
   };
 
   /** All of them, in the order of their entries. */
-  const std::vector<std::unique_ptr<const FrictionLawBase>> &all_friction_laws();
+  const PartList<FrictionLawBase> &all_friction_laws();
 
   /** The class of the chosen law. */
   const FrictionLawBase &law_of(const Friction &friction);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <ringmotor/motor/motor_model.h>
+#include <ringmotor/parameters/part_list.h>
 
 #include <cstdint>
 #include <functional>
@@ -98,7 +99,7 @@ namespace ringmotor
   };
 
   /** All of them, in the order of the entries. */
-  const std::vector<std::unique_ptr<const Effect>> &all_effects();
+  const PartList<Effect> &all_effects();
 
   /** Checks all effects up to a stage that are not off, and the model that they make. @throws
    * UserError */

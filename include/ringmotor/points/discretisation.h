@@ -70,6 +70,9 @@ namespace ringmotor
       return {level, modes_level, steps, &of_motor};
     }
 
+    /** What #variation changes: nothing, if there is none. */
+    Variation changes() const { return variation ? *variation : Variation(); }
+
     /** Its mesh, steps and motor in words: "interface mesh 1, step 1/2". */
     std::string text() const;
   };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/parameters/part_list.h>
 #include <ringmotor/points/effect_on_points.h>
 #include <ringmotor/points/point_table.h>
 
@@ -93,7 +94,7 @@ namespace ringmotor
   };
 
   /** All of them. */
-  const std::vector<std::unique_ptr<const ErrorCause>> &all_error_causes();
+  const PartList<ErrorCause> &all_error_causes();
 
   /** Given shares of the speed of the crests (rad/s), if a torque is given, and of the loss. */
   PointError shares_of(const CurvePoint &point, const double crest_speed, const double of_speed,
