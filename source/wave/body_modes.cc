@@ -187,8 +187,8 @@ namespace ringmotor
       return make_rotor_sector(parameters.rotor, n_teeth, SectorForm::half,
                                RotorGrading::level(discretisation.level), ranks);
     case Body::tooth:
-      return make_tooth(parameters.stator, n_teeth, SectorGrading::level(discretisation.level),
-                        ranks);
+      return make_tooth(stator_body(parameters.stator, n_teeth),
+                        SectorGrading::level(discretisation.level), ranks);
     case Body::stator:
       break;
     }
@@ -206,7 +206,7 @@ namespace ringmotor
       return stator;
     }
     SectorMesh stator = make_stator_sector(
-        parameters.stator, n_teeth, SectorForm::half,
+        stator_body(parameters.stator, n_teeth), SectorForm::half,
         discretisation.grading.value_or(SectorGrading::level(discretisation.level)), ranks);
     add_to_stator(model, stator);
     return stator;

@@ -30,8 +30,8 @@ namespace
   /** Half of a tooth with prescribed motion of its foot. */
   struct Tooth
   {
-    SectorMesh mesh =
-        make_contact_tooth(StatorGeometry(), n_teeth, 33.2e-3, 34.2e-3, {2, 2}, MPI_COMM_WORLD);
+    SectorMesh mesh = make_contact_tooth(stator_body(StatorGeometry(), n_teeth), 33.2e-3, 34.2e-3,
+                                         {2, 2}, MPI_COMM_WORLD);
     CyclicSector sector{mesh, {{ids::tooth, aluminium}}, 2};
     ContactSurface top = solid_surface(sector, ids::tooth_top);
     std::vector<SectorNodes::Dof> driven;

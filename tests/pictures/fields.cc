@@ -58,7 +58,8 @@ namespace
     Mode mode;
 
     explicit Wave(const SectorForm form, const StatorGeometry &stator = StatorGeometry())
-        : mesh(make_stator_sector(stator, n_teeth, form, SectorGrading::level(1), MPI_COMM_WORLD)),
+        : mesh(make_stator_sector(stator_body(stator, n_teeth), form, SectorGrading::level(1),
+                                  MPI_COMM_WORLD)),
           sector(mesh, stator_materials(), 2), mode(lowest())
     {
       normalise_to_amplitude(mode, tooth_points(sector), 2e-6);

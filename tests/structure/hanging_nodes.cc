@@ -24,7 +24,8 @@ namespace
   SectorMesh refined_where(const SectorForm form, const Where &chosen)
   {
     const SectorGrading grading{0, 2, 0.1};
-    SectorMesh mesh = make_stator_sector(StatorGeometry(), 90, form, grading, MPI_COMM_WORLD);
+    SectorMesh mesh =
+        make_stator_sector(stator_body(StatorGeometry(), 90), form, grading, MPI_COMM_WORLD);
     for (const auto &cell : mesh.triangulation->active_cell_iterators())
     {
       const dealii::Point<3> x = cell->center();

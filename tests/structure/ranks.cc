@@ -27,7 +27,7 @@ namespace
     ModeSolver solver;
 
     Model(const SectorForm form, MPI_Comm communicator)
-        : mesh(make_stator_sector(StatorGeometry(), 90, form, SectorGrading::level(1),
+        : mesh(make_stator_sector(stator_body(StatorGeometry(), 90), form, SectorGrading::level(1),
                                   communicator)),
           sector(mesh, stator_materials(), 2), solver(sector)
     {
@@ -75,8 +75,10 @@ TEST(InertiaRanks, CountsAsManyModesAsOneRank)
 {
   // Large enough that MUMPS would share the last front among the ranks (ScaLAPACK) if allowed: it
   // does not count the negative pivots there, and modes below the shift would go unnoticed.
-  const auto mesh = [](MPI_Comm communicator) {
-    return make_stator_sector(StatorGeometry(), 90, SectorForm::whole, {0, 2, 0.3}, communicator);
+  const auto mesh = [](MPI_Comm communicator)
+  {
+    return make_stator_sector(stator_body(StatorGeometry(), 90), SectorForm::whole, {0, 2, 0.3},
+                              communicator);
   };
   const SectorMesh together = mesh(MPI_COMM_WORLD), alone = mesh(MPI_COMM_SELF);
   const CyclicSector sector(together, stator_materials(), 3),

@@ -32,8 +32,8 @@ namespace
     ModeSolver solver;
 
     explicit CoarseStator(const SectorForm form, const unsigned int level = 0)
-        : mesh(make_stator_sector(StatorGeometry(), 90, form, SectorGrading::level(level),
-                                  MPI_COMM_WORLD)),
+        : mesh(make_stator_sector(stator_body(StatorGeometry(), 90), form,
+                                  SectorGrading::level(level), MPI_COMM_WORLD)),
           sector(mesh, stator_materials(), 2), solver(sector)
     {
     }

@@ -86,8 +86,8 @@ namespace
   {
   protected:
     StatorPhases()
-        : mesh(make_stator_sector(parameters.stator, parameters.motor.n_teeth, SectorForm::half,
-                                  SectorGrading::level(0), MPI_COMM_SELF)),
+        : mesh(make_stator_sector(stator_body(parameters.stator, parameters.motor.n_teeth),
+                                  SectorForm::half, SectorGrading::level(0), MPI_COMM_SELF)),
           materials(material_table(parameters.materials, Body::stator,
                                    parameters.piezoelectricity.law())),
           sector(mesh, materials, 2), response(mesh, materials, 2),

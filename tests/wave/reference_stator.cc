@@ -219,7 +219,8 @@ TEST(ReferenceStatorForms, HalfAndWholeSectorMoveAlike)
   std::array<double, 2> masses;
   for (const SectorForm form : {SectorForm::half, SectorForm::whole})
   {
-    const SectorMesh mesh = make_stator_sector(StatorGeometry(), 90, form, grading, MPI_COMM_WORLD);
+    const SectorMesh mesh =
+        make_stator_sector(stator_body(StatorGeometry(), 90), form, grading, MPI_COMM_WORLD);
     const CyclicSector sector(mesh, stator_materials(), 2);
     ModeSolver solver(sector);
     Mode mode                            = solver.below(7, solver.shift_above(7, 2, 0.)).front();

@@ -41,7 +41,8 @@ TEST(Tooth, IsACantilever)
   stator.base_inner_radius = stator.tip_inner_radius = 30.e-3;
   stator.base_outer_radius = stator.tip_outer_radius = 30.5e-3;
   stator.tooth_height                                = 20.e-3;
-  const SectorMesh mesh = make_tooth(stator, n_teeth, SectorGrading::level(2), MPI_COMM_WORLD);
+  const SectorMesh mesh =
+      make_tooth(stator_body(stator, n_teeth), SectorGrading::level(2), MPI_COMM_WORLD);
   const CyclicSector sector(mesh, stator_materials(), 3);
   std::vector<double> frequencies;
   for (const Mode &mode : ModeSolver(sector).lowest(0, 3))
@@ -74,8 +75,9 @@ TEST(CeramicShell, HasTheFrequencyOfTheSolidRing)
   unsigned int n_dofs[2];
   for (unsigned int i = 0; i < 2; ++i)
   {
-    const SectorMesh mesh = make_stator_sector(i == 0 ? solid : shell, n_teeth, SectorForm::half,
-                                               SectorGrading::level(2), MPI_COMM_WORLD);
+    const SectorMesh mesh =
+        make_stator_sector(stator_body(i == 0 ? solid : shell, n_teeth), SectorForm::half,
+                           SectorGrading::level(2), MPI_COMM_WORLD);
     const CyclicSector sector(mesh, stator_materials(), 3);
     frequency[i] = working_mode(sector).frequency();
     n_dofs[i]    = sector.n_dofs();
@@ -90,8 +92,8 @@ TEST(CeramicShell, IsDrawnWithItsThickness)
   stator.piezoceramic_element = ElementKind::shell;
   for (const SectorForm form : {SectorForm::half, SectorForm::whole})
   {
-    const SectorMesh mesh =
-        make_stator_sector(stator, n_teeth, form, SectorGrading::level(0), MPI_COMM_WORLD);
+    const SectorMesh mesh = make_stator_sector(stator_body(stator, n_teeth), form,
+                                               SectorGrading::level(0), MPI_COMM_WORLD);
     const CyclicSector sector(mesh, stator_materials(), 2);
     const Mode mode = working_mode(sector);
 
@@ -141,7 +143,7 @@ TEST(TargetPlates, ShiftTheFrequencyAsRayleighSays)
   const double area = 1e-7; // m^2
   const BarSection plate{area * materials.target_plate.young_modulus,
                          area * materials.target_plate.density};
-  SectorMesh mesh = make_stator_sector(StatorGeometry(), n_teeth, SectorForm::half,
+  SectorMesh mesh = make_stator_sector(stator_body(StatorGeometry(), n_teeth), SectorForm::half,
                                        SectorGrading::level(1), MPI_COMM_WORLD);
   const CyclicSector without(mesh, stator_materials(), 3);
   const Mode mode = working_mode(without);
@@ -224,8 +226,8 @@ TEST(Felt, ShiftsTheFrequencyAsRayleighSays)
   {
     StatorGeometry stator;
     stator.piezoceramic_element = ceramic;
-    SectorMesh mesh = make_stator_sector(stator, n_teeth, SectorForm::half, SectorGrading::level(1),
-                                         MPI_COMM_WORLD);
+    SectorMesh mesh             = make_stator_sector(stator_body(stator, n_teeth), SectorForm::half,
+                                                     SectorGrading::level(1), MPI_COMM_WORLD);
     const CyclicSector without(mesh, stator_materials(), 3);
     const Mode mode     = working_mode(without);
     const double lowest = ceramic == ElementKind::solid ? -stator.piezoceramic_thickness : 0.;

@@ -2,13 +2,25 @@
 #pragma once
 
 #include <ringmotor/mesh/interface_grading.h>
-#include <ringmotor/mesh/sector_mesh.h>
+#include <ringmotor/mesh/revolved.h>
 #include <ringmotor/parameters/motor.h>
 
 #include <optional>
 
 namespace ringmotor
 {
+  /** A stator that can be meshed: its cross-section and its slots. */
+  struct StatorBody
+  {
+    Section section;
+    Slots slots;
+    double skin_thickness = 0.; ///< m, of a shell of ceramic bonded to the edges ids::skin; 0: none
+  };
+
+  /** The stator that dimensions describe: a trapezoid of one cell for the base and one for the
+   * tooth, and one for the ceramic ring below, which has vertical sides. */
+  StatorBody stator_body(const StatorGeometry &stator, const unsigned int n_teeth);
+
   /** Numbers of even cells of the stator's half sector. */
   struct EvenCells
   {
@@ -17,14 +29,15 @@ namespace ringmotor
   };
 
   /**
-   * How finely the stator's sector is meshed. The slot root is a re-entrant edge: the error there
-   * depends less on the number of cells than on their geometric grading towards it.
+   * How finely the stator's sector is meshed. The slot root is a re-entrant edge, as are corners of
+   * the section: the error there depends less on the number of cells than on their geometric
+   * grading towards them.
    */
   struct SectorGrading
   {
-    unsigned int n_layers = 0; ///< layers of cells around the slot root, within half a slot's width
-    unsigned int n_radial = 2; ///< cells from the inner to the outer side
-    double ratio          = 0.2; ///< inner over outer distance of each layer from the root
+    unsigned int n_layers = 0;   ///< layers of cells around re-entrant edges
+    unsigned int n_radial = 2;   ///< cells from the inner to the outer side of a tooth, at least
+    double ratio          = 0.2; ///< inner over outer distance of each layer from the edge
     /** All cells are even, also from the inner to the outer side, if there is a value. */
     std::optional<EvenCells> even = {};
 
@@ -38,27 +51,22 @@ namespace ringmotor
     }
   };
 
-  /**
-   * Meshes the sector of the stator: ceramic ring, base ring and tooth, with curved cells of exact
-   * shape (SectorManifold). The ceramic ring may be a shell on the base's lower face. Outer edges
-   * of the tooth tops carry ids::target_plate. The geometry must have passed check_for_stator().
-   */
-  SectorMesh make_stator_sector(const StatorGeometry &stator, const unsigned int n_teeth,
-                                const SectorForm form, const SectorGrading &grading,
-                                MPI_Comm communicator);
+  /** Meshes the sector of a stator, with curved cells of exact shape. Outer edges of the tooth tops
+   * carry ids::target_plate. */
+  SectorMesh make_stator_sector(const StatorBody &stator, const SectorForm form,
+                                const SectorGrading &grading, MPI_Comm communicator);
 
   /** Meshes half of a single tooth, clamped at its foot. */
-  SectorMesh make_tooth(const StatorGeometry &stator, const unsigned int n_teeth,
-                        const SectorGrading &grading, MPI_Comm communicator);
+  SectorMesh make_tooth(const StatorBody &stator, const SectorGrading &grading,
+                        MPI_Comm communicator);
 
   /**
    * Meshes half of a single tooth for its contact with a lip that covers the radii @p lip_inner to
    * @p lip_outer (m). The faces of the tooth's top below the lip carry ids::tooth_top, those of its
    * foot ids::tooth_foot. Cells shrink towards the outer edge of the strip where lip and tooth
    * overlap, and towards the sides and the top of the tooth.
-   * @throws UserError if the lip misses the tooth.
    */
-  SectorMesh make_contact_tooth(const StatorGeometry &stator, const unsigned int n_teeth,
-                                const double lip_inner, const double lip_outer,
-                                const InterfaceGrading &grading, MPI_Comm communicator);
+  SectorMesh make_contact_tooth(const StatorBody &stator, const double lip_inner,
+                                const double lip_outer, const InterfaceGrading &grading,
+                                MPI_Comm communicator);
 } // namespace ringmotor
