@@ -103,13 +103,13 @@ def evaluate(rows):
 
 def draw(every, path):
     sys.path.insert(0, str(ROOT / "scripts"))
-    import drawing
+    from drawing import basics
     import numpy
-    figure, axes = drawing.plt.subplots(figsize=(6.2, 3.4), layout="constrained")
-    for (target, found), color in zip(every.items(), (drawing.BLUE, drawing.ORANGE, drawing.GREEN)):
+    figure, axes = basics.plt.subplots(figsize=(6.2, 3.4), layout="constrained")
+    for (target, found), color in zip(every.items(), (basics.BLUE, basics.ORANGE, basics.GREEN)):
         axes.step(numpy.sort(found), 100. * (numpy.arange(len(found)) + 1.) / len(found), where="post", color=color,
                   label=f"target {target}, {len(found)} quantities")
-    axes.axvline(1., color=drawing.GREY, lw=0.8)
+    axes.axvline(1., color=basics.GREY, lw=0.8)
     axes.set(xlabel="true error over error bar", ylabel="quantities below, %", xlim=(0, 2.5), ylim=(0, 102))
     axes.legend(frameon=False, loc="lower right")
     axes.spines[["top", "right"]].set_visible(False)

@@ -99,8 +99,8 @@ def friction(folder, figure):
 
 def draw(folders, path):
     sys.path.insert(0, str(ROOT / "scripts"))
-    import contact_case
-    import curve_figures
+    from drawing import curve_figures
+    from results import contact_case
     cases = [contact_case.ContactCase(str(folder)) for folder in folders]
     figure = curve_figures.draw_torque_speed(cases[0], cases[1:])
     figure.suptitle("Reference motor: speed and friction loss, friction 0.40 without and 0.40 to 0.80 with inertia",

@@ -160,7 +160,7 @@ def summary(rows):
 
 
 def write_markdown(path, lines):
-    """Writes tables to a file; scripts/documents.py puts them into the pages."""
+    """Writes tables to a file; scripts/development/documents.py puts them into the pages."""
     pathlib.Path(path).write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 

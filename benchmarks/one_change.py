@@ -18,7 +18,7 @@ from motor_run import OUTPUT_OFF, table, write_markdown  # noqa: E402
 from timed_run import ROOT, program  # noqa: E402
 
 sys.path.insert(0, str(ROOT / "scripts"))
-from case import read_table  # noqa: E402
+from results.case import read_table  # noqa: E402
 
 MOTOR = ROOT / "prm" / "static_rotor.prm"
 COMMON = {**OUTPUT_OFF, "Accuracy/Target": "1e-3", "Loading/Number of curve points": "6"}

@@ -22,18 +22,18 @@ import math
 import sys
 
 sys.dont_write_bytecode = True
-import surroundings  # noqa: F401
+from running import surroundings  # noqa: F401
 import numpy as np
-from calibration import LEAST_POINTS, Posterior, Surrogate, check_on_curve, least_motors, n_terms, shape_of
-from case import CaseError, run_script
-from contact_case import ContactCase
-from drawing import BLUE, ORANGE, plt, save
-from many_motors import Engine
-from measured import read_measured
-from motor_options import family_of, motors_parser
-from motor_results import RPM
+from drawing.basics import BLUE, ORANGE, plt, save
+from motors.calibration import LEAST_POINTS, Posterior, Surrogate, check_on_curve, least_motors, n_terms, shape_of
+from motors.many_motors import Engine
+from motors.measured import read_measured
+from motors.motor_options import family_of, motors_parser
+from motors.variation import entry_and_value, latin_hypercube, ranged
+from results.case import CaseError, run_script
+from results.contact_case import ContactCase
+from results.motor_results import RPM
 from sweep import print_inputs, sweep
-from variation import entry_and_value, latin_hypercube, ranged
 
 CURVE_POINTS = 11  # of each motor
 INTERVAL = (2.5, 50., 97.5)  # per cent of the chain

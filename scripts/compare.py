@@ -12,11 +12,11 @@ import os
 import sys
 
 sys.dont_write_bytecode = True
-import surroundings  # noqa: F401
-from case import CaseError, known, run_script
-from contact_case import ContactCase
-from drawing import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, figures_folder, literal, plt, save
-from motor_results import quantities_of
+from running import surroundings  # noqa: F401
+from drawing.basics import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, figures_folder, literal, plt, save
+from results.case import CaseError, known, run_script
+from results.contact_case import ContactCase
+from results.motor_results import quantities_of
 
 COLORS = (BLUE, ORANGE, GREEN, PURPLE, SKY)
 COARSENESS = ("Accuracy/", "Output/", "Modes/")  # entries that say how, not what

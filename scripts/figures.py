@@ -29,17 +29,17 @@ import pathlib
 import sys
 
 sys.dont_write_bytecode = True  # a drawing leaves nothing outside the folder of its case
-import surroundings  # noqa: F401
-from case import CaseError, run_script
-from contact_case import ContactCase
-from contact_figures import (draw_contact_forces, draw_contact_shape, draw_friction_history, draw_normal_displacement,
-                             draw_warped_displacement, history_touches)
-from curve_figures import draw_lip_amplification, draw_torque_speed
-from drawing import FORMS, figures_folder, save_all
-from loss_figures import draw_drive, draw_efficiency, draw_energy, draw_losses
-from losses_case import read_case
-from response_figure import draw_response
-from stator_figures import draw_admittance, draw_dispersion, draw_electrodes, draw_elliptic_paths, draw_tooth_edge
+from running import surroundings  # noqa: F401
+from drawing.basics import FORMS, figures_folder, save_all
+from drawing.contact_figures import (draw_contact_forces, draw_contact_shape, draw_friction_history,
+                                     draw_normal_displacement, draw_warped_displacement, history_touches)
+from drawing.curve_figures import draw_lip_amplification, draw_torque_speed
+from drawing.loss_figures import draw_drive, draw_efficiency, draw_energy, draw_losses
+from drawing.response_figure import draw_response
+from drawing.stator_figures import draw_admittance, draw_dispersion, draw_electrodes, draw_elliptic_paths, draw_tooth_edge
+from results.case import CaseError, run_script
+from results.contact_case import ContactCase
+from results.losses_case import read_case
 
 STATOR_FIGURES = {"elliptic_paths": draw_elliptic_paths, "tooth_edge": draw_tooth_edge, "dispersion": draw_dispersion,
                   "electrodes": draw_electrodes, "admittance": draw_admittance}

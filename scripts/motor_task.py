@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a worker does for one motor of many. Of the standard library alone: workers receive this file and no other."""
+"""What a worker does for one motor of many. Of the standard library alone: workers receive this file and no other,
+and import it by its name, so that it is in no folder of modules."""
 import ctypes
 import json
 import os

@@ -23,8 +23,8 @@ import sys
 import tempfile
 
 sys.dont_write_bytecode = True  # looking leaves nothing outside the folder that was asked for
-import surroundings  # noqa: F401
-from typed import problem_of_path
+from running import surroundings  # noqa: F401
+from running.typed import problem_of_path
 
 # Name -> the program it shows, its files in the folder of the case.
 VIEWS = {"motor": ("contact", ["contact/motor.pvd", "contact/contact.pvd"]),
@@ -33,7 +33,7 @@ VIEWS = {"motor": ("contact", ["contact/motor.pvd", "contact/contact.pvd"]),
          "pressure": ("contact", ["contact/contact.pvd", "contact/motor.pvd"]),
          "loss_density": ("losses", ["losses/loss_density.vtu"])}
 USAGE = "usage: scripts/paraview_view.py CASE_DIR [--view NAME] [--torque T] [--png DIR]"
-SCENES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "paraview_scenes.py")
+SCENES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "drawing", "paraview_scenes.py")
 
 
 class ViewError(Exception):

@@ -13,10 +13,10 @@ import sys
 import urllib.parse
 
 sys.dont_write_bytecode = True
-import surroundings  # noqa: F401
-from case import CaseError, run_script
-from page import Page
-from page_file import MARK, refuse_foreign
+from running import surroundings  # noqa: F401
+from results.case import CaseError, run_script
+from results.page import Page
+from results.page_file import MARK, refuse_foreign
 
 MOST_POINTS = 60
 

@@ -11,10 +11,10 @@ import tempfile
 import time
 
 sys.dont_write_bytecode = True
-import surroundings  # noqa: F401
+from running import surroundings  # noqa: F401
 from motor_task import without_launcher
-from page_file import refuse_foreign
-from programs import PROGRAMS, CaseError, Refusal, described, refuse_pipe
+from results.page_file import refuse_foreign
+from running.programs import PROGRAMS, CaseError, Refusal, described, refuse_pipe
 
 SCRIPTS = pathlib.Path(__file__).resolve().parent
 MOST_RANKS = 4  # that share the work of a motor; a fifth one would find little left of it

@@ -14,9 +14,9 @@ import os
 import sys
 
 sys.dont_write_bytecode = True  # a drawing leaves nothing outside the folder of its case
-import surroundings  # noqa: F401
-from case import CaseError, run_script
-from drawing import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, figures_folder, plt, save
+from running import surroundings  # noqa: F401
+from drawing.basics import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, figures_folder, plt, save
+from results.case import CaseError, run_script
 
 STUDIES = (("stator", "study"), ("contact", "contact_study"))
 PAPER, BEST, COMMON = "as in the paper", "best setting", "common setting"

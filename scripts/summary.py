@@ -7,9 +7,9 @@ Usage: scripts/summary.py CASE_DIR      e.g. scripts/summary.py output/canon_rin
 import sys
 
 sys.dont_write_bytecode = True
-import surroundings  # noqa: F401
-from case import CaseError, run_script
-from page import Page
+from running import surroundings  # noqa: F401
+from results.case import CaseError, run_script
+from results.page import Page
 
 MOST_POINTS = 6  # on one page
 

@@ -31,17 +31,17 @@ import time
 from dataclasses import replace
 
 sys.dont_write_bytecode = True
-import surroundings  # noqa: F401
-from case import CaseError, run_script
-from goals import Aim, is_of_wave, limit, loading_for, name_of, target
-from many_motors import Engine
-from motor_options import at_least, family_of, motors_parser
-from programs import options_of
-from solution import solve
-from sweep_figures import draw_optimum, draw_sweep
-from sweep_table import row_of, write_table
-from uncertainty import draw_spreads, in_words, motor_of, sample_of, spreads_of, uncertain_inputs, write_spreads
-from variation import combinations, latin_hypercube, ranged, varied
+from running import surroundings  # noqa: F401
+from motors.goals import Aim, is_of_wave, limit, loading_for, name_of, target
+from motors.many_motors import Engine
+from motors.motor_options import at_least, family_of, motors_parser
+from motors.solution import solve
+from motors.sweep_figures import draw_optimum, draw_sweep
+from motors.sweep_table import row_of, write_table
+from motors.uncertainty import draw_spreads, in_words, motor_of, sample_of, spreads_of, uncertain_inputs, write_spreads
+from motors.variation import combinations, latin_hypercube, ranged, varied
+from results.case import CaseError, run_script
+from running.programs import options_of
 
 INTERVAL = 30.  # seconds between tables of a sweep that is not finished
 
@@ -159,7 +159,7 @@ def is_of_the_wave_alone(options):
 
 
 def run_optimisation(options, family, all_varied):
-    from optimum import optimise  # pylint: disable=import-outside-toplevel # slow to import
+    from motors.optimum import optimise  # pylint: disable=import-outside-toplevel # slow to import
     aim = aim_of(options)
     own_target = float(family.entries["Accuracy/Contact target"])
     loading = loading_for(aim.names())

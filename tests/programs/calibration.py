@@ -23,11 +23,11 @@ from program import STATIC_ROTOR, ROOT, rows_of, run, settings  # noqa: E402
 sys.path.insert(0, str(ROOT / "scripts"))
 import numpy as np  # noqa: E402
 from calibrate import CURVE, fitted_of, interval_of, main, n_motors_of, parse, read_measured, surrogate_of  # noqa: E402
-from calibration import PLACES, Measured, Posterior, Shapes, Surrogate, check_on_curve, shape_of  # noqa: E402
-from case import CaseError  # noqa: E402
-from many_motors import Engine, Family  # noqa: E402
+from motors.calibration import PLACES, Measured, Posterior, Shapes, Surrogate, check_on_curve, shape_of  # noqa: E402
+from motors.many_motors import Engine, Family  # noqa: E402
+from motors.variation import latin_hypercube, ranged  # noqa: E402
+from results.case import CaseError  # noqa: E402
 from sweep import sweep  # noqa: E402
-from variation import latin_hypercube, ranged  # noqa: E402
 
 if __name__ == "__main__":  # processes of workers import this file, too
     PROGRAMS = [pathlib.Path(sys.argv.pop(1)) for _ in range(3)]

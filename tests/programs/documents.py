@@ -1,6 +1,6 @@
 #!/usr/bin/python3 -sE
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parts of pages that a run makes: what scripts/documents.py finds wrong with them.
+"""Parts of pages that a run makes: what scripts/development/documents.py finds wrong with them.
 
 Usage: tests/programs/documents.py FOLDER_OF_THE_PROGRAMS [unittest arguments]
 
@@ -15,7 +15,7 @@ import unittest
 sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
 from program import ROOT, run  # noqa: E402
 
-sys.path.insert(0, str(ROOT / "scripts"))
+sys.path.insert(0, str(ROOT / "scripts" / "development"))
 import documents  # noqa: E402
 from page_blocks import blocks_of, difference  # noqa: E402
 
@@ -58,7 +58,7 @@ class Pages(unittest.TestCase):
         shutil.rmtree(self.folder)
 
     def documents(self, *options):
-        return run(ROOT / "scripts" / "documents.py", *options, "--programs", PROGRAMS, self.page)
+        return run(ROOT / "scripts" / "development" / "documents.py", *options, "--programs", PROGRAMS, self.page)
 
     def write(self, price, said="speed 77.6 +- 2.8 rpm", words=""):
         self.said.write_text(said)
@@ -99,8 +99,8 @@ class Pages(unittest.TestCase):
         self.assertIn("99.0 +- 2.8", self.page.read_text())
 
     def test_script_that_has_changed(self):
-        script = ROOT / "scripts" / "document_tables.py"
-        self.write("dear", words="# scripts/document_tables.py")
+        script = ROOT / "scripts" / "development" / "document_tables.py"
+        self.write("dear", words="# scripts/development/document_tables.py")
         block = blocks_of(self.page)[0]
         made = documents.Documents(PROGRAMS, self.folder)
         self.assertEqual(made.inputs_of(block), block.inputs)
@@ -147,7 +147,7 @@ class Pages(unittest.TestCase):
 
 class OurPages(unittest.TestCase):
     def test_all_parts_are_as_they_have_to_be(self):
-        done = run(ROOT / "scripts" / "documents.py", "--check", "--programs", PROGRAMS)
+        done = run(ROOT / "scripts" / "development" / "documents.py", "--check", "--programs", PROGRAMS)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
     def test_tables_and_printed_lines_are_marked(self):

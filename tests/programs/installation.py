@@ -103,7 +103,7 @@ class FromFileToPage(Installed):
         self.assertNotIn("FAILED", done.stdout)
 
     def test_a_figure_that_fails_leaves_the_page(self):
-        case, figures = self.folder / "no_pen", self.prefix / "share/ringmotor/scripts/stator_figures.py"
+        case, figures = self.folder / "no_pen", self.prefix / "share/ringmotor/scripts/drawing/stator_figures.py"
         usual = figures.read_text(encoding="utf-8")
         for drawn, said in (("def draw_dispersion(*_):\n    raise RuntimeError('no pen')\n",
                              "figures: dispersion cannot be drawn (RuntimeError no pen), and is left out"),
@@ -225,7 +225,8 @@ class Package(Installed):
         for name in ("README.md", "LICENSE", "doc/walk.md", "doc/images/torque_speed.png", "prm/canon_ring.prm",
                      "meshes", "scripts/report.py"):
             self.assertTrue((shared / name).exists(), name)
-        self.assertFalse((shared / "scripts" / "setup.sh").exists())
+        for name in ("setup.sh", "development"):
+            self.assertFalse((shared / "scripts" / name).exists(), name)
         done = run(self.prefix / "bin" / "ringmotor", "--version")
         self.assertRegex(done.stdout, r"ringmotor \d+\.\d+\.\d+")
 

@@ -117,7 +117,7 @@ class Mistakes(WithFolder):
         self.assert_refused(self.view(self.case, "--png", self.case / FILES[0], display=":0"), "cannot write into")
 
     def test_paraview_is_started_with_the_views_there_are(self):
-        scenes = f"{ROOT}/scripts/paraview_scenes.py"
+        scenes = f"{ROOT}/scripts/drawing/paraview_scenes.py"
         self.assertEqual(self.view(self.case, display=":0").stdout,
                          f"paraview --script={scenes}\n{self.case}|{' '.join(VIEWS)}||\n")
         (self.case / "contact" / "motor.pvd").unlink()

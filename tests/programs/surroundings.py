@@ -21,12 +21,12 @@ from program import STATIC_ROTOR, ROOT, run, settings  # noqa: E402
 
 SCRIPTS = ROOT / "scripts"
 sys.path.insert(0, str(SCRIPTS))
-import surroundings  # noqa: E402
-from case import CaseError  # noqa: E402
-from drawing import save_all, start_figure  # noqa: E402
-from measured import read_measured  # noqa: E402
-from typed import problem_of_list, problem_of_number, problem_of_path  # noqa: E402
-from variation import number_of, varied  # noqa: E402
+from running import surroundings  # noqa: E402
+from drawing.basics import save_all, start_figure  # noqa: E402
+from motors.measured import read_measured  # noqa: E402
+from motors.variation import number_of, varied  # noqa: E402
+from results.case import CaseError  # noqa: E402
+from running.typed import problem_of_list, problem_of_number, problem_of_path  # noqa: E402
 
 PROGRAMS = [sys.argv.pop(1) for _ in range(3)]
 CHINESE = "超声波电机 № 1"
@@ -202,8 +202,8 @@ class Surroundings(WithCase):
         done = run_with({"HOME": home}, "/usr/bin/python3", SCRIPTS / "summary.py", self.case)
         self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
         self.assertIn("summary: ImportError compiled for another numpy; start the script itself", done.stderr)
-        done = run("/usr/bin/python3", "-sE", "-c", "import sys; sys.path.insert(0, sys.argv[1]); import surroundings; import nothing",
-                   SCRIPTS)
+        done = run("/usr/bin/python3", "-sE", "-c", "import sys; sys.path.insert(0, sys.argv[1]); "
+                   "from running import surroundings; import nothing", SCRIPTS)
         self.assertRegex(done.stderr, "^[^\n]*install the Debian package python3-nothing[^\n]*\n$")
 
     def test_an_error_that_nobody_expects_is_one_line(self):

@@ -20,7 +20,7 @@ sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
 from program import STATIC_ROTOR, rows_of, run, settings  # noqa: E402
 from sweep_folder import COARSE, COMPARE, PROGRAMS, SWEEP, TWO_BY_TWO, InAFolder, command  # noqa: E402  (finds the scripts)
 import h5py  # noqa: E402
-from goals import limit  # noqa: E402
+from motors.goals import limit  # noqa: E402
 from motor_task import without_launcher  # noqa: E402
 
 SUITE = sys.argv.pop(1)

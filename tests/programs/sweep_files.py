@@ -16,7 +16,7 @@ sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
 from program import STATIC_ROTOR, ROOT, rows_of, run, settings  # noqa: E402
 from sweep_folder import COARSE, COMPARE, PROGRAMS, InAFolder, command  # noqa: E402  (finds the scripts)
 import motor_task  # noqa: E402
-from many_motors import Family  # noqa: E402
+from motors.many_motors import Family  # noqa: E402
 from motor_task import known_outcome  # noqa: E402
 
 
@@ -75,7 +75,7 @@ class Files(InAFolder):
         for name in ("figures", "report", "summary"):
             self.assertEqual(self.watched(scripts / f"{name}.py", case).stderr, "")
         # And none knows the words of such a file.
-        for path in [*scripts.iterdir(), *(ROOT / "benchmarks").glob("*.py")]:
+        for path in [*scripts.rglob("*"), *(ROOT / "benchmarks").glob("*.py")]:
             if path.suffix in (".py", ".sh"):
                 for word in ("subsection", '["prm"]'):
                     self.assertNotIn(word, path.read_text(encoding="utf-8"), path)

@@ -11,7 +11,7 @@ sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
 from program import STATIC_ROTOR, ROOT, run, settings  # noqa: E402
 
 sys.path.insert(0, str(ROOT / "scripts"))
-from case import CaseError  # noqa: E402
+from results.case import CaseError  # noqa: E402
 from sweep import main  # noqa: E402
 
 PROGRAMS = [pathlib.Path(sys.argv.pop(1)) for _ in range(3)]

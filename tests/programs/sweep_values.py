@@ -15,12 +15,12 @@ sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
 from program import ROOT  # noqa: E402
 
 sys.path.insert(0, str(ROOT / "scripts"))
-from case import CaseError  # noqa: E402
-from goals import limit  # noqa: E402
-from sweep_figures import pareto_front  # noqa: E402
-from sweep_table import short_names  # noqa: E402
-from uncertainty import motor_of, sample_of, uncertain_inputs  # noqa: E402
-from variation import combinations, latin_hypercube, varied  # noqa: E402
+from motors.goals import limit  # noqa: E402
+from motors.sweep_figures import pareto_front  # noqa: E402
+from motors.sweep_table import short_names  # noqa: E402
+from motors.uncertainty import motor_of, sample_of, uncertain_inputs  # noqa: E402
+from motors.variation import combinations, latin_hypercube, varied  # noqa: E402
+from results.case import CaseError  # noqa: E402
 
 
 class Values(unittest.TestCase):

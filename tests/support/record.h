@@ -9,8 +9,8 @@
 namespace ringmotor::tests
 {
   /** Keeps a measured number in the report of the running test (--gtest_output), for
-   * doc/verification.md (scripts/test_records.py). The name says what it is and its unit; numbers
-   * of one name make a list, in the order of the calls.
+   * doc/verification.md (scripts/development/test_records.py). The name says what it is and its
+   * unit; numbers of one name make a list, in the order of the calls.
    */
   inline void record(const std::string &name, const double value)
   {
