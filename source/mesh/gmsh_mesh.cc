@@ -42,7 +42,10 @@ namespace ringmotor
     class GmshReader
     {
     public:
-      explicit GmshReader(const std::string &name) : mesh{{name, 0}, {}, {}}, lines(mesh.file) {}
+      explicit GmshReader(const MeshFile &file) : mesh{file, {}, {}, false, {}}, lines(mesh.file)
+      {
+        mesh.file.n_digits = 0; // before the first one
+      }
 
       GmshMesh read()
       {
@@ -115,10 +118,16 @@ namespace ringmotor
         for (long i = 0; i < n_names; ++i)
         {
           lines.next();
-          const std::string name = lines.word(2), parts = between(name, "_part{", '}'),
+          std::string name;
+          for (std::size_t word = 2; word < lines.n_words(); ++word)
+            name += (name.empty() ? "" : " ") + lines.word(word);
+          const std::string parts  = between(name, "_part{", '}'),
                             before = between(name, "}_physical{", '}');
           if (parts.empty() || before.empty())
+          {
+            mesh.names[{lines.count(0), lines.count(1)}] = between(name, "\"", '"');
             continue;
+          }
           // What lies between partitions is inside the body.
           const bool is_between = parts.find(',') != std::string::npos;
           ids_before[{lines.count(0), lines.count(1)}] =
@@ -243,7 +252,7 @@ namespace ringmotor
           lines.expect(node != node_of_tag.end());
           element.nodes.push_back(node->second);
         }
-        if (kind == GmshMesh::point || kind == GmshMesh::line)
+        if (kind == GmshMesh::point)
           return;
         if (ids_of_element.empty())
           mesh.elements.push_back(element);
@@ -276,7 +285,7 @@ namespace ringmotor
           const long n_tags = lines.count(2);
           if (n_tags > 3 && lines.count(5) > 0 && kind == GmshMesh::hexahedron)
             partitions_seen.insert(lines.number<long>(6));
-          const long dimension = kind == GmshMesh::hexahedron ? 3 : 2;
+          const long dimension = kind == GmshMesh::hexahedron ? 3 : kind == GmshMesh::line ? 1 : 2;
           add_element(kind, 3 + n_tags, {n_tags > 0 ? id(dimension, 3) : 0});
         }
         lines.next();
@@ -330,7 +339,7 @@ namespace ringmotor
     };
   } // namespace
 
-  GmshMesh read_gmsh(const std::string &file)
+  GmshMesh read_gmsh(const MeshFile &file)
   {
     return GmshReader(file).read();
   }

@@ -24,7 +24,7 @@ namespace ringmotor
 
   void MeshFile::refuse(const std::string &found, const std::string &what_to_do) const
   {
-    throw UserError("Stator/Mesh file = " + in_quotes(name) + ": " + found + "; " + what_to_do +
+    throw UserError(entry + " = " + in_quotes(name) + ": " + found + "; " + what_to_do +
                     (note.empty() ? "" : "; " + note));
   }
 

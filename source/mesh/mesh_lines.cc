@@ -87,7 +87,7 @@ namespace ringmotor
       file.refuse("it is damaged, or not a mesh in Gmsh's ASCII format of version 2.2 or 4.1 "
                   "(line " +
                       std::to_string(number_of_line) + ")",
-                  "save it again as such, with hexahedra of first order (meshes/README.md)");
+                  "save it again as such, with " + file.format);
   }
 
   void MeshLines::split()

@@ -34,11 +34,11 @@ namespace ringmotor
     }
 
     /** The cells of a file, and the surfaces that it marks. */
-    class Body
+    class MeshOfFile
     {
     public:
       /** @throws UserError if elements or their ids are not those of a sector */
-      explicit Body(const GmshMesh &mesh);
+      explicit MeshOfFile(const GmshMesh &mesh);
 
       void create(Triangulation<3> &triangulation);
       /** Gives faces their ids. @throws UserError for surfaces that are not outer ones */
@@ -77,7 +77,7 @@ namespace ringmotor
       return element.kind == GmshMesh::quadrilateral && element.id != ids::free;
     }
 
-    Body::Body(const GmshMesh &mesh)
+    MeshOfFile::MeshOfFile(const GmshMesh &mesh)
         : mesh(mesh), vertex_of_node(mesh.nodes.size(), numbers::invalid_unsigned_int)
     {
       check_kinds();
@@ -88,7 +88,7 @@ namespace ringmotor
     }
 
     /** ", near ..." */
-    std::string Body::near(const Nodes &nodes) const
+    std::string MeshOfFile::near(const Nodes &nodes) const
     {
       Point<3> center;
       for (const unsigned int node : nodes)
@@ -96,10 +96,12 @@ namespace ringmotor
       return ", near " + in_words(cylindrical(center));
     }
 
-    void Body::check_kinds() const
+    void MeshOfFile::check_kinds() const
     {
       for (const Element &element : mesh.elements)
       {
+        if (element.kind == GmshMesh::line)
+          continue;
         const bool is_free_triangle = element.kind == GmshMesh::triangle && element.id == ids::free;
         if (element.kind != GmshMesh::hexahedron && element.kind != GmshMesh::quadrilateral &&
             !is_free_triangle)
@@ -114,7 +116,7 @@ namespace ringmotor
                          "(piezoceramic) and mesh in three dimensions");
     }
 
-    void Body::check_ids() const
+    void MeshOfFile::check_ids() const
     {
       const std::set<long> of_volumes{ids::base, ids::tooth, ids::piezoceramic},
           of_surfaces{ids::mirror, ids::cut, ids::cut_low, ids::cut_high, ids::tooth_top};
@@ -146,7 +148,7 @@ namespace ringmotor
       return nodes;
     }
 
-    void Body::add_cell(const Element &element)
+    void MeshOfFile::add_cell(const Element &element)
     {
       Nodes nodes(8);
       for (unsigned int i = 0; i < 8; ++i)
@@ -188,7 +190,7 @@ namespace ringmotor
     }
 
     /** deal.II cannot turn round what has no volume. */
-    void Body::expect_volume(const CellData<3> &cell) const
+    void MeshOfFile::expect_volume(const CellData<3> &cell) const
     {
       constexpr double flat = 1e-12;
       Point<3> center;
@@ -212,7 +214,7 @@ namespace ringmotor
                                "repair the mesh");
     }
 
-    void Body::create(Triangulation<3> &triangulation)
+    void MeshOfFile::create(Triangulation<3> &triangulation)
     {
       for (const CellData<3> &cell : cells)
         expect_volume(cell);
@@ -221,7 +223,7 @@ namespace ringmotor
       triangulation.create_triangulation(vertices, cells, SubCellData());
     }
 
-    void Body::mark(Triangulation<3> &triangulation) const
+    void MeshOfFile::mark(Triangulation<3> &triangulation) const
     {
       std::map<Nodes, Triangulation<3>::face_iterator> faces; // by ascending vertices
       for (const auto &cell : triangulation.active_cell_iterators())
@@ -280,10 +282,11 @@ namespace ringmotor
   SectorMesh read_sector(const std::string &file, const unsigned int n_sectors,
                          MPI_Comm communicator)
   {
-    const GmshMesh gmsh = read_gmsh(file);
+    const GmshMesh gmsh =
+        read_gmsh({file, "Stator/Mesh file", "hexahedra of first order (meshes/README.md)"});
     SectorMesh mesh{empty_triangulation<3>(communicator), SectorForm::half, n_sectors};
     Triangulation<3> &triangulation = *mesh.triangulation;
-    Body body(gmsh);
+    MeshOfFile body(gmsh);
     body.create(triangulation);
     triangulation.set_all_manifold_ids(0);
     triangulation.set_manifold(0, CylindricalManifold<3>(2));

@@ -95,6 +95,17 @@ namespace ringmotor
     }
   }
 
+  namespace
+  {
+    /** Fractions of an edge up to @p part of it. */
+    std::vector<double> growing_lines(const double part, const double first)
+    {
+      constexpr double ratio = 0.3, longest = 0.6;
+      return first < part ? graded_lines(part, first, ratio, longest)
+                          : std::vector<double>{0., part};
+    }
+  } // namespace
+
   Section SectionGrading::result() const
   {
     SectionCuts all = cuts;
@@ -107,7 +118,7 @@ namespace ringmotor
       for (const auto &[from, to, first] :
            {std::make_tuple(begin, end, of_family.at_begin), {end, begin, of_family.at_end}})
         if (first > 0.)
-          all.cut(from, to, graded_lines(is_half ? 0.5 : 1., first));
+          all.cut(from, to, growing_lines(is_half ? 0.5 : 1., first));
     }
     return all.result();
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/contact/surface_compliance.h>
+#include <ringmotor/mesh/body_sector.h>
 #include <ringmotor/mesh/ids.h>
 #include <ringmotor/mesh/rotor_sector.h>
-#include <ringmotor/mesh/stator_sector.h>
 #include <ringmotor/motor/contact_bodies.h>
 #include <ringmotor/structure/motion_products.h>
 #include <ringmotor/structure/surface_load.h>
@@ -33,9 +33,9 @@ namespace ringmotor
                           const bool is_clamped)
     {
       const RotorGeometry &rotor = parameters.rotor;
-      SectorMesh mesh = make_contact_tooth(stator_body(parameters.stator, parameters.motor.n_teeth),
-                                           rotor.lip_inner_radius, rotor.lip_outer_radius,
-                                           discretisation.tooth, MPI_COMM_SELF);
+      SectorMesh mesh =
+          make_contact_tooth(stator_body(parameters), rotor.lip_inner_radius,
+                             rotor.lip_outer_radius, discretisation.tooth, MPI_COMM_SELF);
       if (is_clamped)
         for (const auto &face : mesh.triangulation->active_face_iterators())
           if (face->at_boundary() && face->boundary_id() == ids::tooth_foot)

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/mesh/ids.h>
+#include <ringmotor/mesh/places.h>
+#include <ringmotor/mesh/read_sector.h>
+#include <ringmotor/mesh/revolved_body.h>
 #include <ringmotor/motor/electrode_layout.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/parameters/short_text.h>
 
 #include <deal.II/base/numbers.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -26,9 +31,36 @@ namespace ringmotor
     }
   } // namespace
 
+  double mean_radius_of_ceramic(const Parameters &parameters)
+  {
+    std::vector<double> radii;
+    if (const std::string &file = parameters.stator.mesh_file; !file.empty())
+    {
+      const SectorMesh mesh = read_sector(file, parameters.motor.n_teeth, MPI_COMM_SELF);
+      for (const auto &cell : mesh.triangulation->active_cell_iterators())
+        for (const unsigned int i : cell->vertex_indices())
+          if (cell->material_id() == ids::piezoceramic)
+            radii.push_back(cylindrical(cell->vertex(i))[0]);
+    }
+    else
+    {
+      const Section section = stator_body(parameters).section;
+      for (const Section::Cell &cell : section.cells)
+        for (const unsigned int corner : cell.corners)
+          if (cell.part == ids::piezoceramic)
+            radii.push_back(section.points[corner][0]);
+    }
+    if (radii.empty())
+      throw UserError("Effects/Piezoelectric coupling needs a ceramic, but " +
+                      parameters.stator.file_entry() +
+                      " has no part 'piezoceramic'; allowed: off, or a file with it");
+    const auto [inner, outer] = std::minmax_element(radii.begin(), radii.end());
+    return 0.5 * (*inner + *outer);
+  }
+
   ElectrodeLayout::ElectrodeLayout(const Electrodes &electrodes, const Motor &motor,
-                                   const StatorGeometry &stator)
-      : gap(2. * electrodes.arc_gap / (stator.base_inner_radius + stator.base_outer_radius))
+                                   const double radius)
+      : gap(electrodes.arc_gap / radius)
   {
     const unsigned int usual = motor.n_waves > 1 ? motor.n_waves - 1 : 1,
                        n_a   = electrodes.n_arcs_a.value_or(usual),

@@ -162,16 +162,16 @@ namespace ringmotor
   std::vector<std::string> files_named_by(const Parameters &parameters)
   {
     std::vector<std::string> files;
-    for (const std::string &file : {parameters.stator.mesh_file, parameters.rotor.mesh_file})
-      if (!file.empty())
-        files.push_back(file);
+    for (const auto &[entry, file] : Parameters(parameters).mesh_files())
+      if (!file->empty())
+        files.push_back(*file);
     return files;
   }
 
   std::string text_of(const Parameters &parameters)
   {
     Parameters copy = parameters;
-    for (std::string *const mesh_file : {&copy.stator.mesh_file, &copy.rotor.mesh_file})
+    for (const auto &[entry, mesh_file] : copy.mesh_files())
       if (!mesh_file->empty())
         *mesh_file = "content " + fingerprint_of_file(*mesh_file);
     ParameterHandler prm;

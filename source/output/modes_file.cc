@@ -253,8 +253,9 @@ namespace ringmotor
       wave.force_factor[PhaseHarmonics::index(phase)]         = number("force_factor_N_per_V");
       wave.parallel_capacitance[PhaseHarmonics::index(phase)] = number("C0_F");
     }
-    wave.standing_part = ElectrodeLayout(parameters.electrodes, parameters.motor, parameters.stator)
-                             .standing_part(parameters.motor.n_waves);
+    wave.standing_part =
+        ElectrodeLayout(parameters.electrodes, parameters.motor, mean_radius_of_ceramic(parameters))
+            .standing_part(parameters.motor.n_waves);
     wave.dielectric_loss_factor    = parameters.piezoelectricity.dielectric_loss_factor;
     wave.piezoelectric_loss_factor = parameters.piezoelectricity.piezoelectric_loss_factor;
     wave.frequency                 = parameters.wave.frequency;

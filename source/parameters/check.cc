@@ -37,10 +37,10 @@ namespace ringmotor
                         std::to_string(motor.n_teeth / 2));
     }
 
-    void check_mesh_file(const std::string &file)
+    void check_mesh_file(const std::string &entry, const std::string &file)
     {
       std::error_code no_throw;
-      const std::string found = "Stator/Mesh file = " + in_quotes(file) + " ";
+      const std::string found = entry + " = " + in_quotes(file) + " ";
       if (!std::filesystem::exists(file, no_throw))
         throw UserError(
             found + "does not exist; a relative path is searched in the folder of the parameter "
@@ -62,19 +62,26 @@ namespace ringmotor
     parameters.support.check();
     if (parameters.modes.body == Body::rotor)
     {
+      if (const std::string &file = parameters.rotor.section_file; !file.empty())
+        check_mesh_file("Rotor/Section file", file);
       check_given(parameters, "Modes/Body = rotor needs a rotor",
                   {"Rotor/", "Materials/Rotor metal/"});
       check_rotor(parameters.rotor);
       return;
     }
-    if (!stator.mesh_file.empty() && parameters.modes.body == Body::stator)
+    if (!stator.mesh_file.empty() && !stator.section_file.empty())
+      throw UserError("Stator/Mesh file = " + in_quotes(stator.mesh_file) +
+                      " and Stator/Section file = " + in_quotes(stator.section_file) +
+                      " describe the same body; allowed: one of them");
+    if (!stator.section_file.empty() ||
+        (!stator.mesh_file.empty() && parameters.modes.body == Body::stator))
     {
       if (stator.piezoceramic_element == ElementKind::shell)
-        throw UserError(
-            "Stator/Piezoceramic element = shell is incompatible with Stator/Mesh file = " +
-            in_quotes(stator.mesh_file) +
-            ", which has the ceramic ring in its solid cells; allowed: solid");
-      check_mesh_file(stator.mesh_file);
+        throw UserError("Stator/Piezoceramic element = shell is incompatible with " +
+                        stator.file_entry() +
+                        ", which has the ceramic ring in its solid cells; allowed: solid");
+      check_mesh_file(stator.section_file.empty() ? "Stator/Mesh file" : "Stator/Section file",
+                      stator.section_file.empty() ? stator.mesh_file : stator.section_file);
       return;
     }
     check_thin_parts(stator);
@@ -87,10 +94,14 @@ namespace ringmotor
     void check_stator_geometry(const Parameters &parameters)
     {
       const StatorGeometry &stator = parameters.stator;
-      if (!stator.mesh_file.empty())
-        throw UserError("Stator/Mesh file = " + in_quotes(stator.mesh_file) +
+      if (!stator.has_dimensions())
+        throw UserError(stator.file_entry() +
                         " is not available in the program contact, which builds its own tooth "
                         "from the dimensions; allowed: none, or the program stator alone");
+      if (!parameters.rotor.section_file.empty())
+        throw UserError("Rotor/Section file = " + in_quotes(parameters.rotor.section_file) +
+                        " is not available in the program contact, which builds the rotor from the "
+                        "dimensions; allowed: none, or the program stator with Modes/Body = rotor");
       check_cross_section(stator, parameters.motor.n_teeth);
       check_amplitude(parameters.wave, stator);
     }

@@ -109,6 +109,8 @@ namespace ringmotor
     if (!rotor.mesh_file.empty())
       throw UserError("Rotor/Mesh file = " + in_quotes(rotor.mesh_file) +
                       " is not available in this version; leave it out");
+    if (!rotor.section_file.empty())
+      return;
     check_order("Lip inner radius", rotor.lip_inner_radius, "Lip outer radius",
                 rotor.lip_outer_radius);
     check_order("Lip outer radius", rotor.lip_outer_radius, "Ring inner radius",

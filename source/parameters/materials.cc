@@ -37,5 +37,7 @@ namespace ringmotor
     declare_material("Piezoceramic", piezoceramic);
     declare_material("Rotor metal", rotor_metal);
     declare_material("Target plate", target_plate);
+    declare_material("Lining", lining);
+    declare_material("Adhesive", adhesive);
   }
 } // namespace ringmotor

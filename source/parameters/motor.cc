@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/parameters/declare.h>
 #include <ringmotor/parameters/motor.h>
+#include <ringmotor/parameters/prm_file.h>
 
 namespace ringmotor
 {
@@ -35,6 +36,12 @@ namespace ringmotor
               "refused or accepted.");
   }
 
+  std::string StatorGeometry::file_entry() const
+  {
+    return section_file.empty() ? "Stator/Mesh file = " + in_quotes(mesh_file)
+                                : "Stator/Section file = " + in_quotes(section_file);
+  }
+
   void StatorGeometry::declare(ParameterHandler &prm)
   {
     add_length(prm, "Base inner radius", base_inner_radius, radius(),
@@ -66,6 +73,14 @@ namespace ringmotor
               "Cross-section of the thin plates, targets of optical measurements, on the outer "
               "edges of the tooth tops; used if Effects/Target plates is on. Units: "
               "m^2.");
+    add_entry(prm, "Slot angle", slot_angle,
+              number_or("none", number_within(1e-6, 2., "a number from 1e-6 to 2")),
+              "Angle between the radial walls of a slot, instead of Slot width, for a stator with "
+              "a section file. Units: rad.");
+    add_entry(prm, "Section file", section_file, file_or_none(),
+              "Gmsh file (.msh) of the cross-section of the stator, see meshes/README.md, which "
+              "replaces the dimensions above except Slot width. A relative path is searched in the "
+              "folder of this parameter file first, then in the current directory.");
     add_entry(
         prm, "Mesh file", mesh_file, file_or_none(),
         "Gmsh file (.msh) of one sector of the stator, which replaces the dimensions above in "
@@ -104,6 +119,10 @@ namespace ringmotor
               "Height of the band below that edge over which the forces of the bars are "
               "distributed; displacements under a line force would diverge. Units: m.",
               Presence::required);
+    add_entry(prm, "Section file", section_file, file_or_none(),
+              "Gmsh file (.msh) of the cross-section of the rotor, see meshes/README.md, which "
+              "replaces the dimensions above. A relative path is searched in the folder of this "
+              "parameter file first, then in the current directory.");
     add_entry(prm, "Mesh file", mesh_file, file_or_none(),
               "Reserved for a Gmsh file (.msh) of one sector of the rotor; this version refuses "
               "every value except none.");

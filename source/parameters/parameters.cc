@@ -50,6 +50,14 @@ namespace ringmotor
     declare_section("Output", output);
   }
 
+  std::vector<std::pair<std::string, std::string *>> Parameters::mesh_files()
+  {
+    return {{"Stator/Section file", &stator.section_file},
+            {"Stator/Mesh file", &stator.mesh_file},
+            {"Rotor/Section file", &rotor.section_file},
+            {"Rotor/Mesh file", &rotor.mesh_file}};
+  }
+
   namespace
   {
     /** The path of a mesh file in a form that can be opened from any directory. */
@@ -77,8 +85,7 @@ namespace ringmotor
     /** Makes the paths absolute that are relative to the folder of a parameter file. */
     void resolve_mesh_files(Parameters &parameters, const std::string &file)
     {
-      for (std::string *const mesh_file :
-           {&parameters.stator.mesh_file, &parameters.rotor.mesh_file})
+      for (const auto &[entry, mesh_file] : parameters.mesh_files())
         *mesh_file = resolve_mesh_file(*mesh_file, std::filesystem::path(file).parent_path());
     }
 
@@ -89,8 +96,8 @@ namespace ringmotor
         parameters.output.directory = "output/" + std::filesystem::path(file).stem().string();
       resolve_mesh_files(parameters, file);
       check_found("Output/Directory", parameters.output.directory);
-      check_found("Stator/Mesh file", parameters.stator.mesh_file);
-      check_found("Rotor/Mesh file", parameters.rotor.mesh_file);
+      for (const auto &[entry, mesh_file] : parameters.mesh_files())
+        check_found(entry, *mesh_file);
     }
 
     void assign_file(const PrmFile &file, const DeclaredEntries &declared, ParameterHandler &prm)

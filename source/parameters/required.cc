@@ -17,7 +17,7 @@ namespace ringmotor
 
   namespace
   {
-    const std::string constants_of_ceramic = "Piezoelectricity/";
+    const std::string constants_of_ceramic = "Piezoelectricity/", slot_width = "Stator/Slot width";
 
     bool starts_with_one_of(const std::string &path, const std::vector<std::string> &starts)
     {
@@ -29,7 +29,10 @@ namespace ringmotor
     /** Whether the motor has no part that the entry describes. */
     bool is_of_no_part(const std::string &path, const Parameters &parameters)
     {
-      if (!parameters.stator.mesh_file.empty() && starts_with_one_of(path, {"Stator/"}))
+      if (!parameters.stator.has_dimensions() && starts_with_one_of(path, {"Stator/"}))
+        return path != slot_width || parameters.stator.slot_angle ||
+               !parameters.stator.mesh_file.empty();
+      if (!parameters.rotor.section_file.empty() && starts_with_one_of(path, {"Rotor/"}))
         return true;
       if (parameters.stator.piezoceramic_thickness == 0. &&
           starts_with_one_of(path, {"Materials/Piezoceramic/"}))
@@ -37,11 +40,16 @@ namespace ringmotor
       return parameters.rotor.radial_bar_stiffness == 0. && path == "Rotor/Radial bar height";
     }
 
-    /** Whether stator, contact and losses need it, whatever the motor. */
-    bool is_always_needed(const std::string &path)
+    /** Whether stator, contact and losses need it, whatever the motor's parts. */
+    bool is_always_needed(const std::string &path, const Parameters &parameters)
     {
+      // Only a section tells whether it has teeth and a ceramic ring.
+      if (!parameters.stator.section_file.empty() &&
+          starts_with_one_of(path, {slot_width, "Materials/Piezoceramic/"}))
+        return false;
       return !starts_with_one_of(path, {"Rotor/", "Loading/", "Friction/", "Materials/Rotor metal/",
-                                        "Materials/Target plate/", constants_of_ceramic}) &&
+                                        "Materials/Target plate/", "Materials/Lining/",
+                                        "Materials/Adhesive/", constants_of_ceramic}) &&
              !boost::algorithm::ends_with(path, "/Loss factor");
     }
 
@@ -86,7 +94,7 @@ namespace ringmotor
     std::vector<std::string> missing;
     for (const std::string &path : required_but_not_set(prm))
       if (!is_of_no_part(path, parameters))
-        (is_always_needed(path) ? missing : parameters.not_given).push_back(path);
+        (is_always_needed(path, parameters) ? missing : parameters.not_given).push_back(path);
     if (!missing.empty())
       throw UserError(name + ": missing " + some_of(missing) +
                       "; the motor has no default values, see --help for the required entries");

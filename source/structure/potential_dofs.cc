@@ -107,7 +107,7 @@ namespace ringmotor
               for (const Dof dof : on_face(cell, number))
                 places[dof] = is_high ? Place::upper_electrode : Place::lower_electrode;
             else if (cell->at_boundary(number) && looks_along_z(face))
-              throw UserError("Stator/Mesh file: the piezoceramic has a face at z = " +
+              throw UserError("Stator: the piezoceramic has a face at z = " +
                               std::to_string(1e3 * face->center()[2]) +
                               " mm, outside of its highest and lowest plane" + needed);
             found[0] = found[0] || is_low;
@@ -115,7 +115,7 @@ namespace ringmotor
           }
         });
     if (!found[0] || !found[1])
-      throw UserError("Stator/Mesh file: the piezoceramic has no face in its " +
+      throw UserError("Stator: the piezoceramic has no face in its " +
                       std::string(found[0] ? "highest" : "lowest") + " plane" + needed);
   }
 

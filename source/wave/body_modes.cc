@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/mesh/body_sector.h>
 #include <ringmotor/mesh/ids.h>
 #include <ringmotor/mesh/read_sector.h>
 #include <ringmotor/mesh/rotor_sector.h>
-#include <ringmotor/mesh/stator_sector.h>
 #include <ringmotor/motor/relevant.h>
 #include <ringmotor/parameters/accuracy_budget.h>
 #include <ringmotor/parameters/errors.h>
@@ -74,7 +74,10 @@ namespace ringmotor
                                const std::optional<PiezoelectricLaw> &ceramic)
   {
     if (body == Body::rotor)
-      return {{ids::rotor, materials.rotor_metal}, {ids::lip_shell, materials.rotor_metal}};
+      return {{ids::rotor, materials.rotor_metal},
+              {ids::lip_shell, materials.rotor_metal},
+              {ids::lining, materials.lining},
+              {ids::adhesive, materials.adhesive}};
     if (body == Body::tooth)
       return {{ids::tooth, materials.stator_metal}};
     MaterialTable table{{ids::base, materials.stator_metal},
@@ -184,11 +187,13 @@ namespace ringmotor
     switch (parameters.modes.body)
     {
     case Body::rotor:
+      if (!parameters.rotor.section_file.empty())
+        return make_sector(rotor_body(parameters), SectorForm::half,
+                           SectorGrading::level(discretisation.level), ranks);
       return make_rotor_sector(parameters.rotor, n_teeth, SectorForm::half,
                                RotorGrading::level(discretisation.level), ranks);
     case Body::tooth:
-      return make_tooth(stator_body(parameters.stator, n_teeth),
-                        SectorGrading::level(discretisation.level), ranks);
+      return make_tooth(stator_body(parameters), SectorGrading::level(discretisation.level), ranks);
     case Body::stator:
       break;
     }
@@ -205,8 +210,8 @@ namespace ringmotor
       stator.triangulation->refine_global(discretisation.level);
       return stator;
     }
-    SectorMesh stator = make_stator_sector(
-        stator_body(parameters.stator, n_teeth), SectorForm::half,
+    SectorMesh stator = make_sector(
+        stator_body(parameters), SectorForm::half,
         discretisation.grading.value_or(SectorGrading::level(discretisation.level)), ranks);
     add_to_stator(model, stator);
     return stator;

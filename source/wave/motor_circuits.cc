@@ -9,7 +9,7 @@
 namespace ringmotor
 {
   MotorCircuits::MotorCircuits(const Parameters &parameters)
-      : layout(parameters.electrodes, parameters.motor, parameters.stator),
+      : layout(parameters.electrodes, parameters.motor, mean_radius_of_ceramic(parameters)),
         harmonics(layout, parameters.motor.n_teeth), losses(parameters.piezoelectricity),
         materials(material_table(parameters.materials, Body::stator)),
         n_waves(parameters.motor.n_waves)

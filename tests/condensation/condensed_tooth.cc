@@ -9,8 +9,8 @@
 
 #include <ringmotor/condensation/interface_compliance.h>
 #include <ringmotor/contact/contact_surface.h>
+#include <ringmotor/mesh/body_sector.h>
 #include <ringmotor/mesh/ids.h>
-#include <ringmotor/mesh/stator_sector.h>
 
 #include <gtest/gtest.h>
 

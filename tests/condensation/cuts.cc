@@ -6,7 +6,7 @@
 #include "support/materials.h"
 #include "support/ring_sector.h"
 
-#include <ringmotor/mesh/stator_sector.h>
+#include <ringmotor/mesh/body_sector.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/structure/cyclic_sector.h>
 

@@ -7,8 +7,8 @@
 #include "support/geometry.h"
 #include "support/ring_sector.h"
 
+#include <ringmotor/mesh/body_sector.h>
 #include <ringmotor/mesh/sheets.h>
-#include <ringmotor/mesh/stator_sector.h>
 
 #include <gtest/gtest.h>
 
@@ -23,8 +23,8 @@ namespace
 {
   SectorMesh coarse_stator(const SectorForm form)
   {
-    return make_stator_sector(stator_body(StatorGeometry(), 90), form, SectorGrading::level(1),
-                              MPI_COMM_SELF);
+    return make_sector(stator_body(StatorGeometry(), 90), form, SectorGrading::level(1),
+                       MPI_COMM_SELF);
   }
 
   /** A whole sector in two pieces that are connected only across the cuts: 2 x 2 cells each. */

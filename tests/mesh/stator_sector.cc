@@ -6,8 +6,8 @@
 
 #include "support/geometry.h"
 
+#include <ringmotor/mesh/body_sector.h>
 #include <ringmotor/mesh/ids.h>
-#include <ringmotor/mesh/stator_sector.h>
 
 #include <gtest/gtest.h>
 
@@ -63,9 +63,9 @@ namespace
 
   void expect_volumes(const StatorGeometry &stator, const SectorForm form, const unsigned int level)
   {
-    const SectorMesh mesh = make_stator_sector(stator_body(stator, n_teeth), form,
-                                               SectorGrading::level(level), MPI_COMM_SELF);
-    const auto found      = volumes(*mesh.triangulation, 6);
+    const SectorMesh mesh =
+        make_sector(stator_body(stator, n_teeth), form, SectorGrading::level(level), MPI_COMM_SELF);
+    const auto found = volumes(*mesh.triangulation, 6);
     for (const auto &[material, half_volume] : exact_volumes(stator))
     {
       if (half_volume == 0.)
@@ -115,8 +115,8 @@ TEST(StatorSector, HasParallelSlotWallsAndFlatTops)
   for (const StatorGeometry &stator : {StatorGeometry(), other_stator()})
     for (const SectorForm form : {SectorForm::half, SectorForm::whole})
     {
-      SectorMesh mesh = make_stator_sector(stator_body(stator, n_teeth), form,
-                                           SectorGrading::level(1), MPI_COMM_SELF);
+      SectorMesh mesh =
+          make_sector(stator_body(stator, n_teeth), form, SectorGrading::level(1), MPI_COMM_SELF);
       mesh.triangulation->refine_global(1);
       const double top       = stator.base_thickness + stator.tooth_height;
       unsigned int n_on_wall = 0, n_on_top = 0;
@@ -191,8 +191,8 @@ TEST(StatorSector, MarksAllFaces)
 
   for (const SectorForm form : {SectorForm::half, SectorForm::whole})
   {
-    const SectorMesh mesh = make_stator_sector(stator_body(stator, n_teeth), form,
-                                               SectorGrading::level(1), MPI_COMM_SELF);
+    const SectorMesh mesh =
+        make_sector(stator_body(stator, n_teeth), form, SectorGrading::level(1), MPI_COMM_SELF);
     std::map<dealii::types::boundary_id, double> area = boundary_areas(*mesh.triangulation, 6);
     if (form == SectorForm::half)
     {
@@ -220,8 +220,8 @@ TEST(StatorSector, IsGradedTowardsTheSlotRoot)
   const StatorGeometry stator;
   for (const unsigned int n_layers : {0u, 1u, 3u})
   {
-    const SectorMesh mesh = make_stator_sector(stator_body(stator, n_teeth), SectorForm::half,
-                                               {n_layers, 2, 0.25}, MPI_COMM_SELF);
+    const SectorMesh mesh = make_sector(stator_body(stator, n_teeth), SectorForm::half,
+                                        {n_layers, 2, 0.25}, MPI_COMM_SELF);
     double lowest         = 1.; // height above the slot root of the next vertex
     for (const Point<3> &x : mesh.triangulation->get_vertices())
       if (x[2] > stator.base_thickness + 1e-12)
@@ -241,8 +241,8 @@ TEST(StatorSector, HasCellsThatCanBeSlender)
       stator.slot_width = slot_width;
       for (const unsigned int level : {0u, 2u})
       {
-        const SectorMesh mesh = make_stator_sector(stator_body(stator, teeth), SectorForm::whole,
-                                                   SectorGrading::level(level), MPI_COMM_SELF);
+        const SectorMesh mesh = make_sector(stator_body(stator, teeth), SectorForm::whole,
+                                            SectorGrading::level(level), MPI_COMM_SELF);
         EXPECT_GT(smallest_jacobian_ratio(*mesh.triangulation), 0.1)
             << teeth << " teeth, slots of " << slot_width << " m";
       }

@@ -6,7 +6,7 @@
 
 #include "support/materials.h"
 
-#include <ringmotor/mesh/stator_sector.h>
+#include <ringmotor/mesh/body_sector.h>
 #include <ringmotor/pictures/sector_field.h>
 #include <ringmotor/pictures/surface_trace.h>
 #include <ringmotor/wave/energy.h>
@@ -58,8 +58,8 @@ namespace
     Mode mode;
 
     explicit Wave(const SectorForm form, const StatorGeometry &stator = StatorGeometry())
-        : mesh(make_stator_sector(stator_body(stator, n_teeth), form, SectorGrading::level(1),
-                                  MPI_COMM_WORLD)),
+        : mesh(make_sector(stator_body(stator, n_teeth), form, SectorGrading::level(1),
+                           MPI_COMM_WORLD)),
           sector(mesh, stator_materials(), 2), mode(lowest())
     {
       normalise_to_amplitude(mode, tooth_points(sector), 2e-6);

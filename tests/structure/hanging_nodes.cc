@@ -7,7 +7,7 @@
 
 #include "support/materials.h"
 
-#include <ringmotor/mesh/stator_sector.h>
+#include <ringmotor/mesh/body_sector.h>
 #include <ringmotor/structure/modes.h>
 
 #include <gtest/gtest.h>
@@ -24,8 +24,7 @@ namespace
   SectorMesh refined_where(const SectorForm form, const Where &chosen)
   {
     const SectorGrading grading{0, 2, 0.1};
-    SectorMesh mesh =
-        make_stator_sector(stator_body(StatorGeometry(), 90), form, grading, MPI_COMM_WORLD);
+    SectorMesh mesh = make_sector(stator_body(StatorGeometry(), 90), form, grading, MPI_COMM_WORLD);
     for (const auto &cell : mesh.triangulation->active_cell_iterators())
     {
       const dealii::Point<3> x = cell->center();

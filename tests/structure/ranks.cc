@@ -5,7 +5,7 @@
 
 #include "support/materials.h"
 
-#include <ringmotor/mesh/stator_sector.h>
+#include <ringmotor/mesh/body_sector.h>
 #include <ringmotor/structure/modes.h>
 #include <ringmotor/structure/refinement_indicator.h>
 
@@ -27,8 +27,8 @@ namespace
     ModeSolver solver;
 
     Model(const SectorForm form, MPI_Comm communicator)
-        : mesh(make_stator_sector(stator_body(StatorGeometry(), 90), form, SectorGrading::level(1),
-                                  communicator)),
+        : mesh(make_sector(stator_body(StatorGeometry(), 90), form, SectorGrading::level(1),
+                           communicator)),
           sector(mesh, stator_materials(), 2), solver(sector)
     {
     }
@@ -77,8 +77,8 @@ TEST(InertiaRanks, CountsAsManyModesAsOneRank)
   // does not count the negative pivots there, and modes below the shift would go unnoticed.
   const auto mesh = [](MPI_Comm communicator)
   {
-    return make_stator_sector(stator_body(StatorGeometry(), 90), SectorForm::whole, {0, 2, 0.3},
-                              communicator);
+    return make_sector(stator_body(StatorGeometry(), 90), SectorForm::whole, {0, 2, 0.3},
+                       communicator);
   };
   const SectorMesh together = mesh(MPI_COMM_WORLD), alone = mesh(MPI_COMM_SELF);
   const CyclicSector sector(together, stator_materials(), 3),

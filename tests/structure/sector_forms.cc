@@ -10,7 +10,7 @@
 #include "support/materials.h"
 #include "support/record.h"
 
-#include <ringmotor/mesh/stator_sector.h>
+#include <ringmotor/mesh/body_sector.h>
 #include <ringmotor/structure/modes.h>
 
 #include <deal.II/dofs/dof_tools.h>
@@ -32,8 +32,8 @@ namespace
     ModeSolver solver;
 
     explicit CoarseStator(const SectorForm form, const unsigned int level = 0)
-        : mesh(make_stator_sector(stator_body(StatorGeometry(), 90), form,
-                                  SectorGrading::level(level), MPI_COMM_WORLD)),
+        : mesh(make_sector(stator_body(StatorGeometry(), 90), form, SectorGrading::level(level),
+                           MPI_COMM_WORLD)),
           sector(mesh, stator_materials(), 2), solver(sector)
     {
     }

@@ -9,7 +9,7 @@
 #include "support/materials.h"
 #include "support/ring_sector.h"
 
-#include <ringmotor/mesh/stator_sector.h>
+#include <ringmotor/mesh/body_sector.h>
 #include <ringmotor/wave/mode_search.h>
 
 #include <gtest/gtest.h>
@@ -42,9 +42,8 @@ TEST(ErrorBarsLong, HoldTheTrueFrequencyOfTheStator)
     {
       if (degree == 4 && level > 3)
         continue;
-      const SectorMesh mesh =
-          make_stator_sector(stator_body(StatorGeometry(), 90), SectorForm::half,
-                             SectorGrading::level(level), MPI_COMM_WORLD);
+      const SectorMesh mesh = make_sector(stator_body(StatorGeometry(), 90), SectorForm::half,
+                                          SectorGrading::level(level), MPI_COMM_WORLD);
       search.compute(mesh, degree);
       const FoundMode *mode = search.working_mode(7);
       ASSERT_NE(mode, nullptr);
@@ -126,8 +125,8 @@ TEST(ErrorBarsLong, HoldWhatAFarBetterMeshFinds)
         [&, modes = request(sample.n_waves, 2)](const unsigned int level, const unsigned int degree)
     {
       const SectorMesh mesh =
-          make_stator_sector(stator_body(sample.stator, sample.n_teeth), SectorForm::half,
-                             SectorGrading::level(level), MPI_COMM_WORLD);
+          make_sector(stator_body(sample.stator, sample.n_teeth), SectorForm::half,
+                      SectorGrading::level(level), MPI_COMM_WORLD);
       ModeSearch search(stator_materials(), modes);
       search.compute(mesh, degree);
       std::vector<Estimate> found;
@@ -155,8 +154,8 @@ TEST(ErrorBarsLong, HoldWhatAFarBetterMeshFinds)
 TEST(ErrorBarsLong, ShrinkAsTheMeshIsRefined)
 {
   ModeSearch search(stator_materials(), request(7, 2));
-  SectorMesh mesh = make_stator_sector(stator_body(StatorGeometry(), 90), SectorForm::half,
-                                       SectorGrading::level(0), MPI_COMM_WORLD);
+  SectorMesh mesh = make_sector(stator_body(StatorGeometry(), 90), SectorForm::half,
+                                SectorGrading::level(0), MPI_COMM_WORLD);
   search.compute(mesh, 3);
   const double first = search.worst_relative_error();
   double earlier     = first;

@@ -7,7 +7,7 @@
 #include "support/materials.h"
 #include "support/paper_motor.h"
 
-#include <ringmotor/mesh/stator_sector.h>
+#include <ringmotor/mesh/body_sector.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/wave/body_modes.h>
 #include <ringmotor/wave/phase_circuit.h>
@@ -26,7 +26,7 @@ namespace
   {
     Motor motor;
     motor.n_waves = n_waves;
-    return ElectrodeLayout(electrodes, motor, StatorGeometry());
+    return ElectrodeLayout(electrodes, motor, 33e-3);
   }
 } // namespace
 
@@ -86,12 +86,14 @@ namespace
   {
   protected:
     StatorPhases()
-        : mesh(make_stator_sector(stator_body(parameters.stator, parameters.motor.n_teeth),
-                                  SectorForm::half, SectorGrading::level(0), MPI_COMM_SELF)),
+        : mesh(make_sector(stator_body(parameters.stator, parameters.motor.n_teeth),
+                           SectorForm::half, SectorGrading::level(0), MPI_COMM_SELF)),
           materials(material_table(parameters.materials, Body::stator,
                                    parameters.piezoelectricity.law())),
           sector(mesh, materials, 2), response(mesh, materials, 2),
-          harmonics(ElectrodeLayout(parameters.electrodes, parameters.motor, parameters.stator), 90)
+          harmonics(ElectrodeLayout(parameters.electrodes, parameters.motor,
+                                    mean_radius_of_ceramic(parameters)),
+                    90)
     {
       ModeSolver solver(sector);
       wave     = solver.below(7, solver.shift_above(7, 1, 0.)).front();
@@ -148,7 +150,7 @@ TEST_F(StatorPhases, PhasesAreAlike)
 TEST_F(StatorPhases, ClampedCapacitance)
 {
   const StatorGeometry &stator = parameters.stator;
-  const ElectrodeLayout layout(parameters.electrodes, parameters.motor, stator);
+  const ElectrodeLayout layout(parameters.electrodes, parameters.motor, 33e-3);
   const double area =
       layout.coverage(Phase::a) * PI *
       (std::pow(stator.base_outer_radius, 2) - std::pow(stator.base_inner_radius, 2));

@@ -11,7 +11,7 @@
 #include "support/paper_motor.h"
 #include "support/record.h"
 
-#include <ringmotor/mesh/stator_sector.h>
+#include <ringmotor/mesh/body_sector.h>
 #include <ringmotor/wave/body_modes.h>
 #include <ringmotor/wave/energy.h>
 #include <ringmotor/wave/tooth_motion.h>
@@ -220,7 +220,7 @@ TEST(ReferenceStatorForms, HalfAndWholeSectorMoveAlike)
   for (const SectorForm form : {SectorForm::half, SectorForm::whole})
   {
     const SectorMesh mesh =
-        make_stator_sector(stator_body(StatorGeometry(), 90), form, grading, MPI_COMM_WORLD);
+        make_sector(stator_body(StatorGeometry(), 90), form, grading, MPI_COMM_WORLD);
     const CyclicSector sector(mesh, stator_materials(), 2);
     ModeSolver solver(sector);
     Mode mode                            = solver.below(7, solver.shift_above(7, 2, 0.)).front();

@@ -9,7 +9,7 @@
 #include "support/materials.h"
 #include "support/paper_motor.h"
 
-#include <ringmotor/mesh/stator_sector.h>
+#include <ringmotor/mesh/body_sector.h>
 #include <ringmotor/pictures/sector_field.h>
 #include <ringmotor/pictures/surface_trace.h>
 #include <ringmotor/wave/body_modes.h>
@@ -75,9 +75,8 @@ TEST(CeramicShell, HasTheFrequencyOfTheSolidRing)
   unsigned int n_dofs[2];
   for (unsigned int i = 0; i < 2; ++i)
   {
-    const SectorMesh mesh =
-        make_stator_sector(stator_body(i == 0 ? solid : shell, n_teeth), SectorForm::half,
-                           SectorGrading::level(2), MPI_COMM_WORLD);
+    const SectorMesh mesh = make_sector(stator_body(i == 0 ? solid : shell, n_teeth),
+                                        SectorForm::half, SectorGrading::level(2), MPI_COMM_WORLD);
     const CyclicSector sector(mesh, stator_materials(), 3);
     frequency[i] = working_mode(sector).frequency();
     n_dofs[i]    = sector.n_dofs();
@@ -92,8 +91,8 @@ TEST(CeramicShell, IsDrawnWithItsThickness)
   stator.piezoceramic_element = ElementKind::shell;
   for (const SectorForm form : {SectorForm::half, SectorForm::whole})
   {
-    const SectorMesh mesh = make_stator_sector(stator_body(stator, n_teeth), form,
-                                               SectorGrading::level(0), MPI_COMM_WORLD);
+    const SectorMesh mesh =
+        make_sector(stator_body(stator, n_teeth), form, SectorGrading::level(0), MPI_COMM_WORLD);
     const CyclicSector sector(mesh, stator_materials(), 2);
     const Mode mode = working_mode(sector);
 
@@ -143,8 +142,8 @@ TEST(TargetPlates, ShiftTheFrequencyAsRayleighSays)
   const double area = 1e-7; // m^2
   const BarSection plate{area * materials.target_plate.young_modulus,
                          area * materials.target_plate.density};
-  SectorMesh mesh = make_stator_sector(stator_body(StatorGeometry(), n_teeth), SectorForm::half,
-                                       SectorGrading::level(1), MPI_COMM_WORLD);
+  SectorMesh mesh = make_sector(stator_body(StatorGeometry(), n_teeth), SectorForm::half,
+                                SectorGrading::level(1), MPI_COMM_WORLD);
   const CyclicSector without(mesh, stator_materials(), 3);
   const Mode mode = working_mode(without);
 
@@ -226,8 +225,8 @@ TEST(Felt, ShiftsTheFrequencyAsRayleighSays)
   {
     StatorGeometry stator;
     stator.piezoceramic_element = ceramic;
-    SectorMesh mesh             = make_stator_sector(stator_body(stator, n_teeth), SectorForm::half,
-                                                     SectorGrading::level(1), MPI_COMM_WORLD);
+    SectorMesh mesh             = make_sector(stator_body(stator, n_teeth), SectorForm::half,
+                                              SectorGrading::level(1), MPI_COMM_WORLD);
     const CyclicSector without(mesh, stator_materials(), 3);
     const Mode mode     = working_mode(without);
     const double lowest = ceramic == ElementKind::solid ? -stator.piezoceramic_thickness : 0.;

@@ -18,6 +18,9 @@ namespace ringmotor
     constexpr dealii::types::material_id rotor     = 4; ///< ring, flange and lip of the rotor
     constexpr dealii::types::material_id lip_shell = 5; ///< lip of the rotor where it is a shell
 
+    constexpr dealii::types::material_id lining   = 6; ///< friction lining of the rotor
+    constexpr dealii::types::material_id adhesive = 7; ///< between lining and rotor
+
     constexpr dealii::types::boundary_id free      = 0;  ///< no load, no condition
     constexpr dealii::types::boundary_id mirror    = 11; ///< half sector: the plane theta = 0
     constexpr dealii::types::boundary_id cut       = 12; ///< half sector: the plane theta = alpha/2

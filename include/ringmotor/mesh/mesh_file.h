@@ -11,6 +11,8 @@ namespace ringmotor
   struct MeshFile
   {
     std::string name;
+    std::string entry;          ///< that names it, "Stator/Mesh file"
+    std::string format;         ///< of its cells, and where it is described
     unsigned int n_digits = 17; ///< significant digits of the coordinate that has most
     std::string note      = {}; ///< what else may be the cause of all mistakes, or nothing
 

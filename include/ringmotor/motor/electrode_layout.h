@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/parameters/electrodes.h>
-#include <ringmotor/parameters/motor.h>
+#include <ringmotor/parameters/parameters.h>
 
 #include <array>
 #include <complex>
@@ -26,6 +25,10 @@ namespace ringmotor
     return phase == Phase::a ? "A" : "B";
   }
 
+  /** m, of a stator's dimensions, section or mesh. @throws UserError if there is no ceramic, or for
+   * an unsuitable file */
+  double mean_radius_of_ceramic(const Parameters &parameters);
+
   /**
    * The arcs of both phases. An arc that is poled down acts like one poled up at the opposite
    * voltage: with one volt on phase A the ceramic, poled up throughout, has a potential of +1 V and
@@ -35,8 +38,9 @@ namespace ringmotor
   class ElectrodeLayout
   {
   public:
-    /** @throws UserError if the arcs do not fit on the ring */
-    ElectrodeLayout(const Electrodes &electrodes, const Motor &motor, const StatorGeometry &stator);
+    /** @param radius m, the mean one of the ceramic, where gaps are measured
+     * @throws UserError if the arcs do not fit on the ring */
+    ElectrodeLayout(const Electrodes &electrodes, const Motor &motor, const double radius);
 
     struct Arc
     {

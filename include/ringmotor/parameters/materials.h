@@ -33,6 +33,8 @@ namespace ringmotor
     Material piezoceramic{81.e9, 0.31, 7600., 2.e-3};
     Material rotor_metal{68.9e9, 0.33, 2700., 1.e-3};
     Material target_plate{193.e9, 0.29, 8000., 1.e-3};
+    Material lining{3.e9, 0.35, 1500., 3.e-2};
+    Material adhesive{3.e9, 0.35, 1200., 3.e-2};
 
     /** Declares one subsection for each material. */
     void declare(dealii::ParameterHandler &prm);

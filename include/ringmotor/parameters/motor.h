@@ -34,7 +34,7 @@ namespace ringmotor
    * The stator: a metal ring with teeth on top and a piezoceramic ring below. Its cross-section is
    * a trapezoid from the base (z = 0) to the tooth tops (z = base_thickness + tooth_height) with
    * straight sides. Slots have parallel walls. All lengths in m. The dimensions describe the stator
-   * only while #mesh_file is empty.
+   * only while #section_file and #mesh_file are empty.
    */
   struct StatorGeometry
   {
@@ -48,7 +48,14 @@ namespace ringmotor
     double piezoceramic_thickness    = 0.5e-3;  ///< of the ring below z = 0; 0 means no ring
     ElementKind piezoceramic_element = ElementKind::solid;
     std::optional<double> target_plate_area; ///< m^2, see Effects#target_plates
-    std::string mesh_file; ///< Gmsh file of one sector, absolute path after reading; empty: none
+    std::optional<double> slot_angle;        ///< rad, between radial walls, instead of slot_width
+    std::string section_file; ///< Gmsh file of the cross-section, as #mesh_file; empty: none
+    std::string mesh_file;    ///< Gmsh file of one sector, absolute path after reading; empty: none
+
+    /** Whether the dimensions describe it, not a file. */
+    bool has_dimensions() const { return section_file.empty() && mesh_file.empty(); }
+    /** `Stator/Mesh file = "..."`, for messages, if a file does. */
+    std::string file_entry() const;
 
     /** Declares the entries; reading them changes the members. */
     void declare(dealii::ParameterHandler &prm);
@@ -71,7 +78,8 @@ namespace ringmotor
     double lip_outer_radius     = 34.2e-3;
     double radial_bar_stiffness = 1.e9;   ///< N/m per m of circumference; 0 means no bars
     double radial_bar_height    = 0.5e-3; ///< of the band that the bars hold, below the upper edge
-    std::string mesh_file; ///< Gmsh file of one sector, absolute path after reading; empty: none
+    std::string section_file; ///< Gmsh file of the cross-section, as #mesh_file; empty: none
+    std::string mesh_file;    ///< Gmsh file of one sector, absolute path after reading; empty: none
 
     /** Declares the entries; reading them changes the members. */
     void declare(dealii::ParameterHandler &prm);

@@ -57,6 +57,9 @@ namespace ringmotor
      * values above are then the defaults, those of another motor. */
     std::vector<std::string> not_given;
 
+    /** The entries that name files of meshes, with their values. */
+    std::vector<std::pair<std::string, std::string *>> mesh_files();
+
     /** Declares the whole tree, one subsection for each member, in this order. */
     void declare(dealii::ParameterHandler &prm);
   };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/mesh/stator_sector.h>
+#include <ringmotor/mesh/body_sector.h>
 #include <ringmotor/motor/effect.h>
 #include <ringmotor/parameters/parameters.h>
 #include <ringmotor/wave/motor_circuits.h>

@@ -29,7 +29,7 @@ namespace ringmotor::effects
           throw UserError(given(parameters) +
                           " is incompatible with Stator/Piezoceramic element = shell, which has no "
                           "potential; allowed: off, or Stator/Piezoceramic element = solid");
-        if (parameters.stator.mesh_file.empty() && parameters.stator.piezoceramic_thickness == 0.)
+        if (parameters.stator.has_dimensions() && parameters.stator.piezoceramic_thickness == 0.)
           throw UserError(given(parameters) +
                           " needs a ceramic, but Stator/Piezoceramic thickness = 0; allowed: off, "
                           "or a thickness above 0");
@@ -48,14 +48,15 @@ namespace ringmotor::effects
               "Loss factor and Piezoelectricity/Dielectric loss factor are all 0; "
               "allowed: one of them above 0");
         const double thickness = parameters.stator.piezoceramic_thickness;
-        if (parameters.stator.mesh_file.empty() && parameters.electrodes.arc_gap < 0.5 * thickness)
+        if (parameters.stator.has_dimensions() && parameters.electrodes.arc_gap < 0.5 * thickness)
           throw UserError(
               ringmotor::entry("Electrodes/Gap between arcs", parameters.electrodes.arc_gap) +
               " is less than half of " +
               ringmotor::entry("Stator/Piezoceramic thickness", thickness) +
               ", so narrow that the fields there are not resolved; allowed: at least half "
               "of it");
-        ElectrodeLayout(parameters.electrodes, parameters.motor, parameters.stator);
+        ElectrodeLayout(parameters.electrodes, parameters.motor,
+                        mean_radius_of_ceramic(parameters));
       }
 
       std::vector<std::string> warnings(const Parameters &parameters) const override

@@ -27,10 +27,9 @@ namespace ringmotor::effects
       void check(const Parameters &parameters) const override
       {
         const StatorGeometry &stator = parameters.stator;
-        if (!stator.mesh_file.empty())
-          throw UserError(given(parameters) + " is incompatible with Stator/Mesh file = " +
-                          in_quotes(stator.mesh_file) +
-                          ", where the edges of the teeth are not known; allowed: off");
+        if (!stator.has_dimensions())
+          throw UserError(given(parameters) + " is incompatible with " + stator.file_entry() +
+                          ", where the size of the teeth is not known; allowed: off");
         if (!stator.target_plate_area)
           throw UserError(given(parameters) +
                           " needs Stator/Target plate cross-section, found none; "

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/mesh/body_sector.h>
 #include <ringmotor/mesh/graded_lines.h>
 #include <ringmotor/mesh/ids.h>
 #include <ringmotor/mesh/places.h>
+#include <ringmotor/mesh/revolved.h>
 #include <ringmotor/mesh/section_layers.h>
-#include <ringmotor/mesh/stator_sector.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,40 +14,6 @@
 namespace ringmotor
 {
   using namespace dealii;
-
-  StatorBody stator_body(const StatorGeometry &stator, const unsigned int n_teeth)
-  {
-    const double top = stator.base_thickness + stator.tooth_height;
-    Section section;
-    const auto add_points = [&](const double inner, const double outer, const double z)
-    {
-      section.points.emplace_back(inner, z);
-      section.points.emplace_back(outer, z);
-    };
-    for (const double z : {0., stator.base_thickness, top})
-    {
-      const double share = z / top;
-      add_points(
-          stator.base_inner_radius + share * (stator.tip_inner_radius - stator.base_inner_radius),
-          stator.base_outer_radius + share * (stator.tip_outer_radius - stator.base_outer_radius),
-          z);
-    }
-    section.cells       = {{{{0, 1, 3, 2}}, ids::base}, {{{2, 3, 5, 4}}, ids::tooth}};
-    section.names       = {{Section::edge(4, 5), ids::tooth_top}};
-    const bool has_ring = stator.piezoceramic_thickness > 0.,
-               has_skin = has_ring && stator.piezoceramic_element == ElementKind::shell;
-    if (has_ring && !has_skin)
-    {
-      add_points(stator.base_inner_radius, stator.base_outer_radius,
-                 -stator.piezoceramic_thickness);
-      section.cells.push_back({{{6, 7, 1, 0}}, ids::piezoceramic});
-      section.names[Section::edge(6, 7)] = ids::bottom;
-    }
-    else
-      section.names[Section::edge(0, 1)] = has_skin ? ids::skin : ids::bottom;
-    return {section, slots_of(section, n_teeth, stator.slot_width),
-            has_skin ? stator.piezoceramic_thickness : 0.};
-  }
 
   namespace
   {
@@ -66,19 +33,19 @@ namespace ringmotor
       return lines;
     }
 
-    /** The section and the lines along theta of a stator's sector. */
-    class StatorCells
+    /** The section and the lines along theta of a body's sector. */
+    class BodyCells
     {
     public:
-      StatorCells(const StatorBody &stator, const SectorGrading &grading)
-          : stator(stator), grading(grading), half_slot(stator.slots.half_width()),
-            half_tooth(stator.slots.half_pitch() * stator.slots.inner_radius - half_slot)
+      BodyCells(const RevolvedBody &body, const SectorGrading &grading)
+          : body(body), grading(grading), half_slot(body.slots.half_width()),
+            half_tooth(body.slots.half_pitch() * body.slots.inner_radius - half_slot)
       {
       }
 
       Section section() const
       {
-        const Section along = cut_along_roots(stator.section);
+        const Section along = cut_along_roots(body.section);
         if (grading.even)
           return cut_evenly_across(along);
         const SectionPoints corners = singular_points(along);
@@ -91,13 +58,13 @@ namespace ringmotor
 
       std::vector<double> lines() const
       {
-        if (!stator.slots.has_teeth())
+        if (!body.slots.has_teeth())
           return {0., 1.};
         const auto from_side = [&](const double length, unsigned int EvenCells::*const n_even)
         {
           std::vector<double> lines = grading.even
                                           ? lines_from_edge(length, *grading.even.*n_even, 1.)
-                                          : graded_lines(length, first(stator.section));
+                                          : graded_lines(length, first(body.section));
           for (double &line : lines)
             line /= length;
           return lines;
@@ -172,25 +139,25 @@ namespace ringmotor
         return cuts.result();
       }
 
-      const StatorBody &stator;
+      const RevolvedBody &body;
       const SectorGrading &grading;
       const double half_slot, half_tooth; ///< m, at the inner radius of the teeth
     };
 
-    SectorMesh make_sector(const StatorBody &stator, const SectorForm form, const SectorParts parts,
-                           const SectorGrading &grading, MPI_Comm communicator)
+    SectorMesh revolved(const RevolvedBody &body, const SectorForm form, const SectorParts parts,
+                        const SectorGrading &grading, MPI_Comm communicator)
     {
-      const StatorCells cells(stator, grading);
+      const BodyCells cells(body, grading);
       Revolution revolution{form, parts, cells.lines(), grading.even ? 0 : grading.n_layers,
                             grading.ratio};
       if (parts == SectorParts::tooth)
         while (revolution.lines.back() > 1.)
           revolution.lines.pop_back();
-      return revolve(cells.section(), stator.slots, revolution, communicator);
+      return revolve(cells.section(), body.slots, revolution, communicator);
     }
 
     /** Bonds the ceramic ring, a shell, to the faces marked as skin. */
-    void add_skin(SectorMesh &mesh, const StatorBody &stator)
+    void add_skin(SectorMesh &mesh, const RevolvedBody &stator)
     {
       std::vector<Point<3>> vertices;
       std::vector<CellData<2>> cells;
@@ -215,20 +182,19 @@ namespace ringmotor
     }
   } // namespace
 
-  SectorMesh make_stator_sector(const StatorBody &stator, const SectorForm form,
-                                const SectorGrading &grading, MPI_Comm communicator)
+  SectorMesh make_sector(const RevolvedBody &body, const SectorForm form,
+                         const SectorGrading &grading, MPI_Comm communicator)
   {
-    SectorMesh mesh = make_sector(stator, form, SectorParts::all, grading, communicator);
-    if (stator.skin_thickness > 0.)
-      add_skin(mesh, stator);
+    SectorMesh mesh = revolved(body, form, SectorParts::all, grading, communicator);
+    if (body.skin_thickness > 0.)
+      add_skin(mesh, body);
     return mesh;
   }
 
-  SectorMesh make_tooth(const StatorBody &stator, const SectorGrading &grading,
+  SectorMesh make_tooth(const RevolvedBody &stator, const SectorGrading &grading,
                         MPI_Comm communicator)
   {
-    SectorMesh mesh =
-        make_sector(stator, SectorForm::half, SectorParts::tooth, grading, communicator);
+    SectorMesh mesh = revolved(stator, SectorForm::half, SectorParts::tooth, grading, communicator);
     for (const auto &face : mesh.triangulation->active_face_iterators())
       if (face->at_boundary() && face->boundary_id() == ids::tooth_foot)
         face->set_boundary_id(ids::clamped);
@@ -330,7 +296,7 @@ namespace ringmotor
     }
   } // namespace
 
-  SectorMesh make_contact_tooth(const StatorBody &stator, const double lip_inner,
+  SectorMesh make_contact_tooth(const RevolvedBody &stator, const double lip_inner,
                                 const double lip_outer, const InterfaceGrading &grading,
                                 MPI_Comm communicator)
   {

@@ -2,25 +2,13 @@
 #pragma once
 
 #include <ringmotor/mesh/interface_grading.h>
-#include <ringmotor/mesh/revolved.h>
-#include <ringmotor/parameters/motor.h>
+#include <ringmotor/mesh/revolved_body.h>
+#include <ringmotor/mesh/sector_mesh.h>
 
 #include <optional>
 
 namespace ringmotor
 {
-  /** A stator that can be meshed: its cross-section and its slots. */
-  struct StatorBody
-  {
-    Section section;
-    Slots slots;
-    double skin_thickness = 0.; ///< m, of a shell of ceramic bonded to the edges ids::skin; 0: none
-  };
-
-  /** The stator that dimensions describe: a trapezoid of one cell for the base and one for the
-   * tooth, and one for the ceramic ring below, which has vertical sides. */
-  StatorBody stator_body(const StatorGeometry &stator, const unsigned int n_teeth);
-
   /** Numbers of even cells of the stator's half sector. */
   struct EvenCells
   {
@@ -29,7 +17,7 @@ namespace ringmotor
   };
 
   /**
-   * How finely the stator's sector is meshed. The slot root is a re-entrant edge, as are corners of
+   * How finely a body's sector is meshed. The slot root is a re-entrant edge, as are corners of
    * the section: the error there depends less on the number of cells than on their geometric
    * grading towards them.
    */
@@ -51,13 +39,13 @@ namespace ringmotor
     }
   };
 
-  /** Meshes the sector of a stator, with curved cells of exact shape. Outer edges of the tooth tops
+  /** Meshes the sector of a body, with curved cells of exact shape. Outer edges of the tooth tops
    * carry ids::target_plate. */
-  SectorMesh make_stator_sector(const StatorBody &stator, const SectorForm form,
-                                const SectorGrading &grading, MPI_Comm communicator);
+  SectorMesh make_sector(const RevolvedBody &body, const SectorForm form,
+                         const SectorGrading &grading, MPI_Comm communicator);
 
   /** Meshes half of a single tooth, clamped at its foot. */
-  SectorMesh make_tooth(const StatorBody &stator, const SectorGrading &grading,
+  SectorMesh make_tooth(const RevolvedBody &stator, const SectorGrading &grading,
                         MPI_Comm communicator);
 
   /**
@@ -66,7 +54,7 @@ namespace ringmotor
    * foot ids::tooth_foot. Cells shrink towards the outer edge of the strip where lip and tooth
    * overlap, and towards the sides and the top of the tooth.
    */
-  SectorMesh make_contact_tooth(const StatorBody &stator, const double lip_inner,
+  SectorMesh make_contact_tooth(const RevolvedBody &stator, const double lip_inner,
                                 const double lip_outer, const InterfaceGrading &grading,
                                 MPI_Comm communicator);
 } // namespace ringmotor

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/mesh/section.h>
+#include <ringmotor/mesh/slots.h>
+#include <ringmotor/parameters/motor.h>
+
+namespace ringmotor
+{
+  struct Parameters;
+
+  /** A body that is its cross-section, revolved, with slots. */
+  struct RevolvedBody
+  {
+    Section section;
+    Slots slots;
+    double skin_thickness = 0.; ///< m, of a shell of ceramic bonded to the edges ids::skin; 0: none
+  };
+
+  /** The stator that dimensions describe: a trapezoid of one cell for the base and one for the
+   * tooth, and one for the ceramic ring below, which has vertical sides. */
+  RevolvedBody stator_body(const StatorGeometry &stator, const unsigned int n_teeth);
+
+  /** The stator of `Stator/Section file`, or of the dimensions.
+   * @throws UserError for an unsuitable section, see read_section(), for slots that leave no teeth,
+   * and for parts without material */
+  RevolvedBody stator_body(const Parameters &parameters);
+
+  /** The rotor of `Rotor/Section file`. @throws UserError as above */
+  RevolvedBody rotor_body(const Parameters &parameters);
+} // namespace ringmotor

@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/mesh/gmsh_mesh.h>
+#include <ringmotor/mesh/ids.h>
+#include <ringmotor/mesh/places.h>
+#include <ringmotor/mesh/read_section.h>
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace ringmotor
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Names = std::vector<std::pair<std::string, unsigned int>>;
+
+    Names parts_of(const SectionOf body)
+    {
+      if (body == SectionOf::stator)
+        return {{"base", ids::base}, {"tooth", ids::tooth}, {"piezoceramic", ids::piezoceramic}};
+      return {{"rotor", ids::rotor}, {"lining", ids::lining}, {"adhesive", ids::adhesive}};
+    }
+
+    Names edges_of(const SectionOf body)
+    {
+      if (body == SectionOf::stator)
+        return {{"contact", ids::tooth_top}, {"clamped", ids::clamped}, {"felt", ids::bottom}};
+      return {{"contact", ids::lip},
+              {"pressed", ids::ring_top},
+              {"driven", ids::ring_bore},
+              {"bars", ids::radial_bars},
+              {"clamped", ids::clamped}};
+    }
+
+    std::string list_of(const Names &names)
+    {
+      std::string list;
+      for (const auto &[name, id] : names)
+        list += (list.empty() ? "" : name == names.back().first ? " or " : ", ") + name;
+      return list;
+    }
+
+    /** Makes a section from the elements of a file. */
+    class SectionReader
+    {
+    public:
+      SectionReader(const GmshMesh &mesh, const SectionOf body)
+          : mesh(mesh), parts(parts_of(body)), edges(edges_of(body)), body(body),
+            point_of_node(mesh.nodes.size(), numbers::invalid_unsigned_int)
+      {
+      }
+
+      Section read()
+      {
+        check_kinds();
+        for (const Element &element : mesh.elements)
+          if (element.kind == GmshMesh::quadrilateral)
+            add_cell(element);
+        check_places();
+        check_connections();
+        for (const Element &element : mesh.elements)
+          if (element.kind == GmshMesh::line)
+            add_name(element);
+        check_teeth();
+        check_contact();
+        return std::move(section);
+      }
+
+    private:
+      using Element = GmshMesh::Element;
+
+      [[noreturn]] void refuse(const std::string &found, const std::string &what_to_do) const
+      {
+        mesh.file.refuse(found, what_to_do);
+      }
+
+      static std::string at(const Point<2> &point)
+      {
+        return "r = " + in_millimetres(point[0]) + ", z = " + in_millimetres(point[1]);
+      }
+
+      Point<2> middle(const std::vector<unsigned int> &nodes) const
+      {
+        Point<2> sum;
+        for (const unsigned int node : nodes)
+          sum += 1. / nodes.size() * Point<2>(mesh.nodes[node][0], mesh.nodes[node][1]);
+        return sum;
+      }
+
+      unsigned int id_of(const Element &element, const long dimension, const Names &names,
+                         const std::string &what) const
+      {
+        const std::string name = mesh.name_of(dimension, element);
+        for (const auto &[known, id] : names)
+          if (known == name)
+            return id;
+        const std::string place = ", at " + at(middle(element.nodes));
+        if (element.id == 0)
+          refuse("a " + what + " has no name" + place,
+                 "make it a part of Physical " + std::string(dimension == 2 ? "Surface" : "Curve") +
+                     "(\"...\"), named " + list_of(names) + ", and do not set Mesh.SaveAll");
+        refuse("a " + what + " has the name '" +
+                   (name.empty() ? std::to_string(element.id) : name) + "'" + place,
+               "allowed: " + list_of(names));
+      }
+
+      void check_kinds() const
+      {
+        const std::string advice = "mesh the surfaces with quadrilaterals (Gmsh: Transfinite "
+                                   "Surface \"*\"; Recombine Surface \"*\";) of first order";
+        bool has_cells           = false;
+        for (const Element &element : mesh.elements)
+        {
+          has_cells = has_cells || element.kind == GmshMesh::quadrilateral;
+          if (element.kind == GmshMesh::triangle)
+            refuse("it has triangles, one at " + at(middle(element.nodes)), advice);
+          if (element.kind != GmshMesh::quadrilateral && element.kind != GmshMesh::line)
+            refuse(element.nodes.empty() ? "it has elements of second order or of unknown kind"
+                                         : "it has volumes: a section lies in a plane",
+                   element.nodes.empty() ? advice : "mesh in two dimensions: gmsh -2");
+        }
+        if (!has_cells)
+          refuse("it has no quadrilaterals", advice);
+      }
+
+      unsigned int point(const unsigned int node)
+      {
+        unsigned int &point = point_of_node[node];
+        if (point == numbers::invalid_unsigned_int)
+        {
+          const Point<3> &x = mesh.nodes[node];
+          if (x[2] != 0.)
+            refuse(
+                "a point has the third coordinate " + in_metres(x[2]) + ", at " + at({x[0], x[1]}),
+                "draw the section in the plane of x = r and y = z, with a third coordinate of 0");
+          point = section.points.size();
+          section.points.emplace_back(x[0], x[1]);
+        }
+        return point;
+      }
+
+      void add_cell(const Element &element)
+      {
+        Section::Cell cell;
+        cell.part = id_of(element, 2, parts, "surface");
+        for (unsigned int i = 0; i < 4; ++i)
+          cell.corners[i] = point(element.nodes[i]);
+        const auto turn = [&](const unsigned int i)
+        {
+          const Point<2> &here = section.points[cell.corners[i]],
+                         &next = section.points[cell.corners[(i + 1) % 4]],
+                         &far  = section.points[cell.corners[(i + 2) % 4]];
+          const Tensor<1, 2> a = next - here, b = far - next;
+          return (a[0] * b[1] - a[1] * b[0]) / (a.norm() * b.norm());
+        };
+        if (turn(0) < 0. && turn(1) < 0. && turn(2) < 0. && turn(3) < 0.)
+          std::reverse(cell.corners.begin(), cell.corners.end());
+        constexpr double flat = 0.02;
+        for (unsigned int i = 0; i < 4; ++i)
+          if (!(turn(i) > flat))
+            refuse("a cell is not convex or has a straight corner, at " + at(middle(element.nodes)),
+                   "divide the surface into blocks with four corners each");
+        section.cells.push_back(cell);
+      }
+
+      void check_places() const
+      {
+        double inner = std::numeric_limits<double>::max(), outer = 0.;
+        for (const Point<2> &x : section.points)
+        {
+          inner = std::min(inner, x[0]);
+          outer = std::max(outer, x[0]);
+        }
+        if (outer > 1.)
+          refuse("its outer radius is " + in_metres(outer),
+                 "lengths are in m: draw a section in mm with Mesh.ScalingFactor = 0.001");
+        if (inner < 0.01 * outer)
+          refuse("it reaches r = " + in_millimetres(inner),
+                 "x is the distance from the axis: leave a bore at the axis, of at least a "
+                 "hundredth of the outer radius, and draw one side of the axis only");
+      }
+
+      void check_connections() const
+      {
+        const auto at_edges = section.cells_at_edges();
+        std::vector<unsigned int> rank(section.cells.size()), parent(section.cells.size());
+        boost::disjoint_sets<unsigned int *, unsigned int *> bodies(rank.data(), parent.data());
+        for (unsigned int cell = 0; cell < section.cells.size(); ++cell)
+          bodies.make_set(cell);
+        for (const auto &[edge, cells] : at_edges)
+        {
+          const Point<2> place = 0.5 * (section.points[edge.first] + section.points[edge.second]);
+          if (cells.size() > 2)
+            refuse("cells lie on one another, at " + at(place),
+                   "make blocks that share their edges, and each surface part of one physical "
+                   "surface only");
+          if (cells.size() == 2)
+            bodies.union_set(cells[0], cells[1]);
+        }
+        for (unsigned int cell = 1; cell < section.cells.size(); ++cell)
+          if (bodies.find_set(cell) != bodies.find_set(0u))
+            refuse(
+                "it is in pieces: the cells at " + at(middle_of(0)) + " and at " +
+                    at(middle_of(cell)) + " are not connected",
+                "let blocks share their edges: use the same points and curves (Gmsh: Coherence)");
+      }
+
+      Point<2> middle_of(const unsigned int cell) const
+      {
+        Point<2> sum;
+        for (const unsigned int corner : section.cells[cell].corners)
+          sum += 0.25 * section.points[corner];
+        return sum;
+      }
+
+      void add_name(const Element &element)
+      {
+        if (element.id == 0)
+          return;
+        const unsigned int name = id_of(element, 1, edges, "curve");
+        const Section::Edge edge =
+            Section::edge(point_of_node[element.nodes[0]], point_of_node[element.nodes[1]]);
+        const std::string what =
+            "the curve '" + mesh.name_of(1, element) + "', at " + at(middle(element.nodes)) + ",";
+        const auto at_edges = section.cells_at_edges();
+        const auto cells    = at_edges.find(edge);
+        if (cells == at_edges.end())
+          refuse(what + " is not an edge of the section", "name edges of the surfaces only");
+        if (cells->second.size() > 1)
+          refuse(what + " lies inside the section", "name outer edges only");
+        const auto [entry, is_new] = section.names.emplace(edge, name);
+        if (!is_new && entry->second != name)
+          refuse(what + " has a second name", "give each edge one name");
+      }
+
+      void check_teeth() const
+      {
+        const auto has = [&](const types::material_id part)
+        {
+          return std::any_of(section.cells.begin(), section.cells.end(),
+                             [&](const Section::Cell &cell) { return cell.part == part; });
+        };
+        if (body == SectionOf::stator && !has(ids::base))
+          refuse("it has no base", "name the metal that the slots do not reach: Physical "
+                                   "Surface(\"base\")");
+        if (body == SectionOf::rotor && !has(ids::rotor))
+          refuse("it has no rotor", "name the metal of the rotor: Physical Surface(\"rotor\")");
+      }
+
+      /** The contact line must face the other body. */
+      void check_contact() const
+      {
+        const unsigned int contact = edges.front().second;
+        const double up            = body == SectionOf::stator ? 1. : -1.;
+        for (const auto &[edge, cells] : section.cells_at_edges())
+        {
+          const auto name = section.names.find(edge);
+          if (name == section.names.end() || name->second != contact)
+            continue;
+          const Section::Cell &cell = section.cells[cells.front()];
+          const Point<2> place = 0.5 * (section.points[edge.first] + section.points[edge.second]);
+          const Tensor<1, 2> along = section.points[edge.second] - section.points[edge.first];
+          if (up * (place - middle_of(cells.front()))[1] <= 0. ||
+              std::abs(along[1]) > std::abs(along[0]))
+            refuse("the curve 'contact' does not face the " +
+                       std::string(body == SectionOf::stator ? "rotor" : "stator") + ", at " +
+                       at(place),
+                   body == SectionOf::stator
+                       ? "name the tops of the teeth, which face +z"
+                       : "name the lower face of lip or lining, which faces -z");
+          if (body == SectionOf::stator && cell.part != ids::tooth)
+            refuse("the curve 'contact' lies on the base, at " + at(place),
+                   "name the tops of the part 'tooth'");
+        }
+      }
+
+      const GmshMesh &mesh;
+      const Names parts, edges;
+      const SectionOf body;
+      std::vector<unsigned int> point_of_node;
+      Section section;
+    };
+  } // namespace
+
+  Section read_section(const std::string &file, const SectionOf body)
+  {
+    const GmshMesh mesh =
+        read_gmsh({file, body == SectionOf::stator ? "Stator/Section file" : "Rotor/Section file",
+                   "quadrilaterals of first order (meshes/README.md)"});
+    return SectionReader(mesh, body).read();
+  }
+} // namespace ringmotor

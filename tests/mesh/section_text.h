@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "output/scratch.h"
+
+#include <ringmotor/mesh/section.h>
+
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace ringmotor::tests
+{
+  /** The text of a section as Gmsh writes it. */
+  struct SectionText
+  {
+    struct Element
+    {
+      int kind;                ///< Gmsh's
+      std::string name;        ///< physical; empty: none
+      std::vector<int> points; ///< from 0
+    };
+    std::vector<dealii::Point<2>> points;
+    std::vector<Element> elements;
+
+    SectionText() = default;
+
+    /** @param names of its parts and edges, by dimension and id */
+    SectionText(const Section &section, const std::map<std::pair<int, int>, std::string> &names)
+        : points(section.points)
+    {
+      for (const Section::Cell &cell : section.cells)
+        elements.push_back(
+            {3, names.at({2, cell.part}), {cell.corners.begin(), cell.corners.end()}});
+      for (const auto &[edge, name] : section.names)
+        if (const auto known = names.find({1, name}); known != names.end())
+          elements.push_back(
+              {1, known->second, {static_cast<int>(edge.first), static_cast<int>(edge.second)}});
+    }
+
+    /** Writes it to a file of the folder and returns its path. */
+    std::string write(const Scratch &scratch, const std::string &name = "section.msh") const
+    {
+      std::map<std::pair<int, std::string>, int> ids;
+      for (const Element &element : elements)
+        if (!element.name.empty())
+          ids.emplace(std::make_pair(element.kind == 1 ? 1 : 2, element.name), ids.size() + 1);
+      std::ofstream file(scratch.path(name));
+      file.precision(17);
+      file << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n" << ids.size() << "\n";
+      for (const auto &[key, id] : ids)
+        file << key.first << ' ' << id << " \"" << key.second << "\"\n";
+      file << "$EndPhysicalNames\n$Nodes\n" << points.size() << "\n";
+      for (unsigned int i = 0; i < points.size(); ++i)
+        file << i + 1 << ' ' << points[i][0] << ' ' << points[i][1] << " 0\n";
+      file << "$EndNodes\n$Elements\n" << elements.size() << "\n";
+      for (unsigned int i = 0; i < elements.size(); ++i)
+      {
+        const Element &element = elements[i];
+        const int id = element.name.empty() ? 0 : ids.at({element.kind == 1 ? 1 : 2, element.name});
+        file << i + 1 << ' ' << element.kind << " 2 " << id << ' ' << i + 1;
+        for (const int point : element.points)
+          file << ' ' << point + 1;
+        file << "\n";
+      }
+      file << "$EndElements\n";
+      return scratch.path(name);
+    }
+  };
+
+  /** Names of a stator's parts and edges in a file. */
+  inline std::map<std::pair<int, int>, std::string> names_of_stator()
+  {
+    return {{{2, 1}, "base"},     {{2, 2}, "tooth"},    {{2, 3}, "piezoceramic"},
+            {{1, 15}, "contact"}, {{1, 21}, "clamped"}, {{1, 24}, "felt"}};
+  }
+} // namespace ringmotor::tests

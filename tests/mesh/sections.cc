@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Cross-sections: cuts and layers keep their area and leave no hanging nodes, revolved bodies have
+// the volumes of Pappus and Guldin's theorem (or, with teeth, of integrals in closed form), a
+// stator of dimensions written to a file is read as the same, and every mistake in a file is
+// refused in one line that says where it is and what to do.
+
+#include "mesh/section_text.h"
+#include "support/geometry.h"
+
+#include <ringmotor/mesh/body_sector.h>
+#include <ringmotor/mesh/ids.h>
+#include <ringmotor/mesh/read_section.h>
+#include <ringmotor/mesh/revolved.h>
+#include <ringmotor/mesh/section_layers.h>
+#include <ringmotor/parameters/errors.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+using namespace ringmotor;
+using namespace ringmotor::tests;
+using dealii::Point;
+
+namespace
+{
+  /** A clamped web, a ring of three blocks above it with a tooth on top, and a ceramic ring below:
+   *
+   *       8--9       tooth
+   *       6--7       ring
+   *    2--4--5       web, ring
+   *    0--1--3
+   *       10-11      ceramic
+   */
+  SectionText disc()
+  {
+    SectionText text;
+    text.points   = {{10e-3, 0.},   {20e-3, 0.},   {10e-3, 1e-3},  {30e-3, 0.},
+                     {20e-3, 1e-3}, {30e-3, 1e-3}, {20e-3, 3e-3},  {30e-3, 3e-3},
+                     {20e-3, 5e-3}, {30e-3, 5e-3}, {20e-3, -5e-4}, {30e-3, -5e-4}};
+    text.elements = {
+        {3, "base", {0, 1, 4, 2}},  {3, "base", {1, 3, 5, 4}},           {3, "base", {4, 5, 7, 6}},
+        {3, "tooth", {6, 7, 9, 8}}, {3, "piezoceramic", {10, 11, 3, 1}}, {1, "clamped", {0, 2}},
+        {1, "contact", {8, 9}}};
+    return text;
+  }
+
+  Section read(const SectionText &text, const SectionOf body = SectionOf::stator)
+  {
+    const Scratch scratch;
+    return read_section(text.write(scratch), body);
+  }
+
+  /** The number of a point (m). */
+  unsigned int point_at(const Section &section, const double r, const double z)
+  {
+    for (unsigned int i = 0; i < section.points.size(); ++i)
+      if (section.points[i].distance({r, z}) < 1e-12)
+        return i;
+    ADD_FAILURE() << "no point at " << r << ", " << z;
+    return 0;
+  }
+
+  double area(const Section &section)
+  {
+    double area = 0.;
+    for (const Section::Cell &cell : section.cells)
+    {
+      const auto &c                = cell.corners;
+      const dealii::Tensor<1, 2> x = section.points[c[2]] - section.points[c[0]],
+                                 y = section.points[c[3]] - section.points[c[1]];
+      const double twice           = x[0] * y[1] - x[1] * y[0];
+      EXPECT_GT(twice, 0.); // counterclockwise
+      area += 0.5 * twice;
+    }
+    return area;
+  }
+
+  /** The length of the edges with a name; all of them must be outer ones. */
+  double length(const Section &section, const dealii::types::boundary_id name)
+  {
+    const auto cells = section.cells_at_edges();
+    double length    = 0.;
+    for (const auto &[edge, name_of_edge] : section.names)
+      if (name_of_edge == name)
+      {
+        EXPECT_EQ(cells.at(edge).size(), 1u);
+        length += section.length(edge);
+      }
+    return length;
+  }
+
+  /** Without hanging nodes, each edge between cells belongs to two of them: the outer edges alone
+   * make up the circumference. */
+  double circumference(const Section &section)
+  {
+    double length = 0.;
+    for (const auto &[edge, cells] : section.cells_at_edges())
+      if (cells.size() == 1)
+        length += section.length(edge);
+    return length;
+  }
+
+  /** Both must be the disc: its area, circumference and names. */
+  void expect_disc(const Section &section)
+  {
+    EXPECT_NEAR(area(section), 65e-6, 1e-18);
+    EXPECT_NEAR(circumference(section), 51e-3, 1e-15);
+    EXPECT_NEAR(length(section, ids::clamped), 1e-3, 1e-15);
+    EXPECT_NEAR(length(section, ids::tooth_top), 10e-3, 1e-15);
+  }
+
+  void expect_refusal(const SectionText &text, const std::vector<std::string> &words,
+                      const SectionOf body = SectionOf::stator)
+  {
+    const std::string message = message_of<UserError>([&]() { read(text, body); });
+    EXPECT_EQ(message.find(body == SectionOf::stator ? "Stator/Section file = \""
+                                                     : "Rotor/Section file = \""),
+              0u)
+        << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+    EXPECT_NE(message.find("; "), std::string::npos) << message; // what to do
+    for (const std::string &word : words)
+      EXPECT_NE(message.find(word), std::string::npos) << '"' << word << "\" not in: " << message;
+  }
+} // namespace
+
+TEST(Section, IsCutInWholeFamilies)
+{
+  const Section section = read(disc());
+  expect_disc(section);
+  SectionCuts cuts(section);
+  const auto cut_edge = [&](const Point<2> &from, const Point<2> &to, const double at)
+  { cuts.cut(point_at(section, from[0], from[1]), point_at(section, to[0], to[1]), {at}); };
+  cut_edge({20e-3, 0.}, {30e-3, 0.}, 0.25);  // through ceramic, ring and tooth
+  cut_edge({10e-3, 1e-3}, {10e-3, 0.}, 0.1); // through web and ring, from above
+  const Section cut = cuts.result();
+  expect_disc(cut);
+  EXPECT_EQ(cut.cells.size(), 2u + 4u + 2u + 2u + 2u);
+  for (const Point<2> &x : cut.points)
+    EXPECT_TRUE(std::abs(x[1] - 0.9e-3) < 1e-12 || std::abs(x[1] - 0.9e-3) > 1e-6);
+  unsigned int n_low = 0, n_inside = 0;
+  for (const Point<2> &x : cut.points)
+  {
+    n_low += std::abs(x[1] - 0.9e-3) < 1e-12 ? 1 : 0;
+    n_inside += std::abs(x[0] - 22.5e-3) < 1e-12 ? 1 : 0;
+  }
+  EXPECT_EQ(n_low, 4u);
+  EXPECT_EQ(n_inside, 6u);
+}
+
+TEST(Section, KnowsItsSingularPoints)
+{
+  // Two corners where the web meets ring and ceramic, and two ends of the clamped edge; what is
+  // between the slots has the same.
+  const Section section = read(disc());
+  EXPECT_EQ(singular_points(section),
+            (SectionPoints{point_at(section, 10e-3, 0.), point_at(section, 10e-3, 1e-3),
+                           point_at(section, 20e-3, 0.), point_at(section, 20e-3, 1e-3)}));
+}
+
+TEST(Section, GetsLayersAroundSingularPoints)
+{
+  const Section section      = read(disc());
+  const SectionPoints points = singular_points(section);
+  SectionGrading grading(section);
+  grading.grow_from(points);
+  const Section grown = grading.result();
+  expect_disc(grown);
+  for (const Section::Cell &cell : grown.cells)
+  {
+    unsigned int n_singular = 0;
+    for (const unsigned int corner : cell.corners)
+      n_singular += points.count(corner);
+    EXPECT_LE(n_singular, 1u);
+  }
+  for (const unsigned int n_layers : {1u, 3u})
+  {
+    const Section layered = with_layers(grown, points, n_layers, 0.25);
+    expect_disc(layered);
+    // The shortest edges at a corner shrink by the ratio of each layer.
+    const unsigned int corner = point_at(section, 20e-3, 1e-3);
+    const auto shortest       = [&](const Section &of)
+    {
+      double shortest = 1.;
+      for (const auto &[edge, cells] : of.cells_at_edges())
+        if (edge.first == corner || edge.second == corner)
+          shortest = std::min(shortest, of.length(edge));
+      return shortest;
+    };
+    EXPECT_NEAR(shortest(layered), shortest(grown) * std::pow(0.25, n_layers), 1e-12);
+  }
+}
+
+TEST(RevolvedBody, HasTheVolumesOfItsParts)
+{
+  RevolvedBody body{read(disc()), {}};
+  body.slots = slots_of(body.section, 60, 0.5e-3);
+  EXPECT_NEAR(body.slots.inner_radius, 20e-3, 1e-15);
+  const double half_pitch = M_PI / 60;
+  // The area between theta = 0 and the plane at a distance c from the middle of the slot.
+  const auto primitive = [&](const double r)
+  {
+    const double c = 0.25e-3;
+    return 0.5 * (half_pitch * r * r - r * r * std::asin(c / r) - c * std::sqrt(r * r - c * c));
+  };
+  const auto sector = [&](const double inner, const double outer)
+  { return 0.5 * half_pitch * (outer * outer - inner * inner); };
+  const std::map<dealii::types::material_id, double> exact{
+      {ids::base, 1e-3 * sector(10e-3, 20e-3) + 3e-3 * sector(20e-3, 30e-3)},
+      {ids::tooth, 2e-3 * (primitive(30e-3) - primitive(20e-3))},
+      {ids::piezoceramic, 5e-4 * sector(20e-3, 30e-3)}};
+  for (const unsigned int level : {0u, 1u, 4u})
+    for (const auto form : {SectorForm::half, SectorForm::whole})
+    {
+      const SectorMesh mesh = make_sector(body, form, SectorGrading::level(level), MPI_COMM_SELF);
+      const double parts    = form == SectorForm::half ? 1. : 2.;
+      for (const auto &[part, volume] : exact)
+        EXPECT_NEAR(volumes(*mesh.triangulation, 6).at(part) / (parts * volume), 1., 1e-9)
+            << level << ' ' << part;
+      EXPECT_GT(smallest_jacobian_ratio(*mesh.triangulation), 0.05) << level;
+    }
+}
+
+TEST(RevolvedBody, MayHaveRadialSlots)
+{
+  RevolvedBody body{read(disc()), {}};
+  body.slots = slots_of(body.section, 60, 0., 0.02);
+  const SectorMesh mesh =
+      make_sector(body, SectorForm::half, SectorGrading::level(1), MPI_COMM_SELF);
+  EXPECT_NEAR(volumes(*mesh.triangulation, 6).at(ids::tooth) /
+                  (2e-3 * 0.5 * (M_PI / 60 - 0.01) * (900e-6 - 400e-6)),
+              1., 1e-9);
+}
+
+TEST(RevolvedBody, OfDimensionsIsReadAsItWasWritten)
+{
+  const Scratch scratch;
+  const RevolvedBody body = stator_body(StatorGeometry(), 90);
+  const std::string file  = SectionText(body.section, names_of_stator()).write(scratch);
+  RevolvedBody read_body{read_section(file, SectionOf::stator), {}};
+  read_body.slots = slots_of(read_body.section, 90, StatorGeometry().slot_width);
+  const SectorMesh made =
+                       make_sector(body, SectorForm::half, SectorGrading::level(2), MPI_COMM_SELF),
+                   from_file = make_sector(read_body, SectorForm::half, SectorGrading::level(2),
+                                           MPI_COMM_SELF);
+  ASSERT_EQ(made.triangulation->n_active_cells(), from_file.triangulation->n_active_cells());
+  for (auto a = made.triangulation->begin_active(), b = from_file.triangulation->begin_active();
+       a != made.triangulation->end(); ++a, ++b)
+  {
+    EXPECT_EQ(a->material_id(), b->material_id());
+    EXPECT_LT(a->center().distance(b->center()), 1e-15);
+    for (const unsigned int face : a->face_indices())
+      EXPECT_EQ(a->face(face)->boundary_id(), b->face(face)->boundary_id());
+  }
+}
+
+TEST(SectionFile, RefusesMistakes)
+{
+  using Change      = std::function<void(SectionText &)>;
+  const auto refuse = [](const Change &change, const std::vector<std::string> &words)
+  {
+    SectionText text = disc();
+    change(text);
+    expect_refusal(text, words);
+  };
+  const auto scale = [](const double factor)
+  {
+    return [factor](SectionText &text)
+    {
+      for (Point<2> &x : text.points)
+        x *= factor;
+    };
+  };
+  refuse(
+      [](SectionText &text) {
+        text.elements[3] = {2, "tooth", {6, 7, 9}};
+      },
+      {"triangles", "Recombine Surface"});
+  refuse(
+      [](SectionText &text) {
+        text.elements[3] = {16, "tooth", {6, 7, 9, 8, 6, 7, 9, 8}};
+      },
+      {"second order"});
+  refuse([](SectionText &text)
+         { text.elements.erase(text.elements.begin(), text.elements.begin() + 5); },
+         {"no quadrilaterals"});
+  refuse([](SectionText &text) { text.elements[0].name = "web"; },
+         {"a surface has the name 'web'", "r = 15 mm", "allowed: base, tooth or piezoceramic"});
+  refuse([](SectionText &text) { text.elements[1].name = ""; },
+         {"a surface has no name", "Physical Surface"});
+  refuse([](SectionText &text) { text.elements[5].name = "clamp"; },
+         {"a curve has the name 'clamp'", "allowed: contact, clamped or felt"});
+  refuse(scale(1e3), {"outer radius is 30 m", "Mesh.ScalingFactor = 0.001"});
+  refuse([](SectionText &text) { text.points[0][0] = text.points[2][0] = 0.; },
+         {"reaches r = 0 mm", "leave a bore"});
+  refuse([](SectionText &text) { text.points[0][0] = text.points[2][0] = -10e-3; },
+         {"reaches r = -10 mm", "one side of the axis"});
+  refuse([](SectionText &text)
+         { std::swap(text.elements[2].points[0], text.elements[2].points[1]); },
+         {"not convex", "z = 2 mm"});
+  refuse([](SectionText &text) { text.points[4] = {29e-3, 2.5e-3}; }, {"not convex"});
+  refuse(
+      [](SectionText &text)
+      {
+        text.points.insert(text.points.end(), {{20e-3, 0.}, {20e-3, 1e-3}});
+        text.elements[0].points = {0, 12, 13, 2};
+      },
+      {"it is in pieces", "share their edges"});
+  refuse([](SectionText &text) { text.elements.push_back(text.elements[1]); },
+         {"lie on one another"});
+  refuse(
+      [](SectionText &text) {
+        text.elements[6].points = {4, 5};
+      },
+      {"'contact', at r = 25 mm, z = 1 mm, lies inside"});
+  refuse([](SectionText &text) { text.elements[5].points = {0, 4}; }, {"is not an edge"});
+  refuse(
+      [](SectionText &text) {
+        text.elements.push_back({1, "felt", {0, 2}});
+      },
+      {"has a second name"});
+  refuse(
+      [](SectionText &text) {
+        text.elements[6].points = {10, 11};
+      },
+      {"'contact' does not face the rotor"});
+  refuse(
+      [](SectionText &text) {
+        text.elements[6].points = {2, 4};
+      },
+      {"'contact' lies on the base"});
+  refuse(
+      [](SectionText &text)
+      {
+        for (SectionText::Element &element : text.elements)
+          if (element.name == "base")
+            element.name = "tooth";
+      },
+      {"it has no base"});
+  refuse([](SectionText &text) { text.points[9][1] = text.points[8][1] = 3e-3; }, {"not convex"});
+  expect_refusal(disc(), {"a surface has the name 'base'", "allowed: rotor, lining or adhesive"},
+                 SectionOf::rotor);
+}
