@@ -50,9 +50,9 @@ namespace ringmotor
           return cut_evenly_across(along);
         const SectionPoints corners = singular_points(along);
         SectionGrading cells(along);
-        cells.grow_from(corners);
+        cells.grow_from(corners, 1., {0.3, 1.});
         for (const FromRoot &edge : edges_from_roots(along))
-          cells.grow(edge.root, edge.opposite, first(along) / edge.depth);
+          cells.grow(edge.root, edge.opposite, first(along) / edge.depth, {});
         return with_layers(cells.result(), corners, grading.n_layers, grading.ratio);
       }
 

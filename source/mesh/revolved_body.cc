@@ -98,8 +98,90 @@ namespace ringmotor
     return {section, slots};
   }
 
+  namespace
+  {
+    /** Blocks between lines of r and z. */
+    class Blocks
+    {
+    public:
+      unsigned int point(const double r, const double z)
+      {
+        const auto [entry, is_new] = points.emplace(std::make_pair(r, z), section.points.size());
+        if (is_new)
+          section.points.emplace_back(r, z);
+        return entry->second;
+      }
+
+      void add(const double inner, const double outer, const double low, const double high,
+               const types::material_id part)
+      {
+        section.cells.push_back(
+            {{{point(inner, low), point(outer, low), point(outer, high), point(inner, high)}},
+             part});
+      }
+
+      void name(const double r, const double z, const double other_r, const double other_z,
+                const types::boundary_id id)
+      {
+        section.names[Section::edge(point(r, z), point(other_r, other_z))] = id;
+      }
+
+      Section section;
+
+    private:
+      std::map<std::pair<double, double>, unsigned int> points;
+    };
+  } // namespace
+
+  RevolvedBody rotor_body(const RotorGeometry &rotor, const unsigned int n_teeth)
+  {
+    const bool is_shell = rotor.flange_element == ElementKind::shell;
+    const double inner = rotor.ring_inner_radius, outer = rotor.ring_outer_radius,
+                 low = rotor.flange_lower_face, high = low + rotor.flange_thickness,
+                 bars = rotor.ring_upper_face - rotor.radial_bar_height,
+                 // Stresses in the corners at the ring, which a shell cannot represent, have
+                 // decayed this far away.
+        root = inner - 0.5 * rotor.flange_thickness;
+    Blocks blocks;
+    const std::vector<double> heights{rotor.ring_lower_face, low, high, bars,
+                                      rotor.ring_upper_face};
+    for (unsigned int i = 0; i + 1 < heights.size(); ++i)
+      if (heights[i] < heights[i + 1])
+      {
+        blocks.add(inner, outer, heights[i], heights[i + 1], ids::rotor);
+        if (heights[i] != low)
+          blocks.name(inner, heights[i], inner, heights[i + 1],
+                      heights[i] == bars ? ids::radial_bars : ids::ring_bore);
+      }
+    blocks.name(inner, rotor.ring_upper_face, outer, rotor.ring_upper_face, ids::ring_top);
+    RevolvedBody body;
+    if (is_shell)
+    {
+      blocks.add(root, inner, low, high, ids::rotor);
+      blocks.name(root, low, root, high, ids::shell_root);
+      const double middle  = 0.5 * (low + high);
+      blocks.section.shell = {
+          {{rotor.lip_inner_radius, middle}, {rotor.lip_outer_radius, middle}, {root, middle}}, 1};
+      body.shell_thickness = rotor.flange_thickness;
+    }
+    else
+    {
+      blocks.add(rotor.lip_outer_radius, inner, low, high, ids::rotor);
+      blocks.add(rotor.lip_inner_radius, rotor.lip_outer_radius, low, high, ids::rotor);
+      blocks.name(rotor.lip_inner_radius, low, rotor.lip_outer_radius, low, ids::lip);
+    }
+    body.section  = blocks.section;
+    body.slots    = {n_teeth};
+    body.thinnest = rotor.flange_thickness;
+    if (rotor.radial_bar_stiffness > 0.)
+      body.bar_stiffness = rotor.radial_bar_stiffness / rotor.radial_bar_height;
+    return body;
+  }
+
   RevolvedBody rotor_body(const Parameters &parameters)
   {
+    if (parameters.rotor.section_file.empty())
+      return rotor_body(parameters.rotor, parameters.motor.n_teeth);
     const Section section = read_section(parameters.rotor.section_file, SectionOf::rotor);
     check_materials(parameters, section, "Rotor/Section file");
     return {section, {parameters.motor.n_teeth}};

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <ringmotor/mesh/graded_lines.h>
 #include <ringmotor/mesh/ids.h>
 #include <ringmotor/mesh/places.h>
+#include <ringmotor/mesh/revolved.h>
 #include <ringmotor/mesh/rotor_sector.h>
+#include <ringmotor/mesh/section_layers.h>
 
-#include <deal.II/grid/grid_generator.h>
-#include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 
 #include <algorithm>
@@ -17,197 +16,101 @@ namespace ringmotor
 
   namespace
   {
-    /** The cells at the edges where flange and ring meet. */
-    struct EdgeCells
+    /** Divides the edges in contact, what continues them outwards, and what they bound. */
+    void divide_contact(SectionGrading &cells, const Section &section, const InterfaceGrading &lip)
     {
-      double first;          ///< width, m
-      double ratio, longest; ///< see RotorGrading
-    };
-
-    /** Lines from @p from to @p to, finer at @p from, which is not included. */
-    void append_lines(std::vector<double> &lines, const double from, const double to,
-                      const EdgeCells &cells)
-    {
-      const std::vector<double> distances =
-          graded_lines(std::abs(to - from), cells.first, cells.ratio, cells.longest);
-      for (unsigned int i = 1; i < distances.size(); ++i)
-        lines.push_back(from + (to > from ? distances[i] : -distances[i]));
-    }
-
-    /**
-     * Lines across flange and lip, without those of the ring: finer at the ring and, for contact,
-     * on both sides of the lip's outer edge.
-     */
-    void append_flange_lines(std::vector<double> &lines, const RotorGeometry &rotor,
-                             const EdgeCells &cells, const InterfaceGrading &lip)
-    {
-      for (const double distance : lines_from_edge(rotor.lip_outer_radius - rotor.lip_inner_radius,
-                                                   lip.n_across, lip.ratio))
-        lines.push_back(rotor.lip_outer_radius - distance);
-      if (lip.n_across == 1)
+      const auto is_contact = [&](const Section::Edge &edge)
       {
-        lines.pop_back();
-        lines.back() = rotor.lip_inner_radius;
-        append_lines(lines, rotor.ring_inner_radius, rotor.lip_outer_radius, cells);
-        return;
-      }
-      const double middle = 0.5 * (rotor.lip_outer_radius + rotor.ring_inner_radius);
-      append_lines(lines, rotor.ring_inner_radius, middle, cells);
-      const std::vector<double> distances =
-          lines_from_edge(middle - rotor.lip_outer_radius, lip.n_across, lip.ratio);
-      for (unsigned int i = 1; i + 1 < distances.size(); ++i)
-        lines.push_back(rotor.lip_outer_radius + distances[i]);
-    }
-
-    std::vector<double> sorted(std::vector<double> lines)
-    {
-      std::sort(lines.begin(), lines.end());
-      return lines;
-    }
-
-    /**
-     * Where a flange that is a shell begins: half its thickness away from the ring. The stresses in
-     * the corners at the ring, which a shell cannot represent, have decayed there.
-     */
-    double root_radius(const RotorGeometry &rotor)
-    {
-      return rotor.flange_element == ElementKind::shell
-                 ? rotor.ring_inner_radius - 0.5 * rotor.flange_thickness
-                 : rotor.ring_inner_radius;
-    }
-
-    /** Sets the boundary ids while the mesh is still the box of cylindrical coordinates (r, theta,
-     * z). */
-    void set_boundary_ids(Triangulation<3> &box, const RotorGeometry &rotor, const SectorForm form,
-                          const std::vector<double> &angles)
-    {
-      const auto at = [&](const double a, const double b)
-      { return is_same_place(a, b, rotor.ring_outer_radius); };
-      const auto at_angle = [](const double a, const double b) { return is_same_place(a, b, 1.); };
-      for (const auto &cell : box.active_cell_iterators())
-        for (const auto &face : cell->face_iterators())
-          if (face->at_boundary())
+        const auto name = section.names.find(edge);
+        return name != section.names.end() && name->second == ids::lip;
+      };
+      unsigned int outermost = 0; // of the points in contact
+      double radius          = 0.;
+      for (const auto &[edge, name] : section.names)
+        for (const unsigned int end : {edge.first, edge.second})
+          if (name == ids::lip && section.points[end][0] > radius)
           {
-            const Point<3> center = face->center();
-            const bool level =
-                at(face->vertex(0)[2], face->vertex(3)[2]) && at(face->vertex(0)[2], center[2]);
-            types::boundary_id id = ids::free;
-            if (at_angle(center[1], angles.back()))
-              id = form == SectorForm::half ? ids::cut : ids::cut_high;
-            else if (at_angle(center[1], angles.front()))
-              id = form == SectorForm::half ? ids::mirror : ids::cut_low;
-            else if (level && at(center[2], rotor.ring_upper_face))
-              id = ids::ring_top;
-            else if (level && at(center[2], rotor.flange_lower_face) &&
-                     center[0] < rotor.lip_outer_radius)
-              id = ids::lip;
-            else if (at(center[0], root_radius(rotor)) &&
-                     rotor.flange_element == ElementKind::shell)
-              id = ids::shell_root;
-            else if (at(center[0], rotor.ring_inner_radius))
-              id = center[2] > rotor.ring_upper_face - rotor.radial_bar_height ? ids::radial_bars
-                                                                               : ids::ring_bore;
-            face->set_boundary_id(id);
+            outermost = end;
+            radius    = section.points[end][0];
           }
+      for (const Section::Cell &cell : section.cells)
+        for (unsigned int i = 0; i < 4; ++i)
+          if (is_contact(Section::edge(cell, i)))
+          {
+            unsigned int from = cell.corners[i], to = cell.corners[(i + 1) % 4];
+            for (const auto &[face, behind] :
+                 {std::make_pair(from, cell.corners[(i + 3) % 4]), {to, cell.corners[(i + 2) % 4]}})
+              cells.cut(face, behind, lines_from_edge(1., lip.n_across + 1, lip.ratio));
+            if (section.points[from][0] < section.points[to][0])
+              std::swap(from, to);
+            cells.cut(from, to, lines_from_edge(1., lip.n_across, lip.ratio));
+          }
+      for (const auto &[edge, at_edge] : section.cells_at_edges())
+        for (const auto &[from, to] : {edge, Section::Edge{edge.second, edge.first}})
+          if (from == outermost && at_edge.size() == 1 && !is_contact(edge) &&
+              is_same_place(section.points[from][1], section.points[to][1], radius))
+            cells.shrink(from, to, lip.n_across, lip.ratio);
     }
 
-    /** The box of cylindrical coordinates, bent around the axis. */
-    Point<3> bent(const Point<3> &x)
+    Section divided(const RevolvedBody &rotor, const RotorGrading &grading,
+                    const InterfaceGrading &lip)
     {
-      return Point<3>(x[0] * std::cos(x[1]), x[0] * std::sin(x[1]), x[2]);
+      SectionGrading cells(rotor.section);
+      cells.grow_from(singular_points(rotor.section), grading.first,
+                      {grading.ratio, grading.longest}, rotor.thinnest);
+      if (lip.n_across > 1)
+        divide_contact(cells, rotor.section, lip);
+      return cells.result();
     }
 
     /** Lip and flange as a shell, tied to the solid root of the flange by its outer edge. */
-    void add_flange_shell(SectorMesh &mesh, const RotorGeometry &rotor,
+    void add_flange_shell(SectorMesh &mesh, const RevolvedBody &rotor,
                           const std::vector<double> &angles, const RotorGrading &grading,
                           const InterfaceGrading &lip)
     {
-      const double height      = rotor.flange_lower_face + 0.5 * rotor.flange_thickness;
-      const unsigned int n_lip = std::max(grading.n_lip, lip.n_across), n_span = grading.n_span;
-      std::vector<double> radii;
-      for (const double distance :
-           lines_from_edge(rotor.lip_outer_radius - rotor.lip_inner_radius, n_lip, lip.ratio))
-        radii.insert(radii.begin(), rotor.lip_outer_radius - distance);
-      for (unsigned int i = 1; i <= n_span; ++i)
-        radii.push_back(rotor.lip_outer_radius +
-                        i * (root_radius(rotor) - rotor.lip_outer_radius) / n_span);
-
+      const Section::ShellLine &line = rotor.section.shell;
+      std::vector<Point<2>> places{line.points.front()};
+      std::vector<types::material_id> parts;
+      for (unsigned int i = 0; i + 1 < line.points.size(); ++i)
+      {
+        const bool in_contact  = i < line.n_in_contact;
+        const Point<2> &before = line.points[i], &end = line.points[i + 1];
+        // Distances from the end, where the contact ends, too.
+        std::vector<double> distances =
+            in_contact ? lines_from_edge(1., std::max(grading.n_lip, lip.n_across), lip.ratio)
+                       : lines_from_edge(1., grading.n_span, 1.);
+        std::reverse(distances.begin(), distances.end());
+        for (unsigned int j = 1; j < distances.size(); ++j)
+        {
+          places.push_back(end + distances[j] * (before - end));
+          parts.push_back(in_contact ? ids::lip_shell : ids::rotor);
+        }
+      }
       std::vector<Point<3>> vertices;
       std::vector<CellData<2>> cells;
       const unsigned int n = angles.size();
-      for (unsigned int i = 0; i < radii.size(); ++i)
+      for (unsigned int i = 0; i < places.size(); ++i)
         for (unsigned int j = 0; j < n; ++j)
         {
-          vertices.push_back(bent(Point<3>(radii[i], angles[j], height)));
-          if (i + 1 < radii.size() && j + 1 < n)
+          vertices.push_back(cartesian(Point<3>(places[i][0], angles[j], places[i][1])));
+          if (i + 1 < places.size() && j + 1 < n)
           {
             CellData<2> cell;
             cell.vertices    = {i * n + j, (i + 1) * n + j, i * n + j + 1, (i + 1) * n + j + 1};
-            cell.material_id = i < n_lip ? ids::lip_shell : ids::rotor;
+            cell.material_id = parts[i];
             cells.push_back(cell);
           }
         }
       add_shell(mesh, vertices, cells);
-      for (const auto &cell : mesh.shell->active_cell_iterators())
-        for (const auto &edge : cell->face_iterators())
-          if (const auto at_root =
-                  [&](const unsigned int i) {
-                    return is_same_place(cylindrical(edge->vertex(i))[0], root_radius(rotor),
-                                         root_radius(rotor));
-                  };
-              edge->at_boundary() && at_root(0) && at_root(1))
-            edge->set_boundary_id(ids::shell_root);
+      const double root  = places.back()[0];
+      const auto at_root = [&](const Point<3> &x)
+      { return is_same_place(cylindrical(x)[0], root, root); };
+      for (const auto &edge : mesh.shell->active_face_iterators())
+        if (edge->at_boundary() && at_root(edge->vertex(0)) && at_root(edge->vertex(1)))
+          edge->set_boundary_id(ids::shell_root);
       mesh.shell->set_all_manifold_ids(0);
       mesh.shell->set_manifold(0, CylindricalManifold<2, 3>(2));
-      mesh.sections[ids::rotor] = mesh.sections[ids::lip_shell] = {rotor.flange_thickness, 0.};
-    }
-
-    /** The lines of the cross-section along r. */
-    std::vector<double> radial_lines(const RotorGeometry &rotor, const EdgeCells &cells,
-                                     const InterfaceGrading &lip)
-    {
-      std::vector<double> r_lines{rotor.ring_inner_radius};
-      if (rotor.flange_element == ElementKind::solid)
-        append_flange_lines(r_lines, rotor, cells, lip);
-      else
-        append_lines(r_lines, rotor.ring_inner_radius, root_radius(rotor), cells);
-      append_lines(r_lines, rotor.ring_inner_radius, rotor.ring_outer_radius, cells);
-      return sorted(r_lines);
-    }
-
-    double flange_top(const RotorGeometry &rotor)
-    {
-      return rotor.flange_lower_face + rotor.flange_thickness;
-    }
-
-    /** Those along z. */
-    std::vector<double> axial_lines(const RotorGeometry &rotor, const EdgeCells &cells,
-                                    const InterfaceGrading &lip)
-    {
-      const double flange_top    = ringmotor::flange_top(rotor);
-      const double flange_middle = 0.5 * (rotor.flange_lower_face + flange_top);
-      std::vector<double> z_lines{rotor.flange_lower_face, flange_top};
-      append_lines(z_lines, rotor.flange_lower_face, rotor.ring_lower_face, cells);
-      if (rotor.flange_element == ElementKind::solid && lip.n_across > 1)
-      {
-        for (const double distance :
-             lines_from_edge(rotor.flange_thickness, lip.n_across + 1, lip.ratio))
-          z_lines.push_back(rotor.flange_lower_face + distance);
-      }
-      else
-      {
-        append_lines(z_lines, rotor.flange_lower_face, flange_middle, cells);
-        append_lines(z_lines, flange_top, flange_middle, cells);
-      }
-      append_lines(z_lines, flange_top, rotor.ring_upper_face - rotor.radial_bar_height, cells);
-      z_lines.push_back(rotor.ring_upper_face);
-      z_lines = sorted(z_lines);
-      // The flange was added from both sides.
-      z_lines.erase(std::unique(z_lines.begin(), z_lines.end(),
-                                [&](const double a, const double b)
-                                { return is_same_place(a, b, rotor.ring_outer_radius); }),
-                    z_lines.end());
-      return z_lines;
+      mesh.sections[ids::rotor] = mesh.sections[ids::lip_shell] = {rotor.shell_thickness, 0.};
     }
   } // namespace
 
@@ -220,49 +123,25 @@ namespace ringmotor
     return grading;
   }
 
-  SectorMesh make_rotor_sector(const RotorGeometry &rotor, const unsigned int n_teeth,
-                               const SectorForm form, const RotorGrading &grading,
-                               MPI_Comm communicator, const InterfaceGrading &lip)
+  SectorMesh make_rotor_sector(const RevolvedBody &rotor, const SectorForm form,
+                               const RotorGrading &grading, MPI_Comm communicator,
+                               const InterfaceGrading &lip)
   {
-    const EdgeCells cells{grading.first * rotor.flange_thickness, grading.ratio, grading.longest};
-    const std::vector<double> r_lines = radial_lines(rotor, cells, lip),
-                              z_lines = axial_lines(rotor, cells, lip);
-
-    const double half_pitch = numbers::PI / n_teeth;
-    std::vector<double> angles;
-    const int n_around = static_cast<int>(lip.n_around);
-    for (int i = form == SectorForm::whole ? -n_around : 0; i <= n_around; ++i)
-      angles.push_back(i * half_pitch / n_around);
-    const std::vector<double> theta_widths = widths(angles);
-
-    Table<3, types::material_id> materials(r_lines.size() - 1, theta_widths.size(),
-                                           z_lines.size() - 1);
-    for (unsigned int i = 0; i + 1 < r_lines.size(); ++i)
-      for (unsigned int j = 0; j < theta_widths.size(); ++j)
-        for (unsigned int k = 0; k + 1 < z_lines.size(); ++k)
-        {
-          const bool in_ring = r_lines[i] >= rotor.ring_inner_radius;
-          const bool in_flange =
-              z_lines[k] >= rotor.flange_lower_face && z_lines[k] < flange_top(rotor);
-          materials(i, j, k) = in_ring || in_flange ? ids::rotor : numbers::invalid_material_id;
-        }
-
-    SectorMesh mesh;
-    mesh.triangulation              = empty_triangulation<3>(communicator);
-    mesh.form                       = form;
-    mesh.n_sectors                  = n_teeth;
-    Triangulation<3> &triangulation = *mesh.triangulation;
-    GridGenerator::subdivided_hyper_rectangle(
-        triangulation, {widths(r_lines), theta_widths, widths(z_lines)},
-        Point<3>(r_lines.front(), angles.front(), z_lines.front()), materials);
-    set_boundary_ids(triangulation, rotor, form, angles);
-    GridTools::transform(bent, triangulation);
-    triangulation.set_all_manifold_ids(0);
-    triangulation.set_manifold(0, CylindricalManifold<3>(2));
-    if (rotor.flange_element != ElementKind::solid)
+    Revolution revolution;
+    revolution.form  = form;
+    revolution.lines = lines_from_edge(1., lip.n_around, 1.);
+    SectorMesh mesh  = revolve(divided(rotor, grading, lip), rotor.slots, revolution, communicator);
+    if (!rotor.section.shell.points.empty())
+    {
+      std::vector<double> angles;
+      for (const double place : revolution.lines)
+        angles.push_back(place * rotor.slots.half_pitch());
+      for (unsigned int i = 1; form == SectorForm::whole && i < revolution.lines.size(); ++i)
+        angles.insert(angles.begin(), -revolution.lines[i] * rotor.slots.half_pitch());
       add_flange_shell(mesh, rotor, angles, grading, lip);
-    if (rotor.radial_bar_stiffness > 0.)
-      mesh.foundations[ids::radial_bars] = rotor.radial_bar_stiffness / rotor.radial_bar_height;
+    }
+    if (rotor.bar_stiffness > 0.)
+      mesh.foundations[ids::radial_bars] = rotor.bar_stiffness;
     return mesh;
   }
 } // namespace ringmotor

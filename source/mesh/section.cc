@@ -24,7 +24,7 @@ namespace ringmotor
 
   Section Section::only(const types::material_id part) const
   {
-    Section kept{points, {}, {}};
+    Section kept{points, {}, {}, shell};
     std::set<Edge> edges;
     for (const Cell &cell : cells)
       if (cell.part == part)
@@ -103,7 +103,7 @@ namespace ringmotor
 
   Section SectionCuts::result() const
   {
-    Section cut{section.points, {}, {}};
+    Section cut{section.points, {}, {}, section.shell};
     // Points on edges, by the edge and their number from its first end.
     std::map<std::tuple<unsigned int, unsigned int, unsigned int>, unsigned int> on_edges;
     const auto between = [](const Point<2> &a, const Point<2> &b, const double fraction)

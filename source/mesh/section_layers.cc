@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/mesh/graded_lines.h>
 #include <ringmotor/mesh/ids.h>
+#include <ringmotor/mesh/interface_grading.h>
 #include <ringmotor/mesh/section_layers.h>
 
 #include <deal.II/base/exceptions.h>
@@ -61,64 +62,84 @@ namespace ringmotor
   }
 
   SectionGrading::SectionGrading(const Section &section)
-      : section(section), cuts(section), wanted(cuts.n_families())
+      : section(section), cuts(section), families(cuts.n_families())
   {
   }
 
-  void SectionGrading::grow(const unsigned int from, const unsigned int to, const double share)
+  void SectionGrading::want(const unsigned int from, const unsigned int to, const Wanted &lines)
   {
-    const Section::Edge edge = Section::edge(from, to);
-    Wanted &of_family        = wanted[cuts.family(edge)];
-    const bool at_begin      = cuts.is_along(edge) == (from < to);
-    double &size             = at_begin ? of_family.at_begin : of_family.at_end;
-    size                     = size > 0. ? std::min(size, share) : share;
+    const Section::Edge edge      = Section::edge(from, to);
+    Family &family                = families[cuts.family(edge)];
+    const bool at_begin           = cuts.is_along(edge) == (from < to);
+    std::optional<Wanted> &wanted = at_begin ? family.at_begin : family.at_end;
+    if (!wanted || lines.share < wanted->share)
+      wanted = lines;
   }
 
-  void SectionGrading::grow_from(const SectionPoints &points)
+  void SectionGrading::grow(const unsigned int from, const unsigned int to, const double share,
+                            const Growth &growth)
+  {
+    const auto lines = [&](const double part)
+    { return graded_lines(part, share, growth.ratio, growth.longest); };
+    want(from, to, {share, lines(1.), lines(0.5)});
+  }
+
+  void SectionGrading::shrink(const unsigned int from, const unsigned int to,
+                              const unsigned int n_cells, const double ratio)
+  {
+    const auto lines = [&](const double part) { return lines_from_edge(part, n_cells, ratio); };
+    want(from, to, {lines(1.).at(1), lines(1.), lines(0.5)});
+  }
+
+  void SectionGrading::grow_from(const SectionPoints &points, const double share,
+                                 const Growth &growth, const std::optional<double> &thinnest)
   {
     std::map<unsigned int, double> shortest;
-    const auto edges = section.cells_at_edges();
-    for (const auto &[edge, cells] : edges)
-      for (const unsigned int end : {edge.first, edge.second})
-        if (points.count(end) > 0)
-        {
-          const double length = section.length(edge);
-          const auto entry    = shortest.emplace(end, length).first;
-          entry->second       = std::min(entry->second, length);
-        }
-    for (const auto &[edge, cells] : edges)
+    const auto edges         = section.cells_at_edges();
+    const auto for_each_edge = [&](const auto &visit)
     {
-      if (points.count(edge.first) > 0)
-        grow(edge.first, edge.second, shortest.at(edge.first) / section.length(edge));
-      if (points.count(edge.second) > 0)
-        grow(edge.second, edge.first, shortest.at(edge.second) / section.length(edge));
-    }
+      for (const auto &[edge, cells] : edges)
+        for (const auto &[from, to] : {edge, Section::Edge{edge.second, edge.first}})
+          if (points.count(from) > 0)
+            visit(from, to, section.length(edge));
+    };
+    for_each_edge(
+        [&](const unsigned int from, const unsigned int, const double length)
+        {
+          double &known = shortest.emplace(from, length).first->second;
+          known         = std::min(known, length);
+        });
+    for_each_edge(
+        [&](const unsigned int from, const unsigned int to, const double length)
+        { grow(from, to, share * thinnest.value_or(shortest.at(from)) / length, growth); });
   }
 
-  namespace
+  void SectionGrading::cut(const unsigned int from, const unsigned int to,
+                           const std::vector<double> &at)
   {
-    /** Fractions of an edge up to @p part of it. */
-    std::vector<double> growing_lines(const double part, const double first)
-    {
-      constexpr double ratio = 0.3, longest = 0.6;
-      return first < part ? graded_lines(part, first, ratio, longest)
-                          : std::vector<double>{0., part};
-    }
-  } // namespace
+    cuts.cut(from, to, at);
+    families[cuts.family(Section::edge(from, to))].is_cut = true;
+  }
 
   Section SectionGrading::result() const
   {
     SectionCuts all = cuts;
     for (const auto &[edge, cells] : section.cells_at_edges())
     {
-      const Wanted &of_family = wanted[cuts.family(edge)];
+      const Family &family = families[cuts.family(edge)];
+      if (family.is_cut)
+        continue;
       const bool is_along     = cuts.is_along(edge);
       const auto [begin, end] = is_along ? edge : Section::Edge{edge.second, edge.first};
-      const bool is_half      = of_family.at_begin > 0. && of_family.at_end > 0.;
-      for (const auto &[from, to, first] :
-           {std::make_tuple(begin, end, of_family.at_begin), {end, begin, of_family.at_end}})
-        if (first > 0.)
-          all.cut(from, to, growing_lines(is_half ? 0.5 : 1., first));
+      const bool meet         = family.at_begin && family.at_end;
+      const auto cut =
+          [&](const unsigned int from, const unsigned int to, const std::optional<Wanted> &wanted)
+      {
+        if (wanted)
+          all.cut(from, to, meet ? wanted->half : wanted->whole);
+      };
+      cut(begin, end, family.at_begin);
+      cut(end, begin, family.at_end);
     }
     return all.result();
   }
@@ -128,7 +149,7 @@ namespace ringmotor
   {
     if (n_layers == 0)
       return section;
-    Section layered{section.points, {}, {}};
+    Section layered{section.points, {}, {}, section.shell};
     std::map<std::tuple<unsigned int, unsigned int, unsigned int>, unsigned int> on_edges;
     /** On the edge from one of the points to another point, after so many layers. */
     const auto on_edge =

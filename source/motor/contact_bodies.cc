@@ -133,8 +133,8 @@ namespace ringmotor
   }
 
   RotorBody::RotorBody(const Parameters &parameters, const ContactDiscretisation &discretisation)
-      : mesh(make_rotor_sector(parameters.rotor, parameters.motor.n_teeth, SectorForm::half,
-                               discretisation.rotor, MPI_COMM_SELF, discretisation.lip)),
+      : mesh(make_rotor_sector(rotor_body(parameters), SectorForm::half, discretisation.rotor,
+                               MPI_COMM_SELF, discretisation.lip)),
         sector(mesh,
                {{ids::rotor, parameters.materials.rotor_metal},
                 {ids::lip_shell, parameters.materials.rotor_metal}},

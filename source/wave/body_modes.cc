@@ -183,14 +183,10 @@ namespace ringmotor
 
   SectorMesh BodyModes::body_mesh(const BodyDiscretisation &discretisation, MPI_Comm ranks) const
   {
-    const unsigned int n_teeth = parameters.motor.n_teeth;
     switch (parameters.modes.body)
     {
     case Body::rotor:
-      if (!parameters.rotor.section_file.empty())
-        return make_sector(rotor_body(parameters), SectorForm::half,
-                           SectorGrading::level(discretisation.level), ranks);
-      return make_rotor_sector(parameters.rotor, n_teeth, SectorForm::half,
+      return make_rotor_sector(rotor_body(parameters), SectorForm::half,
                                RotorGrading::level(discretisation.level), ranks);
     case Body::tooth:
       return make_tooth(stator_body(parameters), SectorGrading::level(discretisation.level), ranks);

@@ -52,8 +52,8 @@ namespace
     explicit Rotor(const RotorGeometry &geometry)
         : geometry(geometry),
           // Even cells: what two solvers differ by is roundoff, which small cells magnify.
-          mesh(make_rotor_sector(geometry, n_teeth, SectorForm::half, {}, MPI_COMM_WORLD,
-                                 {2, 1, 1.})),
+          mesh(make_rotor_sector(rotor_body(geometry, n_teeth), SectorForm::half, {},
+                                 MPI_COMM_WORLD, {2, 1, 1.})),
           sector(mesh, {{ids::rotor, aluminium}, {ids::lip_shell, aluminium}}, 2),
           lip(geometry.flange_element == ElementKind::solid
                   ? solid_surface(sector, ids::lip)

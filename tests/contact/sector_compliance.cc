@@ -35,7 +35,7 @@ namespace
     std::unique_ptr<Condensation> condensation;
 
     Lip(const RotorGeometry &rotor, const SectorForm form)
-        : mesh(make_rotor_sector(rotor, 90, form, {}, MPI_COMM_WORLD, {2, 1})),
+        : mesh(make_rotor_sector(rotor_body(rotor, 90), form, {}, MPI_COMM_WORLD, {2, 1})),
           sector(mesh, {{ids::rotor, steel}, {ids::lip_shell, steel}}, 2),
           meshed(rotor.flange_element == ElementKind::solid
                      ? solid_surface(sector, ids::lip)

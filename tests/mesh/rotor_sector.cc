@@ -59,12 +59,12 @@ TEST(RotorSector, HasTheExactVolumeAndFaces)
     for (const SectorForm form : {SectorForm::half, SectorForm::whole})
       for (const unsigned int level : {0u, 2u})
       {
-        const SectorMesh mesh =
-            make_rotor_sector(rotor, n_teeth, form, RotorGrading::level(level), MPI_COMM_SELF);
-        const double angle  = (form == SectorForm::half ? 1. : 2.) * M_PI / n_teeth;
-        const double height = rotor.ring_upper_face - rotor.ring_lower_face;
-        const double ring   = rotor.ring_outer_radius - rotor.ring_inner_radius;
-        const double flange = rotor.ring_inner_radius - rotor.lip_inner_radius;
+        const SectorMesh mesh = make_rotor_sector(rotor_body(rotor, n_teeth), form,
+                                                  RotorGrading::level(level), MPI_COMM_SELF);
+        const double angle    = (form == SectorForm::half ? 1. : 2.) * M_PI / n_teeth;
+        const double height   = rotor.ring_upper_face - rotor.ring_lower_face;
+        const double ring     = rotor.ring_outer_radius - rotor.ring_inner_radius;
+        const double flange   = rotor.ring_inner_radius - rotor.lip_inner_radius;
         EXPECT_NEAR(volumes(*mesh.triangulation, 6).at(ids::rotor) /
                         (height * annulus(rotor.ring_inner_radius, rotor.ring_outer_radius, angle) +
                          rotor.flange_thickness *
@@ -99,11 +99,11 @@ TEST(RotorSector, HasItsFlangeAsAShell)
     for (const SectorForm form : {SectorForm::half, SectorForm::whole})
       for (const unsigned int level : {0u, 2u})
       {
-        const SectorMesh mesh =
-            make_rotor_sector(rotor, n_teeth, form, RotorGrading::level(level), MPI_COMM_SELF);
-        const double angle  = (form == SectorForm::half ? 1. : 2.) * M_PI / n_teeth;
-        const double height = rotor.ring_upper_face - rotor.ring_lower_face;
-        const double root   = rotor.ring_inner_radius - 0.5 * rotor.flange_thickness;
+        const SectorMesh mesh = make_rotor_sector(rotor_body(rotor, n_teeth), form,
+                                                  RotorGrading::level(level), MPI_COMM_SELF);
+        const double angle    = (form == SectorForm::half ? 1. : 2.) * M_PI / n_teeth;
+        const double height   = rotor.ring_upper_face - rotor.ring_lower_face;
+        const double root     = rotor.ring_inner_radius - 0.5 * rotor.flange_thickness;
         EXPECT_NEAR(volumes(*mesh.triangulation, 6).at(ids::rotor) /
                         (height * annulus(rotor.ring_inner_radius, rotor.ring_outer_radius, angle) +
                          rotor.flange_thickness * annulus(root, rotor.ring_inner_radius, angle)),
@@ -150,9 +150,9 @@ TEST(RotorSector, ShrinksItsCellsTowardsTheFlangesEdges)
   const RotorGeometry rotor = reference_rotor(ElementKind::solid);
   for (const unsigned int level : {0u, 1u, 2u})
   {
-    const SectorMesh mesh =
-        make_rotor_sector(rotor, 90, SectorForm::half, RotorGrading::level(level), MPI_COMM_SELF);
-    double nearest = 1.; // below the flange
+    const SectorMesh mesh = make_rotor_sector(rotor_body(rotor, 90), SectorForm::half,
+                                              RotorGrading::level(level), MPI_COMM_SELF);
+    double nearest        = 1.; // below the flange
     for (const auto &x : mesh.triangulation->get_vertices())
       if (x[2] < rotor.flange_lower_face - 1e-9)
         nearest = std::min(nearest, rotor.flange_lower_face - x[2]);

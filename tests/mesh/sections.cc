@@ -166,7 +166,7 @@ TEST(Section, GetsLayersAroundSingularPoints)
   const Section section      = read(disc());
   const SectionPoints points = singular_points(section);
   SectionGrading grading(section);
-  grading.grow_from(points);
+  grading.grow_from(points, 1., {0.3, 1.});
   const Section grown = grading.result();
   expect_disc(grown);
   for (const Section::Cell &cell : grown.cells)

@@ -296,8 +296,8 @@ TEST(Vtu, BodyIsWhatItWasGiven)
 {
   const Scratch scratch;
   const unsigned int n_sectors = 12;
-  const SectorMesh mesh =
-      make_rotor_sector(RotorGeometry(), n_sectors, SectorForm::half, {}, MPI_COMM_SELF);
+  const SectorMesh mesh        = make_rotor_sector(rotor_body(RotorGeometry(), n_sectors),
+                                                   SectorForm::half, {}, MPI_COMM_SELF);
   const SectorElements sector(
       mesh, {{ids::rotor, {68.9e9, 0.33, 2700., 0.}}, {ids::lip_shell, {68.9e9, 0.33, 2700., 0.}}},
       2);

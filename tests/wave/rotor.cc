@@ -57,8 +57,10 @@ class RotorForms : public testing::TestWithParam<ElementKind>
 TEST_P(RotorForms, HaveTheSameModesAndRigidOnes)
 {
   const RotorGeometry rotor = rotor_with(GetParam());
-  const SectorMesh half     = make_rotor_sector(rotor, 90, SectorForm::half, {}, MPI_COMM_WORLD),
-                   whole    = make_rotor_sector(rotor, 90, SectorForm::whole, {}, MPI_COMM_WORLD);
+  const SectorMesh half     = make_rotor_sector(rotor_body(rotor, 90), SectorForm::half, {},
+                                                MPI_COMM_WORLD),
+                   whole    = make_rotor_sector(rotor_body(rotor, 90), SectorForm::whole, {},
+                                                MPI_COMM_WORLD);
   const CyclicSector half_sector(half, material, 2), whole_sector(whole, material, 2);
   expect_same_modes(half_sector, whole_sector, {0, 1, 7}, 2);
 }
@@ -76,7 +78,7 @@ TEST(RotorLong, HasErrorBarsThatHoldWhatAFarBetterMeshFinds)
       const auto search_on = [&](const unsigned int level, const unsigned int degree)
       {
         const SectorMesh mesh =
-            make_rotor_sector(rotor_with(flange, bar_stiffness), 90, SectorForm::half,
+            make_rotor_sector(rotor_body(rotor_with(flange, bar_stiffness), 90), SectorForm::half,
                               RotorGrading::level(level), MPI_COMM_WORLD);
         ModeSearch search(material, request({2, 7}));
         search.compute(mesh, degree);
@@ -107,8 +109,8 @@ namespace
 
   Findings findings(const RotorGeometry &rotor, const unsigned int level, const unsigned int degree)
   {
-    const SectorMesh mesh =
-        make_rotor_sector(rotor, 90, SectorForm::half, RotorGrading::level(level), MPI_COMM_WORLD);
+    const SectorMesh mesh = make_rotor_sector(rotor_body(rotor, 90), SectorForm::half,
+                                              RotorGrading::level(level), MPI_COMM_WORLD);
     const CyclicSector sector(mesh, material, degree);
     Findings found;
     ModeSolver solver(sector);
@@ -192,7 +194,8 @@ TEST(Rotor, OnSoftBarsMovesAsARigidBody)
     const double a = mass * inertia - moment * moment, b = k * inertia + k_t * mass;
     const double root = std::sqrt(b * b - 4. * a * k * k_t);
 
-    const SectorMesh mesh = make_rotor_sector(rotor, 90, SectorForm::half, {}, MPI_COMM_WORLD);
+    const SectorMesh mesh =
+        make_rotor_sector(rotor_body(rotor, 90), SectorForm::half, {}, MPI_COMM_WORLD);
     const CyclicSector sector(mesh, material, 3);
     std::vector<double> eigenvalues;
     for (const Mode &mode : ModeSolver(sector).lowest(1, 2))
@@ -217,7 +220,8 @@ TEST(Rotor, WithHardlyAFlangeIsARing)
       std::sqrt(aluminium.young_modulus / aluminium.density * height * height / 12.) /
       (2. * M_PI * radius * radius);
 
-  const SectorMesh mesh = make_rotor_sector(rotor, 90, SectorForm::half, {}, MPI_COMM_WORLD);
+  const SectorMesh mesh =
+      make_rotor_sector(rotor_body(rotor, 90), SectorForm::half, {}, MPI_COMM_WORLD);
   ModeSearch search(material, request({2}));
   search.compute(mesh, 3);
   bool seen = false;

@@ -5,6 +5,8 @@
 #include <ringmotor/mesh/slots.h>
 #include <ringmotor/parameters/motor.h>
 
+#include <optional>
+
 namespace ringmotor
 {
   struct Parameters;
@@ -15,6 +17,10 @@ namespace ringmotor
     Section section;
     Slots slots;
     double skin_thickness = 0.; ///< m, of a shell of ceramic bonded to the edges ids::skin; 0: none
+    double shell_thickness = 0.; ///< m, of Section::shell
+    /** m, what is thinnest at re-entrant corners, where dimensions tell; else edges do. */
+    std::optional<double> thinnest = {};
+    double bar_stiffness           = 0.; ///< N/m^3, of bars at the edges ids::radial_bars
   };
 
   /** The stator that dimensions describe: a trapezoid of one cell for the base and one for the
@@ -26,6 +32,11 @@ namespace ringmotor
    * and for parts without material */
   RevolvedBody stator_body(const Parameters &parameters);
 
-  /** The rotor of `Rotor/Section file`. @throws UserError as above */
+  /** The rotor that dimensions describe: a ring with a flange and its lip, all solid, or with a
+   * flange that is a shell from half its thickness away from the ring on. z is the height above the
+   * plane of the tooth tops. */
+  RevolvedBody rotor_body(const RotorGeometry &rotor, const unsigned int n_teeth);
+
+  /** The rotor of `Rotor/Section file`, or of the dimensions. @throws UserError as above */
   RevolvedBody rotor_body(const Parameters &parameters);
 } // namespace ringmotor

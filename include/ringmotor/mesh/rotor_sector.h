@@ -2,18 +2,18 @@
 #pragma once
 
 #include <ringmotor/mesh/interface_grading.h>
+#include <ringmotor/mesh/revolved_body.h>
 #include <ringmotor/mesh/sector_mesh.h>
-#include <ringmotor/parameters/motor.h>
 
 namespace ringmotor
 {
   /** How finely ring and flange of the rotor are meshed. */
   struct RotorGrading
   {
-    double first   = 0.5;    ///< width of the cells where flange and ring meet, over its thickness
-    double ratio   = 0.3;    ///< of the distances of successive mesh lines from these edges
-    double longest = 0.6;    ///< cell, over the width or height of the ring beyond these edges:
-                             ///< longer ones are too stiff in bending
+    double first   = 0.5; ///< width of the cells at re-entrant corners, over what is thinnest there
+    double ratio   = 0.3; ///< of the distances of successive mesh lines from these edges
+    double longest = 0.6; ///< cell, over the width or height of the ring beyond these edges:
+                          ///< longer ones are too stiff in bending
     unsigned int n_span = 2; ///< cells of a flange that is a shell, between lip and ring
     unsigned int n_lip  = 1; ///< cells across its lip, at least
 
@@ -22,14 +22,11 @@ namespace ringmotor
   };
 
   /**
-   * Meshes the sector of the rotor that belongs to one tooth, with cells of exact cylindrical
-   * shape: ring, flange and lip as solids, or the flange with its lip as a shell that starts half
-   * its thickness away from the ring. z is the height above the plane of the tooth tops. Cells
-   * shrink towards the two edges where the flange meets the ring. @p lip sets the division of the
-   * lip, with cells that shrink towards its outer edge and its lower face. The geometry must have
-   * passed check_for_stator().
+   * Meshes the sector of a rotor that belongs to one tooth, with cells of exact cylindrical shape.
+   * Cells shrink towards re-entrant corners. @p lip sets the division of the edges in contact, with
+   * cells that shrink towards the outer end and away from the face.
    */
-  SectorMesh make_rotor_sector(const RotorGeometry &rotor, const unsigned int n_teeth,
-                               const SectorForm form, const RotorGrading &grading,
-                               MPI_Comm communicator, const InterfaceGrading &lip = {});
+  SectorMesh make_rotor_sector(const RevolvedBody &rotor, const SectorForm form,
+                               const RotorGrading &grading, MPI_Comm communicator,
+                               const InterfaceGrading &lip = {});
 } // namespace ringmotor

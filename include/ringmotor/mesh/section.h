@@ -31,6 +31,15 @@ namespace ringmotor
     std::vector<Cell> cells;
     std::map<Edge, dealii::types::boundary_id> names; ///< of some edges
 
+    /** The line of a shell, from its free end, in contact up to some point, to where it is tied to
+     * solids (edges ids::shell_root). */
+    struct ShellLine
+    {
+      std::vector<dealii::Point<2>> points;
+      unsigned int n_in_contact = 0; ///< of its segments
+    };
+    ShellLine shell{}; ///< empty: none
+
     static Edge edge(const unsigned int a, const unsigned int b)
     {
       return {std::min(a, b), std::max(a, b)};
