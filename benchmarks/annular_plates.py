@@ -213,7 +213,7 @@ def main():
     parser.add_argument("--step", type=float, default=20e-3, help="radius of the step, m")
     parser.add_argument("--step-ratio", type=float, default=2., help="thickness outside the step over that inside")
     parser.add_argument("--poisson-ratio", type=float, default=0.33)
-    parser.add_argument("--thicknesses", type=float, nargs="+", default=[0.01, 0.02, 0.05], help="over the outer radius")
+    parser.add_argument("--thicknesses", type=float, nargs="+", default=[0.01, 0.02, 0.05], help="over the radius")
     parser.add_argument("--modes", type=int, default=2, help="for each n")
     parser.add_argument("--last", type=int, default=4, help="the largest n")
     options = parser.parse_args()
