@@ -3,8 +3,7 @@
 sector of a body of revolution.
 
 The cells are those between lines of constant r, theta and z, graded towards re-entrant edges. Where a line has one
-cell between two stops on level 1, it has m on level m, in all three directions. Around the slots the level may be
-another one.
+cell between two stops on level 1, it has m on level m. Around the slots and along theta the level may be another one.
 """
 import math
 from dataclasses import dataclass
@@ -35,8 +34,8 @@ class Block:
 
 @dataclass
 class Section:
-    """Lengths in m. A line is its first place and then: next stop, cells on level 1, grading, and True where the level
-    of the slots holds. That along theta runs from 0 in the middle of the sector to 1 at its end; with teeth, to 1 at
+    """Lengths in m. A line is its first place and then: next stop, cells on level 1, grading, and True where the other
+    level holds. That along theta runs from 0 in the middle of the sector to 1 at its end; with teeth, to 1 at
     the slot's wall and 2 at the end."""
     blocks: list
     materials: dict  # by the part
@@ -56,8 +55,8 @@ class Section:
         """The smallest radius of the teeth."""
         return min(block.radii[0] for block in self.blocks if block.part == "tooth")
 
-    def mesh(self, level, slot_level):
-        heights, radii, half = (places(line, level, slot_level)
+    def mesh(self, level, other_level):
+        heights, radii, half = (places(line, level, other_level)
                                 for line in (self.axial_line, self.radial_line, self.angular_line))
         section = [(corners, part) for corners in rectangles(heights, radii)
                    if (part := self._part_at(*numpy.mean(corners, axis=0)))]
@@ -86,11 +85,11 @@ class Section:
         return clamped + cyclic_cards(mesh, self.half_pitch, self.n_sectors, diameters, n_modes)
 
 
-def places(line, level, slot_level):
+def places(line, level, other_level):
     """The places of a line."""
     found = [line[0]]
-    for stop, n_cells, grading, *is_at_slot in line[1:]:
-        n_cells = math.ceil((slot_level if is_at_slot else level) * n_cells)
+    for stop, n_cells, grading, *is_other in line[1:]:
+        n_cells = math.ceil((other_level if is_other else level) * n_cells)
         found += list(found[-1] + (stop - found[-1]) * GRADINGS[grading](numpy.arange(1, n_cells + 1) / n_cells))
     return numpy.array(found)
 
@@ -118,7 +117,7 @@ def disc_rotor():
         [5e-3, (9e-3, 1, ">"), (11e-3, 1, "<"), (23e-3, 2, "-"), (25e-3, 1, ">"), (26e-3, 1, "<"),
          (27.5e-3, 1, "("), (29e-3, 1, ")"), (30e-3, 1, "(")],
         [0., (0.5e-3, 1, ")"), (1.5e-3, 1, "("), (2.5e-3, 1, ">"), (top, 1, "<")],
-        [0., (1., 0.5, "-")], 48)
+        [0., (1., 1, "-", True)], 96)
 
 
 def stepped_ring():
@@ -127,7 +126,7 @@ def stepped_ring():
         [Block("base", (10e-3, 30e-3), (0., 2e-3)), Block("base", (20e-3, 30e-3), (2e-3, 4e-3))], {"base": BRONZE},
         [10e-3, (17e-3, 1, "-"), (20e-3, 1, ">"), (23e-3, 1, "<"), (30e-3, 1, "-")],
         [0., (1e-3, 1, "-"), (2e-3, 1, ">"), (3e-3, 1, "<"), (4e-3, 1, "-")],
-        [0., (1., 0.5, "-")], 48)
+        [0., (1., 1, "-", True)], 96)
 
 
 def thin_plate(thickness):
@@ -135,4 +134,4 @@ def thin_plate(thickness):
     return Section(
         [Block("base", (10e-3, 30e-3), (0., thickness))], {"base": BRONZE},
         [10e-3, (12e-3, 1, "("), (28e-3, 2, "-"), (30e-3, 1, ")")], [0., (thickness, 0.5, "-")],
-        [0., (1., 0.5, "-")], 48, clamped_radius=10e-3)
+        [0., (1., 1, "-", True)], 96, clamped_radius=10e-3)

@@ -7,16 +7,17 @@ usage: benchmarks/sections_by_calculix.py [--sections disc_stator disc_rotor ste
        benchmarks/sections_by_calculix.py --thin 0.01 0.02 0.04
 
 CalculiX (Debian package calculix-ccx) gets meshes of quadratic bricks with full integration (C3D20), made in
-calculix_sections.py without the files of Gmsh, with cyclic symmetry: one tooth pitch of the stator, 7.5 degrees of the
+calculix_sections.py without the files of Gmsh, with cyclic symmetry: one tooth pitch of the stator, 3.75 degrees of the
 others. Bodies without a clamped edge are free; their motions as rigid bodies are left out. With full integration all
-frequencies decrease to their limits. These follow from the three finest meshes with the exponent that they show, no
-less than 1.5 and no more than 4; the uncertainty is half of the step from the finest mesh to the limit, and at least
-5e-6 of the frequency, for what CalculiX's seven digits and its solver of eigenproblems leave.
+frequencies decrease to their limits. These follow from three meshes with the exponent that they show, no
+less than 1.5 and no more than 4, or from two with the exponent 4 where solutions are smooth; the uncertainty is half of
+the step from the finest mesh to the limit, and at least 5e-6 of the frequency, for what CalculiX's seven digits and its
+solver of eigenproblems leave.
 
-A stator has two series of meshes: finer ones everywhere but around the slots, and finer ones around the slots alone.
-Its limit is the first mesh's frequency and the steps from there to the limits of both series, whose uncertainties add
-up. What is finer in both ways at once changes by the product of both steps, with a factor that one more mesh tells;
-half of this is uncertainty, too.
+There are two series of meshes: one is finer along r and z, the other along theta; with slots, the other is finer
+around the slots in all directions. The limit is the frequency on the first mesh and the steps from there to the limits
+of both series, whose uncertainties add up. A mesh that is finer in both ways differs from this by a term in proportion
+to the product of both steps; this product over the frequency is uncertainty, too.
 
 With --keep, meshes and results stay in a folder, and a run whose results are there is not repeated.
 
@@ -39,9 +40,9 @@ import calculix_sections  # noqa: E402
 from against_calculix import RIGID, by_diameter, extrapolated  # noqa: E402
 from calculix import check_installed, read_modes, run_calculix  # noqa: E402
 
-LEVELS = (2, 3, 4)
-STATOR_LEVELS = [(2, 1), (3, 1), (4, 1)], [(2, 2), (2, 3), (2, 4)]  # everywhere else, around the slots
-BOTH_LEVELS = (3, 2)
+# Meshes of both series: level, other level (see calculix_sections.py)
+STATOR_SERIES = [(2, 1), (3, 1), (4, 1)], [(2, 1), (2, 2), (2, 3)]
+SERIES = [(3, 1), (4, 1), (6, 1)], [(3, 1), (3, 2)]
 SECTIONS = ("disc_stator", "disc_rotor", "stepped_ring")
 EXPONENTS = 1.5, 4.  # the least and the largest
 LEAST_UNCERTAINTY = 5e-6  # relative
@@ -49,7 +50,9 @@ CONSTANTS = "Young modulus (Pa), Poisson ratio, density (kg/m^3)"
 
 
 def exponent_of(sizes, frequencies):
-    """That of the errors on three meshes, within its bounds."""
+    """That of the errors on three meshes, within its bounds; on two, that of smooth solutions."""
+    if len(frequencies) == 2:
+        return EXPONENTS[1]
     first, before, last = frequencies
     if not first > before > last:
         return EXPONENTS[0]
@@ -66,8 +69,8 @@ def exponent_of(sizes, frequencies):
 
 def limit_of(levels, frequencies):
     """The limit, its uncertainty and the exponent."""
-    sizes = [1. / level for level in levels[-3:]]
-    exponent = exponent_of(sizes, frequencies[-3:])
+    sizes = [1. / level for level in levels]
+    exponent = exponent_of(sizes, frequencies)
     limit, uncertainty = extrapolated(sizes, frequencies, exponent)
     return limit, max(uncertainty, LEAST_UNCERTAINTY * limit), exponent
 
@@ -88,12 +91,15 @@ def modes_on(section, levels, options, folder):
     return {n: frequencies[::2][:options.modes] for n, frequencies in modes.items()}
 
 
+def series_of(section):
+    return STATOR_SERIES if section.slot_width > 0. else SERIES
+
+
 def limits(name, section, options, folder):
     """(n, mode, limit, uncertainty) of each mode."""
-    series = STATOR_LEVELS if section.slot_width > 0. else [[(level, level) for level in LEVELS]]
-    all_levels = sum(series, []) + ([BOTH_LEVELS] if len(series) > 1 else [])
+    series = series_of(section)
     runs = {levels: modes_on(section, levels, options, folder / f"{name}_{levels[0]}_{levels[1]}")
-            for levels in all_levels}
+            for levels in dict.fromkeys(sum(series, []))}
     for n in range(options.last + 1):
         for mode in range(options.modes):
             found = {levels: run[n][mode] for levels, run in runs.items()}
@@ -104,23 +110,21 @@ def limits(name, section, options, folder):
 
 
 def limit_of_series(series, found):
-    """The limit of one or two series of meshes, its uncertainty and the exponents."""
+    """The limit of both series of meshes, its uncertainty and the exponents."""
     first = found[series[0][0]]
-    both, uncertainty, steps, exponents = 0., 0., [], []
+    uncertainty, steps, exponents = 0., [], []
     for which, levels in enumerate(series):
         limit, part, exponent = limit_of([pair[which] for pair in levels], [found[pair] for pair in levels])
         steps.append(limit - first)
         uncertainty += part
         exponents.append(f"{exponent:.2f}")
-    if len(series) > 1:
-        single = [found[BOTH_LEVELS[0], series[0][0][1]] - first, found[series[0][0][0], BOTH_LEVELS[1]] - first]
-        both = (found[BOTH_LEVELS] - first - sum(single)) * math.prod(steps) / math.prod(single)
-    return first + sum(steps) + both, uncertainty + 0.5 * abs(both), " ".join(exponents)
+    uncertainty += abs(math.prod(steps)) / first
+    return first + sum(steps), uncertainty, " ".join(exponents)
 
 
 def header(sections):
     """Lines that tell how the file was made."""
-    lines = ["Natural frequencies of revolved sections, extrapolated from CalculiX's on three meshes of quadratic",
+    lines = ["Natural frequencies of revolved sections, extrapolated from CalculiX's on several meshes of quadratic",
              "bricks (C3D20) with cyclic symmetry, by benchmarks/sections_by_calculix.py. Mode 1 is the lowest elastic",
              f"one of n nodal diameters. Materials: {CONSTANTS}."]
     for name, section in sections.items():
@@ -129,9 +133,9 @@ def header(sections):
         teeth = (f"; {section.n_sectors} teeth between slots with parallel walls of {1e3 * section.slot_width:g} mm"
                  if section.slot_width > 0. else "")
         support = f"clamped at r = {1e3 * section.clamped_radius:g} mm" if section.clamped_radius > 0. else "free"
-        levels = [*STATOR_LEVELS, BOTH_LEVELS] if teeth else LEVELS
+        levels = ", ".join(map(str, dict.fromkeys(sum(series_of(section), []))))
         lines += [f"{name}: {materials}{teeth}; {support};",
-                  f"  levels {', '.join(map(str, levels))} of {name} in benchmarks/calculix_sections.py"]
+                  f"  levels {levels} of {name} in benchmarks/calculix_sections.py"]
     return ["# " + line for line in lines]
 
 
