@@ -41,10 +41,11 @@ def with_middles(line):
     return numpy.insert(line, numpy.arange(1, len(line)), 0.5 * (line[1:] + line[:-1]))
 
 
-def extruded(section, stations, place):
+def extruded(section, stations, place, is_there=lambda material, station: True):
     """Bricks between stations over a section of quadrilaterals (four corners, material), whose two coordinates
     and that of the stations are right-handed in this order; `place` maps all three to r, theta, z. Middle nodes are
-    mapped as well, so that they lie on curved surfaces."""
+    mapped as well, so that they lie on curved surfaces. `is_there` tells by the station in the middle of a brick
+    whether the material reaches there."""
     stations = with_middles(numpy.asarray(stations))
     numbers, places, bricks = {}, [], {}
 
@@ -59,6 +60,8 @@ def extruded(section, stations, place):
         corners = numpy.asarray(corners)
         middles = 0.5 * (corners + numpy.roll(corners, -1, axis=0))
         for first in range(0, len(stations) - 1, 2):
+            if not is_there(material, stations[first + 1]):
+                continue
             bricks.setdefault(material, []).append(
                 [number_of(point, station) for points, station in (
                     (corners, first), (corners, first + 2), (middles, first), (middles, first + 2),
@@ -68,6 +71,21 @@ def extruded(section, stations, place):
 
 def nodes_card(name, nodes):
     return [f"*NSET, NSET={name}"] + [f"{number}," for number in nodes]
+
+
+def cyclic_cards(mesh, half_angle, n_sectors, diameters, n_modes, close=1e-9):
+    """The lowest modes of each nodal diameter of a whole sector between minus and plus half an angle: each of them is
+    found twice, and so are the motions of a free body as a rigid one, two each with 0 and 1 nodal diameters."""
+    sides = [nodes_card(name, mesh.nodes_where(lambda r, theta, z, sign=sign: sign * theta > half_angle - close)) +
+             [f"*SURFACE, NAME={name}FACE, TYPE=NODE", name] for name, sign in (("LOW", -1.), ("HIGH", 1.))]
+    steps = []
+    for group, n_solved in (([n for n in diameters if n < 2], 2 * n_modes + 4),
+                            ([n for n in diameters if n >= 2], 2 * n_modes)):
+        if group:
+            steps += ["*STEP", "*FREQUENCY", f"{n_solved}",
+                      f"*SELECT CYCLIC SYMMETRY MODES, NMIN={min(group)}, NMAX={max(group)}", "*END STEP"]
+    return [*sides[0], *sides[1], "*TIE, POSITION TOLERANCE=1e-8, CYCLIC SYMMETRY, NAME=CUT", "LOWFACE, HIGHFACE",
+            f"*CYCLIC SYMMETRY MODEL, N={n_sectors}, TIE=CUT, NGRAPH=1", "0, 0, 0, 0, 0, 1", *steps]
 
 
 def write_input(path, mesh, materials, cards, element):

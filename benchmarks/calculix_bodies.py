@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy
 
-from calculix import extruded, nodes_card
+from calculix import cyclic_cards, extruded, nodes_card
 
 # Rotor
 N_SOLVED = 8  # modes, with those of 3n and 5n waves
@@ -173,19 +173,8 @@ class Stator:
         return section
 
     def cards(self, mesh, diameters, n_modes):
-        """The lowest modes of each nodal diameter: each of them is found twice, and so are the motions of the free
-        sector as a rigid body, two each with 0 and 1 nodal diameters."""
-        sides = [nodes_card(name, mesh.nodes_where(lambda r, theta, z, sign=sign:
-                                                   sign * theta > self.half_pitch - CLOSE)) +
-                 [f"*SURFACE, NAME={name}FACE, TYPE=NODE", name] for name, sign in (("LOW", -1.), ("HIGH", 1.))]
-        steps = []
-        for group, n_solved in (([n for n in diameters if n < 2], 2 * n_modes + 4),
-                                ([n for n in diameters if n >= 2], 2 * n_modes)):
-            if group:
-                steps += ["*STEP", "*FREQUENCY", f"{n_solved}",
-                          f"*SELECT CYCLIC SYMMETRY MODES, NMIN={min(group)}, NMAX={max(group)}", "*END STEP"]
-        return [*sides[0], *sides[1], "*TIE, POSITION TOLERANCE=1e-8, CYCLIC SYMMETRY, NAME=CUT", "LOWFACE, HIGHFACE",
-                f"*CYCLIC SYMMETRY MODEL, N={self.n_teeth}, TIE=CUT, NGRAPH=1", "0, 0, 0, 0, 0, 1", *steps]
+        """The lowest modes of each nodal diameter."""
+        return cyclic_cards(mesh, self.half_pitch, self.n_teeth, diameters, n_modes, CLOSE)
 
 
 def root_cells(size, n_cells):
