@@ -248,6 +248,12 @@ namespace ringmotor
         if (body == SectionOf::stator && !has(ids::base))
           refuse("it has no base", "name the metal that the slots do not reach: Physical "
                                    "Surface(\"base\")");
+        const bool has_contact =
+            std::any_of(section.names.begin(), section.names.end(),
+                        [](const auto &entry) { return entry.second == ids::tooth_top; });
+        if (has(ids::tooth) && !has_contact)
+          refuse("its teeth have no curve 'contact'",
+                 "name their tops: Physical Curve(\"contact\")");
         if (body == SectionOf::rotor && !has(ids::rotor))
           refuse("it has no rotor", "name the metal of the rotor: Physical Surface(\"rotor\")");
       }

@@ -76,7 +76,10 @@ namespace ringmotor
     const FoundMode *working = search.working_mode(n_waves);
     if (working == nullptr)
       return;
-    wave = make_result(search, *working);
+    const std::vector<ToothPoint> points = tooth_points(search.sector());
+    if (points.empty())
+      return;
+    wave = make_result(search, *working, points);
     const Sample now{shape_of(*wave), working->samples.back()};
     if (earlier)
     {
@@ -89,9 +92,9 @@ namespace ringmotor
     earlier = now;
   }
 
-  WaveResult MotorWave::make_result(const ModeSearch &search, const FoundMode &working) const
+  WaveResult MotorWave::make_result(const ModeSearch &search, const FoundMode &working,
+                                    const std::vector<ToothPoint> &points) const
   {
-    const std::vector<ToothPoint> points = tooth_points(search.sector());
     WaveResult result;
     result.found     = working;
     result.amplitude = request.amplitude;

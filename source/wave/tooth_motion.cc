@@ -174,7 +174,9 @@ namespace ringmotor
   {
     std::vector<ToothPoint> points;
     const std::vector<Face> top = tooth_top(sector), foot = tooth_foot(sector);
-    AssertThrow(!top.empty() && !foot.empty(), ExcMessage("The tooth has no top or no foot."));
+    if (top.empty())
+      return points;
+    AssertThrow(!foot.empty(), ExcMessage("The tooth has no foot."));
     add_points(sector, top, "top", points);
     add_points(sector, foot, "foot", points);
     return points;

@@ -340,6 +340,8 @@ TEST(SectionFile, RefusesMistakes)
             element.name = "tooth";
       },
       {"it has no base"});
+  refuse([](SectionText &text) { text.elements.pop_back(); },
+         {"teeth have no curve 'contact'", "Physical Curve"});
   refuse([](SectionText &text) { text.points[9][1] = text.points[8][1] = 3e-3; }, {"not convex"});
   expect_refusal(disc(), {"a surface has the name 'base'", "allowed: rotor, lining or adhesive"},
                  SectionOf::rotor);

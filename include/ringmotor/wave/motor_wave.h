@@ -56,8 +56,8 @@ namespace ringmotor
     /** Adds the result of the last compute() of @p search. */
     void add_pass(const ModeSearch &search);
 
-    /** The wave of the last pass; null if it is not among the modes. Its displacements are invalid
-     * after the next refinement. */
+    /** The wave of the last pass; null if it is not among the modes, or without teeth. Its
+     * displacements are invalid after the next refinement. */
     const WaveResult *result() const { return wave ? &*wave : nullptr; }
 
   private:
@@ -68,7 +68,8 @@ namespace ringmotor
       FrequencySample frequency;
     };
 
-    WaveResult make_result(const ModeSearch &search, const FoundMode &working) const;
+    WaveResult make_result(const ModeSearch &search, const FoundMode &working,
+                           const std::vector<ToothPoint> &points) const;
 
     const unsigned int n_waves;
     const Wave request;

@@ -40,7 +40,7 @@ namespace ringmotor
 
   /**
    * The 18 points where the tooth's motion is reported: inner, middle and outer radius times two
-   * edges and centre, of the tooth's top and of its foot.
+   * edges and centre, of the tooth's top and of its foot. None without teeth.
    */
   std::vector<ToothPoint> tooth_points(const CyclicSector &sector);
 
