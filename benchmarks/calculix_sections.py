@@ -133,5 +133,5 @@ def thin_plate(thickness):
     """A plate that is clamped at the inner edge, of the radii of benchmarks/annular_plates.py."""
     return Section(
         [Block("base", (10e-3, 30e-3), (0., thickness))], {"base": BRONZE},
-        [10e-3, (12e-3, 1, "("), (28e-3, 2, "-"), (30e-3, 1, ")")], [0., (thickness, 0.5, "-")],
+        [10e-3, (12e-3, 2, "("), (28e-3, 4, "-"), (30e-3, 1, ")")], [0., (thickness, 0.5, "-")],
         [0., (1., 1, "-", True)], 96, clamped_radius=10e-3)

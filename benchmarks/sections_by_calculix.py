@@ -134,7 +134,8 @@ def header(sections):
                  if section.slot_width > 0. else "")
         support = f"clamped at r = {1e3 * section.clamped_radius:g} mm" if section.clamped_radius > 0. else "free"
         levels = ", ".join(map(str, dict.fromkeys(sum(series_of(section), []))))
-        lines += [f"{name}: {materials};", f"  {support}{teeth}; levels {levels} of {name} in benchmarks/calculix_sections.py"]
+        lines += [f"{name}: {materials};",
+                  f"  {support}{teeth};", f"  levels {levels} of {name} in benchmarks/calculix_sections.py"]
     return ["# " + line for line in lines]
 
 
