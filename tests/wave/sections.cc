@@ -158,6 +158,15 @@ namespace
     return parameters;
   }
 
+  Parameters disc_stator()
+  {
+    Parameters parameters             = with_section(Body::stator, "meshes/disc60_stator.msh");
+    parameters.stator.slot_width      = 0.7e-3;
+    parameters.materials.stator_metal = {110e9, 0.33, 8800., 1e-3};
+    parameters.materials.piezoceramic = {81e9, 0.31, 7600., 1e-3};
+    return parameters;
+  }
+
   void expect_frequencies(Parameters parameters, const std::string &section,
                           const std::vector<unsigned int> &n_waves, const unsigned int n_modes,
                           const double target)
@@ -205,4 +214,5 @@ TEST(SectionsLong, HaveAllFrequenciesOfTheOtherProgram)
     all.push_back(n);
   expect_frequencies(disc_rotor(), "disc_rotor", all, 4, 1e-3);
   expect_frequencies(stepped_ring(), "stepped_ring", all, 4, 1e-3);
+  expect_frequencies(disc_stator(), "disc_stator", {0, 1, 2, 5, 9}, 3, 2e-3);
 }
