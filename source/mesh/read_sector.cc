@@ -279,11 +279,36 @@ namespace ringmotor
     }
   } // namespace
 
+  namespace
+  {
+    /** Replaces the physical ids that have one of our names by our own. */
+    void take_names(GmshMesh &mesh)
+    {
+      static const std::map<std::pair<long, std::string>, long> ids_of_names{
+          {{3, "base"}, ids::base},
+          {{3, "tooth"}, ids::tooth},
+          {{3, "piezoceramic"}, ids::piezoceramic},
+          {{2, "mirror"}, ids::mirror},
+          {{2, "cut"}, ids::cut},
+          {{2, "cut low"}, ids::cut_low},
+          {{2, "cut high"}, ids::cut_high},
+          {{2, "contact"}, ids::tooth_top}};
+      for (GmshMesh::Element &element : mesh.elements)
+      {
+        const long dimension = element.kind == GmshMesh::line ? 1 : is_volume(element) ? 3 : 2;
+        if (const auto known = ids_of_names.find({dimension, mesh.name_of(dimension, element)});
+            known != ids_of_names.end())
+          element.id = known->second;
+      }
+    }
+  } // namespace
+
   SectorMesh read_sector(const std::string &file, const unsigned int n_sectors,
                          MPI_Comm communicator)
   {
-    const GmshMesh gmsh =
+    GmshMesh gmsh =
         read_gmsh({file, "Stator/Mesh file", "hexahedra of first order (meshes/README.md)"});
+    take_names(gmsh);
     SectorMesh mesh{empty_triangulation<3>(communicator), SectorForm::half, n_sectors};
     Triangulation<3> &triangulation = *mesh.triangulation;
     MeshOfFile body(gmsh);

@@ -186,4 +186,12 @@ namespace ringmotor
     check_materials(parameters, section, "Rotor/Section file");
     return {section, {parameters.motor.n_teeth}};
   }
+
+  void check_bodies(const Parameters &parameters)
+  {
+    if (!parameters.stator.section_file.empty())
+      stator_body(parameters);
+    if (!parameters.rotor.section_file.empty())
+      rotor_body(parameters);
+  }
 } // namespace ringmotor

@@ -91,7 +91,7 @@ namespace ringmotor
 
   namespace
   {
-    void check_stator_geometry(const Parameters &parameters)
+    void check_dimensions(const Parameters &parameters)
     {
       const StatorGeometry &stator = parameters.stator;
       if (!stator.has_dimensions())
@@ -102,8 +102,6 @@ namespace ringmotor
         throw UserError("Rotor/Section file = " + in_quotes(parameters.rotor.section_file) +
                         " is not available in the program contact, which builds the rotor from the "
                         "dimensions; allowed: none, or the program stator with Modes/Body = rotor");
-      check_cross_section(stator, parameters.motor.n_teeth);
-      check_amplitude(parameters.wave, stator);
     }
 
     /** The wave must be among the modes that the program stator computes. */
@@ -176,6 +174,7 @@ namespace ringmotor
 
   std::vector<std::string> check_for_contact(const Parameters &parameters)
   {
+    check_dimensions(parameters);
     check_given(
         parameters,
         "contact and losses need a rotor, its preload and its friction; for the modes of the "
@@ -184,7 +183,8 @@ namespace ringmotor
     check_wave(parameters.motor);
     parameters.support.check();
     check_modes_for_contact(parameters);
-    check_stator_geometry(parameters);
+    check_cross_section(parameters.stator, parameters.motor.n_teeth);
+    check_amplitude(parameters.wave, parameters.stator);
     check_rotor(parameters.rotor);
     check_overlap(parameters.stator, parameters.rotor);
     check_clearance(parameters.stator, parameters.rotor);

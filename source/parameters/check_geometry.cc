@@ -2,6 +2,7 @@
 #include <ringmotor/parameters/check_geometry.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/parameters/prm_file.h>
+#include <ringmotor/parameters/short_text.h>
 
 #include <algorithm>
 #include <cmath>
@@ -91,6 +92,10 @@ namespace ringmotor
 
   void check_cross_section(const StatorGeometry &stator, const unsigned int n_teeth)
   {
+    if (stator.slot_angle)
+      throw UserError("Stator/Slot angle = " + short_text(*stator.slot_angle) +
+                      " is for a stator with a section file; allowed with dimensions: none, and "
+                      "Stator/Slot width");
     check_radii("Base", stator.base_inner_radius, stator.base_outer_radius);
     check_radii("Tip", stator.tip_inner_radius, stator.tip_outer_radius);
     check_slot(stator, n_teeth);

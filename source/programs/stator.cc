@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/mesh/revolved_body.h>
 #include <ringmotor/output/circuit_files.h>
 #include <ringmotor/output/files.h>
 #include <ringmotor/output/log.h>
@@ -367,6 +368,7 @@ namespace ringmotor
             [](const Parameters &parameters)
             {
               check_for_stator(parameters);
+              check_bodies(parameters);
               if (parameters.modes.body == Body::stator)
                 check_effects(parameters, EffectStage::stator);
             },

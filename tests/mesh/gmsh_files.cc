@@ -97,6 +97,37 @@ TEST(GmshFiles, MayHaveOtherSections)
   }
 }
 
+TEST(GmshFiles, MayNameTheirGroups)
+{
+  const std::map<int, std::string> names{{1, "base"},    {2, "tooth"},    {11, "mirror"},
+                                         {12, "cut"},    {13, "cut low"}, {14, "cut high"},
+                                         {15, "contact"}};
+  const Scratch scratch;
+  for (const auto form : {SectorForm::half, SectorForm::whole})
+  {
+    SmallSector sector(form);
+    std::string section = "$EndMeshFormat\n$PhysicalNames\n7\n";
+    for (const auto &[id, name] : names)
+    {
+      sector.mark_all(id, id + 100); // not ours
+      section += (id < 10 ? "3 " : "2 ") + std::to_string(id + 100) + " \"" + name + "\"\n";
+    }
+    std::string text = content_of(sector.write(scratch));
+    text.replace(text.find("$EndMeshFormat\n"), 15, section + "$EndPhysicalNames\n");
+    std::ofstream(scratch.path("named.msh")) << text;
+    const SectorMesh mesh  = read(scratch.path("named.msh"), 6),
+                     plain = read(SmallSector(form).write(scratch), 6);
+    EXPECT_EQ(mesh.form, form);
+    for (auto a = mesh.triangulation->begin_active(), b = plain.triangulation->begin_active();
+         a != mesh.triangulation->end(); ++a, ++b)
+    {
+      EXPECT_EQ(a->material_id(), b->material_id());
+      for (const unsigned int face : a->face_indices())
+        EXPECT_EQ(a->face(face)->boundary_id(), b->face(face)->boundary_id());
+    }
+  }
+}
+
 TEST(GmshFiles, MayHaveTagsOfPartitions)
 {
   const Scratch scratch;

@@ -39,4 +39,7 @@ namespace ringmotor
 
   /** The rotor of `Rotor/Section file`, or of the dimensions. @throws UserError as above */
   RevolvedBody rotor_body(const Parameters &parameters);
+
+  /** Reads the sections that the parameters name. @throws UserError as above */
+  void check_bodies(const Parameters &parameters);
 } // namespace ringmotor
