@@ -5,12 +5,13 @@
 Usage: scripts/figures.py CASE_DIR [OTHER_CASE_DIR]...      e.g. scripts/figures.py output/canon_ring
 
 Reads CASE_DIR/stator and writes, as PNG and SVG, into CASE_DIR/figures:
+  sections         cross-sections of stator and rotor with dimensions, parts, supports and loads
   elliptic_paths   paths of 18 points of a tooth in the travelling wave (Fig. 4 of Maeno et al. 1992)
   tooth_edge       amplitudes and phase along the outer edge of the teeth (Fig. 5 of the same paper)
   dispersion       natural frequency against the number of waves, with error bars
   electrodes       the arcs of both phases, with a piezoelectric ceramic
   admittance       of each phase around the resonance, with a piezoelectric ceramic
-All but the third need the motor's wave among the modes.
+The second and third need the motor's wave among the modes.
 From CASE_DIR/contact, where it exists:
   contact_shape        teeth and rotor over one and a half waves, without load (Fig. 8)
   normal_displacement  of teeth and rotor over two waves, without load (Fig. 9)
@@ -36,12 +37,13 @@ from drawing.contact_figures import (draw_contact_forces, draw_contact_shape, dr
 from drawing.curve_figures import draw_lip_amplification, draw_torque_speed
 from drawing.loss_figures import draw_drive, draw_efficiency, draw_energy, draw_losses
 from drawing.response_figure import draw_response
+from drawing.section_figure import draw_sections
 from drawing.stator_figures import draw_admittance, draw_dispersion, draw_electrodes, draw_elliptic_paths, draw_tooth_edge
 from results.case import CaseError, run_script
 from results.contact_case import ContactCase
 from results.losses_case import read_case
 
-STATOR_FIGURES = {"elliptic_paths": draw_elliptic_paths, "tooth_edge": draw_tooth_edge, "dispersion": draw_dispersion,
+STATOR_FIGURES = {"sections": draw_sections, "elliptic_paths": draw_elliptic_paths, "tooth_edge": draw_tooth_edge, "dispersion": draw_dispersion,
                   "electrodes": draw_electrodes, "admittance": draw_admittance}
 NEED_WAVE = (draw_elliptic_paths, draw_tooth_edge)
 NEED_CIRCUITS = (draw_electrodes, draw_admittance)
@@ -61,7 +63,9 @@ def remove_figure(folder, name):
 def figures_of_stator(case, contact, folder):
     figures = {}
     for name, draw in STATOR_FIGURES.items():
-        if draw in NEED_CIRCUITS and not case.circuits:
+        if draw is draw_sections and not case.sections:
+            remove_figure(folder, name)
+        elif draw in NEED_CIRCUITS and not case.circuits:
             remove_figure(folder, name)
         elif draw in NEED_WAVE and not case.wave:
             remove_figure(folder, name)

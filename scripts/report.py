@@ -23,6 +23,7 @@ MOST_POINTS = 60
 # table of the page -> figures below it and what they show
 FIGURES = {
     "glance": {
+        "sections": "Cross-sections of stator and rotor, in mm.",
         "paraview_motor": "The motor in ParaView, its displacement enlarged, the rotor cut open. Where teeth touch it: blue "
                           "nodes stick, orange ones slip.",
     },

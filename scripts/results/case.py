@@ -90,6 +90,7 @@ class Case(Results):
 
     summary  content of summary.json
     parameters  "Section/Entry" -> text
+    sections "stator" and "rotor", as far as they are known -> content of sections.json
     modes    list of dict: n, family, frequency_Hz, error_Hz
     wave     attributes and surface traces of the motor's wave, None if it is not among the modes
     points   with a wave: name of a point of the tooth -> dict of the columns of ellipses.csv
@@ -109,6 +110,9 @@ class Case(Results):
         self.load("modes.h5", self.read_modes)
         if self.wave:
             self.load("ellipses.csv", self.read_ellipses)
+        self.sections = {}
+        if self.has("sections.json"):
+            self.load("sections.json", self.read_sections)
         self.circuits = self.has("circuits.csv")
         if self.circuits:
             self.load("circuits.csv", self.read_circuits)
@@ -124,6 +128,10 @@ class Case(Results):
         self.target = checks.get("largest relative error bar of a frequency")
         # not so if the modes nearest to a frequency were asked for
         self.has_lowest_modes = float(self.parameters["Modes/Frequency target"]) == 0
+
+    def read_sections(self, path):
+        with open(path, encoding="utf-8") as file:
+            self.sections = json.load(file)
 
     def read_frequencies(self, path):
         with open(path, newline="", encoding="utf-8") as file:

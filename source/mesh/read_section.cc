@@ -21,20 +21,24 @@ namespace ringmotor
 
     Names parts_of(const SectionOf body)
     {
-      if (body == SectionOf::stator)
-        return {{"base", ids::base}, {"tooth", ids::tooth}, {"piezoceramic", ids::piezoceramic}};
-      return {{"rotor", ids::rotor}, {"lining", ids::lining}, {"adhesive", ids::adhesive}};
+      Names names;
+      for (const auto part : body == SectionOf::stator
+                                 ? std::vector{ids::base, ids::tooth, ids::piezoceramic}
+                                 : std::vector{ids::rotor, ids::lining, ids::adhesive})
+        names.emplace_back(name_of_part(part), part);
+      return names;
     }
 
+    /** The contact first. */
     Names edges_of(const SectionOf body)
     {
-      if (body == SectionOf::stator)
-        return {{"contact", ids::tooth_top}, {"clamped", ids::clamped}, {"felt", ids::bottom}};
-      return {{"contact", ids::lip},
-              {"pressed", ids::ring_top},
-              {"driven", ids::ring_bore},
-              {"bars", ids::radial_bars},
-              {"clamped", ids::clamped}};
+      Names names;
+      for (const auto edge : body == SectionOf::stator
+                                 ? std::vector{ids::tooth_top, ids::clamped, ids::bottom}
+                                 : std::vector{ids::lip, ids::ring_top, ids::ring_bore,
+                                               ids::radial_bars, ids::clamped})
+        names.emplace_back(name_of_edge(edge), edge);
+      return names;
     }
 
     std::string list_of(const Names &names)

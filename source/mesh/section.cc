@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/mesh/ids.h>
 #include <ringmotor/mesh/places.h>
 #include <ringmotor/mesh/section.h>
 
@@ -37,6 +38,25 @@ namespace ringmotor
       if (edges.count(edge) > 0)
         kept.names[edge] = name;
     return kept;
+  }
+
+  std::string name_of_part(const types::material_id part)
+  {
+    static const std::map<types::material_id, std::string> names{
+        {ids::base, "base"},   {ids::tooth, "tooth"},   {ids::piezoceramic, "piezoceramic"},
+        {ids::rotor, "rotor"}, {ids::lining, "lining"}, {ids::adhesive, "adhesive"}};
+    const auto found = names.find(part);
+    return found == names.end() ? "" : found->second;
+  }
+
+  std::string name_of_edge(const types::boundary_id edge)
+  {
+    static const std::map<types::boundary_id, std::string> names{
+        {ids::tooth_top, "contact"}, {ids::lip, "contact"},     {ids::ring_top, "pressed"},
+        {ids::ring_bore, "driven"},  {ids::clamped, "clamped"}, {ids::radial_bars, "bars"},
+        {ids::bottom, "felt"}};
+    const auto found = names.find(edge);
+    return found == names.end() ? "" : found->second;
   }
 
   SectionCuts::SectionCuts(const Section &section) : section(section)

@@ -25,8 +25,9 @@ namespace ringmotor
       parameters.piezoelectricity.dielectric_loss_factor    = of_ceramic.dielectric_loss_factor;
       parameters.piezoelectricity.piezoelectric_loss_factor = of_ceramic.piezoelectric_loss_factor;
       const Materials defaults;
-      for (Material Materials::*material : {&Materials::stator_metal, &Materials::piezoceramic,
-                                            &Materials::rotor_metal, &Materials::target_plate})
+      for (Material Materials::*material :
+           {&Materials::stator_metal, &Materials::piezoceramic, &Materials::rotor_metal,
+            &Materials::target_plate, &Materials::lining, &Materials::adhesive})
         (parameters.materials.*material).loss_factor = (defaults.*material).loss_factor;
     }
 
@@ -49,17 +50,26 @@ namespace ringmotor
       parameters.output.figures               = defaults.output.figures;
     }
 
+    /** Resets the materials of lining and adhesive. */
+    void forget_layers(Parameters &parameters)
+    {
+      const Materials defaults;
+      parameters.materials.lining   = defaults.lining;
+      parameters.materials.adhesive = defaults.adhesive;
+    }
+
     /** Resets the entries that only the programs contact and losses read. */
     void forget_after_the_wave(Parameters &parameters)
     {
       const Parameters defaults;
       parameters.rotor                 = defaults.rotor;
       parameters.materials.rotor_metal = defaults.materials.rotor_metal;
-      parameters.loading               = defaults.loading;
-      parameters.friction              = defaults.friction;
-      parameters.initial_deformation   = defaults.initial_deformation;
-      parameters.contact               = defaults.contact;
-      parameters.time                  = defaults.time;
+      forget_layers(parameters);
+      parameters.loading             = defaults.loading;
+      parameters.friction            = defaults.friction;
+      parameters.initial_deformation = defaults.initial_deformation;
+      parameters.contact             = defaults.contact;
+      parameters.time                = defaults.time;
       forget_drive(parameters);
       parameters.wave.response_torques.clear();
       for (const auto &effect : all_effects())
@@ -76,6 +86,10 @@ namespace ringmotor
       parameters.output = defaults.output;
       reset_loss_factors(parameters);
       parameters.wave.response_torques.clear();
+      if (parameters.rotor.section_file.empty())
+        forget_layers(parameters);
+      if (parameters.stator.section_file.empty())
+        parameters.stator.slot_angle = defaults.stator.slot_angle;
       if (parameters.wave.drive == Drive::amplitude)
         parameters.wave.voltage = defaults.wave.voltage;
       for (const auto &effect : all_effects())

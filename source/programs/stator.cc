@@ -3,6 +3,7 @@
 #include <ringmotor/output/circuit_files.h>
 #include <ringmotor/output/files.h>
 #include <ringmotor/output/log.h>
+#include <ringmotor/output/sections_file.h>
 #include <ringmotor/output/stator_files.h>
 #include <ringmotor/output/summary.h>
 #include <ringmotor/output/text.h>
@@ -267,6 +268,8 @@ namespace ringmotor
         const WaveResult *wave = body.wave();
         write_used_prm(folder + "used.prm", "stator", parameters);
         write_frequencies(folder + "frequencies.csv", body.search().modes());
+        if (of_stator)
+          write_sections(folder + "sections.json", parameters);
         if (of_stator)
           write_modes_h5(folder + "modes.h5", parameters, body.search().sector(),
                          body.search().modes(), wave, body.circuits());

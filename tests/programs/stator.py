@@ -88,7 +88,7 @@ class Results(unittest.TestCase):
     def test_figures_and_page(self):
         done = run(ROOT / "scripts" / "figures.py", self.case)
         self.assertEqual(done.returncode, 0, done.stderr)
-        for name in ("elliptic_paths", "tooth_edge", "dispersion"):
+        for name in ("sections", "elliptic_paths", "tooth_edge", "dispersion"):
             for kind in ("png", "svg"):
                 self.assertGreater((self.case / "figures" / f"{name}.{kind}").stat().st_size, 5000)
         page = run(ROOT / "scripts" / "summary.py", self.case)
@@ -121,7 +121,44 @@ class Results(unittest.TestCase):
         self.assertIn("--study", done.stderr)
 
 
+class Sections(unittest.TestCase):
+    """Both bodies from the sections of prm/disc60.prm: dimensions of meshes/disc60_*.geo."""
+
+    def test_draws_what_it_computes(self):
+        with tempfile.TemporaryDirectory() as case:
+            done = run(PROGRAM, ROOT / "prm" / "disc60.prm", "--output", case,
+                       *settings("Accuracy/Mode = fixed", "Accuracy/Polynomial degree = 2", "Accuracy/Refinement = 0"))
+            self.assertEqual(done.returncode, 0, done.stderr)
+            bodies = json.loads((pathlib.Path(case) / "stator" / "sections.json").read_text())
+            self.assertEqual(bodies["stator"]["slots"], {"number": 90, "width": 0.0007, "angle": None})
+            areas = {}
+            for body in bodies.values():
+                for cell in body["cells"]:
+                    (a, b), (c, d), (e, f), (g, h) = cell["corners"]
+                    area = 0.5 * ((e - a) * (h - d) - (f - b) * (g - c))
+                    areas[cell["part"]] = areas.get(cell["part"], 0) + area
+            for part, area in {"base": 12.5e-3 * 1e-3 + 7.5e-3 * 2.8e-3, "tooth": 7.5e-3 * 2e-3,
+                               "piezoceramic": 7.5e-3 * 0.5e-3, "lining": 3e-3 * 0.5e-3,
+                               "rotor": 4e-3 * 3e-3 + 16e-3 * 1e-3 + 5e-3 * 3e-3}.items():
+                self.assertAlmostEqual(areas[part] / area, 1, places=9)
+            contact = {name: [end for edge in body["edges"] if edge["name"] == "contact" for end in edge["ends"]]
+                       for name, body in bodies.items()}
+            self.assertEqual(min(r for r, _ in contact["rotor"]), 0.026)
+            for _, z in contact["stator"] + contact["rotor"]:
+                self.assertAlmostEqual(z, 4.8e-3, places=9)  # they touch
+            done = run(ROOT / "scripts" / "figures.py", case)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertGreater((pathlib.Path(case) / "figures" / "sections.svg").stat().st_size, 5000)
+
+
 class Mistakes(unittest.TestCase):
+    def test_contact_does_not_read_sections(self):
+        contact = pathlib.Path(PROGRAM).with_name("contact")
+        done = run(contact, ROOT / "prm" / "disc60.prm", "--check")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("Stator/Section file", done.stderr)
+        self.assertIn("not available in the program contact", done.stderr)
+
     def refused(self, status, expected, *arguments, **limits):
         """One line that contains `expected`, the status, and no results."""
         with tempfile.TemporaryDirectory() as case:

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -61,6 +62,10 @@ namespace ringmotor
     /** The same without the cells of all parts but one. */
     Section only(const dealii::types::material_id part) const;
   };
+
+  /** The names of parts and edges in files, `base` or `contact`; empty for those without. */
+  std::string name_of_part(const dealii::types::material_id part);
+  std::string name_of_edge(const dealii::types::boundary_id edge);
 
   /**
    * Cuts of a section that leave no hanging nodes. Opposite edges of a cell are parallel; those

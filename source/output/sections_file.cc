@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/mesh/ids.h>
+#include <ringmotor/mesh/revolved_body.h>
+#include <ringmotor/output/files.h>
+#include <ringmotor/output/sections_file.h>
+#include <ringmotor/parameters/required.h>
+
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+namespace ringmotor
+{
+  namespace
+  {
+    using Json = nlohmann::ordered_json;
+
+    /** The height (m) of the face in contact. */
+    double contact_height(const RevolvedBody &body, const dealii::types::boundary_id contact)
+    {
+      if (!body.section.shell.points.empty())
+        return body.section.shell.points.front()[1] - 0.5 * body.shell_thickness;
+      double lowest = std::numeric_limits<double>::infinity();
+      for (const auto &[edge, name] : body.section.names)
+        if (name == contact)
+          lowest = std::min(
+              {lowest, body.section.points[edge.first][1], body.section.points[edge.second][1]});
+      return std::isfinite(lowest) ? lowest : 0.;
+    }
+
+    /** @param rise m, by which the body is moved upwards */
+    Json to_json(const RevolvedBody &body, const double rise, const Parameters &parameters)
+    {
+      const auto place       = [&](const dealii::Point<2> &x) { return Json{x[0], x[1] + rise}; };
+      const Section &section = body.section;
+      Json cells = Json::array(), edges = Json::array();
+      for (const Section::Cell &cell : section.cells)
+      {
+        Json corners = Json::array();
+        for (const unsigned int corner : cell.corners)
+          corners.push_back(place(section.points[corner]));
+        cells.push_back({{"part", name_of_part(cell.part)}, {"corners", corners}});
+      }
+      for (const auto &[edge, id] : section.names)
+        if (const std::string name = name_of_edge(id);
+            !name.empty() && (name != "felt" || parameters.support.has_felt()))
+          edges.push_back(
+              {{"name", name},
+               {"ends", {place(section.points[edge.first]), place(section.points[edge.second])}}});
+      Json json{{"cells", cells}, {"edges", edges}};
+      if (!section.shell.points.empty())
+      {
+        Json points = Json::array();
+        for (const dealii::Point<2> &point : section.shell.points)
+          points.push_back(place(point));
+        json["shell"] = {{"points", points},
+                         {"segments_in_contact", section.shell.n_in_contact},
+                         {"thickness", body.shell_thickness}};
+      }
+      if (body.skin_thickness > 0.)
+        json["skin_thickness"] = body.skin_thickness;
+      if (body.slots.has_teeth())
+        json["slots"] = {{"number", body.slots.n_sectors},
+                         {"width", body.slots.angle ? Json() : Json(body.slots.width)},
+                         {"angle", body.slots.angle ? Json(*body.slots.angle) : Json()}};
+      return json;
+    }
+
+    bool has_rotor(const Parameters &parameters)
+    {
+      return !parameters.rotor.section_file.empty() ||
+             missing_entries(parameters, {"Rotor/"}).empty();
+    }
+  } // namespace
+
+  void write_sections(const std::string &path, const Parameters &parameters)
+  {
+    Json json   = Json::object();
+    double tops = 0.;
+    if (parameters.stator.mesh_file.empty())
+    {
+      const RevolvedBody stator = stator_body(parameters);
+      tops                      = contact_height(stator, ids::tooth_top);
+      json["stator"]            = to_json(stator, 0., parameters);
+    }
+    if (has_rotor(parameters))
+    {
+      const RevolvedBody rotor = rotor_body(parameters);
+      json["rotor"]            = to_json(rotor, tops - contact_height(rotor, ids::lip), parameters);
+    }
+    write_file(path, json.dump(1) + "\n");
+  }
+} // namespace ringmotor
