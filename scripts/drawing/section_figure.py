@@ -66,11 +66,12 @@ def draw_body(axes, body):
     return corners
 
 
-def ticks_of(places, span):
-    """Distinct places in mm, no closer to each other than labels need."""
+def ticks_of(places, other_places):
+    """Distinct places in mm, no closer to each other than labels need; both axes have one scale."""
+    length = max(np.ptp(places), 0.7 * np.ptp(other_places)) / MILLI
     ticks = []
     for place in sorted({round(place / MILLI, 4) for place in places}):
-        if not ticks or place - ticks[-1] > 0.02 * span:
+        if not ticks or place - ticks[-1] > 0.027 * length:
             ticks.append(place)
     return ticks
 
@@ -87,9 +88,8 @@ def draw_sections(case):
     axes = figure.subplots()
     corners = [corner for body in bodies.values() for corner in draw_body(axes, body)]
     radii, heights = np.array(corners).T
-    span = max(np.ptp(radii), 1.6 * np.ptp(heights)) / MILLI
-    axes.set_xticks(ticks_of(radii, span))
-    axes.set_yticks(ticks_of(heights, span))
+    axes.set_xticks(ticks_of(radii, heights))
+    axes.set_yticks(ticks_of(heights, radii))
     axes.tick_params(axis="x", labelrotation=90)
     axes.tick_params(labelsize=7)
     axes.grid(color="#EFEFEF", lw=0.6)

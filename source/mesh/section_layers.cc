@@ -8,9 +8,9 @@
 #include <deal.II/base/numbers.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 namespace ringmotor
 {
@@ -144,78 +144,114 @@ namespace ringmotor
     return all.result();
   }
 
+  namespace
+  {
+    /** Puts layers of cells around points into a section. */
+    class Layering
+    {
+    public:
+      Layering(const Section &section, const SectionPoints &points, const unsigned int n_layers,
+               const double ratio)
+          : section(section), points(points), n_layers(n_layers),
+            ratio(ratio), layered{section.points, {}, {}, section.shell}
+      {
+        for (const Section::Cell &cell : section.cells)
+          add_cell(cell);
+        for (const auto &[edge, name] : section.names)
+          add_name(edge, name);
+      }
+
+      Section result() const { return layered; }
+
+    private:
+      /** On the edge from one of the points to another point, after so many layers. */
+      unsigned int on_edge(const unsigned int point, const unsigned int to,
+                           const unsigned int layer)
+      {
+        if (layer == 0)
+          return to;
+        const auto [entry, is_new] = on_edges.emplace(
+            std::array<unsigned int, 3>{{point, to, layer}}, layered.points.size());
+        if (is_new)
+          layered.points.push_back(section.points[point] +
+                                   std::pow(ratio, layer) *
+                                       (section.points[to] - section.points[point]));
+        return entry->second;
+      }
+
+      void add_cell(const Section::Cell &cell)
+      {
+        const auto at =
+            std::find_if(cell.corners.begin(), cell.corners.end(),
+                         [&](const unsigned int corner) { return points.count(corner) > 0; });
+        if (at == cell.corners.end())
+          layered.cells.push_back(cell);
+        else
+          add_layers(cell, at - cell.corners.begin());
+      }
+
+      void add_layers(const Section::Cell &cell, const unsigned int first)
+      {
+        const auto corner     = [&](const unsigned int i) { return cell.corners[(first + i) % 4]; };
+        const unsigned int at = corner(0), next = corner(1), far = corner(2), last = corner(3);
+        Assert(points.count(next) + points.count(far) + points.count(last) == 0,
+               ExcMessage("a cell has two singular points"));
+        unsigned int outer = far;
+        for (unsigned int layer = 0; layer < n_layers; ++layer)
+        {
+          const unsigned int inner = on_diagonal(at, next, far, last, layer + 1);
+          layered.cells.push_back(
+              {{{on_edge(at, next, layer + 1), on_edge(at, next, layer), outer, inner}},
+               cell.part});
+          layered.cells.push_back(
+              {{{inner, outer, on_edge(at, last, layer), on_edge(at, last, layer + 1)}},
+               cell.part});
+          outer = inner;
+        }
+        layered.cells.push_back(
+            {{{at, on_edge(at, next, n_layers), outer, on_edge(at, last, n_layers)}}, cell.part});
+      }
+
+      /** A new point where both coordinates of the cell's bilinear map are the same. */
+      unsigned int on_diagonal(const unsigned int at, const unsigned int next,
+                               const unsigned int far, const unsigned int last,
+                               const unsigned int layer)
+      {
+        const std::vector<Point<2>> &x = section.points;
+        const double share             = std::pow(ratio, layer);
+        const Tensor<1, 2> low         = x[at] + share * (x[next] - x[at]),
+                           high        = x[last] + share * (x[far] - x[last]);
+        layered.points.emplace_back(low + share * (high - low));
+        return layered.points.size() - 1;
+      }
+
+      void add_name(const Section::Edge &edge, const types::boundary_id name)
+      {
+        const bool from_first = points.count(edge.first) > 0;
+        const auto [at, to]   = from_first ? edge : Section::Edge{edge.second, edge.first};
+        const bool has_layers = points.count(at) > 0;
+        unsigned int outer    = to;
+        for (unsigned int layer = 1; has_layers && layer <= n_layers; ++layer)
+        {
+          const unsigned int inner                   = on_edge(at, to, layer);
+          layered.names[Section::edge(inner, outer)] = name;
+          outer                                      = inner;
+        }
+        layered.names[Section::edge(at, outer)] = name;
+      }
+
+      const Section &section;
+      const SectionPoints &points;
+      const unsigned int n_layers;
+      const double ratio;
+      Section layered;
+      std::map<std::array<unsigned int, 3>, unsigned int> on_edges; ///< point, to, layer
+    };
+  } // namespace
+
   Section with_layers(const Section &section, const SectionPoints &points,
                       const unsigned int n_layers, const double ratio)
   {
-    if (n_layers == 0)
-      return section;
-    Section layered{section.points, {}, {}, section.shell};
-    std::map<std::tuple<unsigned int, unsigned int, unsigned int>, unsigned int> on_edges;
-    /** On the edge from one of the points to another point, after so many layers. */
-    const auto on_edge =
-        [&](const unsigned int point, const unsigned int to, const unsigned int layer)
-    {
-      if (layer == 0)
-        return to;
-      const auto [entry, is_new] =
-          on_edges.emplace(std::make_tuple(point, to, layer), layered.points.size());
-      if (is_new)
-        layered.points.push_back(section.points[point] +
-                                 std::pow(ratio, layer) *
-                                     (section.points[to] - section.points[point]));
-      return entry->second;
-    };
-    for (const Section::Cell &cell : section.cells)
-    {
-      const std::array<unsigned int, 4> &c = cell.corners;
-      unsigned int i                       = 0;
-      while (i < 4 && points.count(c[i]) == 0)
-        ++i;
-      if (i == 4)
-      {
-        layered.cells.push_back(cell);
-        continue;
-      }
-      const unsigned int at = c[i], next = c[(i + 1) % 4], far = c[(i + 2) % 4],
-                         last = c[(i + 3) % 4];
-      Assert(points.count(next) + points.count(far) + points.count(last) == 0,
-             ExcMessage("a cell has two singular points"));
-      unsigned int outer = far;
-      for (unsigned int layer = 0; layer < n_layers; ++layer)
-      {
-        // The place of the cell's map, which is bilinear, at equal coordinates.
-        const double x           = std::pow(ratio, layer + 1);
-        const unsigned int inner = layered.points.size();
-        layered.points.push_back(Point<2>(
-            (1. - x) * (1. - x) * section.points[at] + x * (1. - x) * section.points[next] +
-            x * x * section.points[far] + x * (1. - x) * section.points[last]));
-        layered.cells.push_back(
-            {{{on_edge(at, next, layer + 1), on_edge(at, next, layer), outer, inner}}, cell.part});
-        layered.cells.push_back(
-            {{{inner, outer, on_edge(at, last, layer), on_edge(at, last, layer + 1)}}, cell.part});
-        outer = inner;
-      }
-      layered.cells.push_back(
-          {{{at, on_edge(at, next, n_layers), outer, on_edge(at, last, n_layers)}}, cell.part});
-    }
-    for (const auto &[edge, name] : section.names)
-    {
-      const bool from_first = points.count(edge.first) > 0;
-      if (!from_first && points.count(edge.second) == 0)
-      {
-        layered.names[edge] = name;
-        continue;
-      }
-      const auto [at, to] = from_first ? edge : Section::Edge{edge.second, edge.first};
-      unsigned int outer  = to;
-      for (unsigned int layer = 1; layer <= n_layers; ++layer)
-      {
-        const unsigned int inner                   = on_edge(at, to, layer);
-        layered.names[Section::edge(inner, outer)] = name;
-        outer                                      = inner;
-      }
-      layered.names[Section::edge(at, outer)] = name;
-    }
-    return layered;
+    return n_layers == 0 ? section : Layering(section, points, n_layers, ratio).result();
   }
 } // namespace ringmotor

@@ -189,8 +189,6 @@ namespace ringmotor
 
   OperatingState SteadyDriver::find_or_damp(const RotorLoad &load, const Way first_way) const
   {
-    if (!dynamics)
-      return find(load, *next);
     std::vector<const StepState *> starts{&*next};
     if (other)
       starts.push_back(&*other);
@@ -201,6 +199,16 @@ namespace ringmotor
         state.solution.how = tried + "; " + how + " it did";
       return state;
     };
+    if (!dynamics)
+      try
+      {
+        return find(load, *next);
+      }
+      catch (const ComputationError &error)
+      {
+        tried = error.what();
+        return with_history(find(load, from_rest(load)), "from rest");
+      }
     for (const Way way : {Way::at_once, Way::by_some_damping})
     {
       if (way < first_way)

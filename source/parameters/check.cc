@@ -97,11 +97,13 @@ namespace ringmotor
       if (!stator.has_dimensions())
         throw UserError(stator.file_entry() +
                         " is not available in the program contact, which builds its own tooth "
-                        "from the dimensions; allowed: none, or the program stator alone");
+                        "from the dimensions; allowed: none; for the modes of the stator alone, "
+                        "run the program stator");
       if (!parameters.rotor.section_file.empty())
         throw UserError("Rotor/Section file = " + in_quotes(parameters.rotor.section_file) +
                         " is not available in the program contact, which builds the rotor from the "
-                        "dimensions; allowed: none, or the program stator with Modes/Body = rotor");
+                        "dimensions; allowed: none; for the modes of the rotor alone, run the "
+                        "program stator with Modes/Body = rotor");
     }
 
     /** The wave must be among the modes that the program stator computes. */
