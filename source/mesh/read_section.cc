@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/mesh/check_section.h>
 #include <ringmotor/mesh/gmsh_mesh.h>
 #include <ringmotor/mesh/ids.h>
 #include <ringmotor/mesh/places.h>
 #include <ringmotor/mesh/read_section.h>
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -65,13 +64,15 @@ namespace ringmotor
         for (const Element &element : mesh.elements)
           if (element.kind == GmshMesh::quadrilateral)
             add_cell(element);
-        check_places();
-        check_connections();
+        check_body(section, mesh.file);
+        at_edges = section.cells_at_edges();
         for (const Element &element : mesh.elements)
           if (element.kind == GmshMesh::line)
             add_name(element);
-        check_teeth();
+        check_parts();
         check_contact();
+        if (body == SectionOf::stator)
+          check_teeth(section, mesh.file);
         return std::move(section);
       }
 
@@ -81,11 +82,6 @@ namespace ringmotor
       [[noreturn]] void refuse(const std::string &found, const std::string &what_to_do) const
       {
         mesh.file.refuse(found, what_to_do);
-      }
-
-      static std::string at(const Point<2> &point)
-      {
-        return "r = " + in_millimetres(point[0]) + ", z = " + in_millimetres(point[1]);
       }
 
       Point<2> middle(const std::vector<unsigned int> &nodes) const
@@ -103,14 +99,18 @@ namespace ringmotor
         for (const auto &[known, id] : names)
           if (known == name)
             return id;
-        const std::string place = ", at " + at(middle(element.nodes));
+        const std::string place = ", at " + in_words(middle(element.nodes));
+        if (element.id != 0 && name.empty())
+          refuse("a " + what + " has the physical id " + std::to_string(element.id) +
+                     " but no name" + place,
+                 "name it, Physical " + std::string(dimension == 2 ? "Surface" : "Curve") +
+                     "(\"...\"), one of " + list_of(names) +
+                     "; format 1 of Gmsh's files has no names");
         if (element.id == 0)
           refuse("a " + what + " has no name" + place,
                  "make it a part of Physical " + std::string(dimension == 2 ? "Surface" : "Curve") +
                      "(\"...\"), named " + list_of(names) + ", and do not set Mesh.SaveAll");
-        refuse("a " + what + " has the name '" +
-                   (name.empty() ? std::to_string(element.id) : name) + "'" + place,
-               "allowed: " + list_of(names));
+        refuse("a " + what + " has the name '" + name + "'" + place, "allowed: " + list_of(names));
       }
 
       void check_kinds() const
@@ -122,7 +122,7 @@ namespace ringmotor
         {
           has_cells = has_cells || element.kind == GmshMesh::quadrilateral;
           if (element.kind == GmshMesh::triangle)
-            refuse("it has triangles, one at " + at(middle(element.nodes)), advice);
+            refuse("it has triangles, one at " + in_words(middle(element.nodes)), advice);
           if (element.kind != GmshMesh::quadrilateral && element.kind != GmshMesh::line)
             refuse(element.nodes.empty() ? "it has elements of second order or of unknown kind"
                                          : "it has volumes: a section lies in a plane",
@@ -138,9 +138,10 @@ namespace ringmotor
         if (point == numbers::invalid_unsigned_int)
         {
           const Point<3> &x = mesh.nodes[node];
-          if (x[2] != 0.)
+          if (std::abs(x[2]) > places::file_rounding * std::hypot(x[0], x[1]))
             refuse(
-                "a point has the third coordinate " + in_metres(x[2]) + ", at " + at({x[0], x[1]}),
+                "a point has the third coordinate " + in_metres(x[2]) + ", at " +
+                    in_words(Point<2>(x[0], x[1])),
                 "draw the section in the plane of x = r and y = z, with a third coordinate of 0");
           point = section.points.size();
           section.points.emplace_back(x[0], x[1]);
@@ -167,59 +168,10 @@ namespace ringmotor
         constexpr double flat = 0.02;
         for (unsigned int i = 0; i < 4; ++i)
           if (!(turn(i) > flat))
-            refuse("a cell is not convex or has a straight corner, at " + at(middle(element.nodes)),
+            refuse("a cell is not convex or has a straight corner, at " +
+                       in_words(middle(element.nodes)),
                    "divide the surface into blocks with four corners each");
         section.cells.push_back(cell);
-      }
-
-      void check_places() const
-      {
-        double inner = std::numeric_limits<double>::max(), outer = 0.;
-        for (const Point<2> &x : section.points)
-        {
-          inner = std::min(inner, x[0]);
-          outer = std::max(outer, x[0]);
-        }
-        if (outer > 1.)
-          refuse("its outer radius is " + in_metres(outer),
-                 "lengths are in m: draw a section in mm with Mesh.ScalingFactor = 0.001");
-        if (inner < 0.01 * outer)
-          refuse("it reaches r = " + in_millimetres(inner),
-                 "x is the distance from the axis: leave a bore at the axis, of at least a "
-                 "hundredth of the outer radius, and draw one side of the axis only");
-      }
-
-      void check_connections() const
-      {
-        const auto at_edges = section.cells_at_edges();
-        std::vector<unsigned int> rank(section.cells.size()), parent(section.cells.size());
-        boost::disjoint_sets<unsigned int *, unsigned int *> bodies(rank.data(), parent.data());
-        for (unsigned int cell = 0; cell < section.cells.size(); ++cell)
-          bodies.make_set(cell);
-        for (const auto &[edge, cells] : at_edges)
-        {
-          const Point<2> place = 0.5 * (section.points[edge.first] + section.points[edge.second]);
-          if (cells.size() > 2)
-            refuse("cells lie on one another, at " + at(place),
-                   "make blocks that share their edges, and each surface part of one physical "
-                   "surface only");
-          if (cells.size() == 2)
-            bodies.union_set(cells[0], cells[1]);
-        }
-        for (unsigned int cell = 1; cell < section.cells.size(); ++cell)
-          if (bodies.find_set(cell) != bodies.find_set(0u))
-            refuse(
-                "it is in pieces: the cells at " + at(middle_of(0)) + " and at " +
-                    at(middle_of(cell)) + " are not connected",
-                "let blocks share their edges: use the same points and curves (Gmsh: Coherence)");
-      }
-
-      Point<2> middle_of(const unsigned int cell) const
-      {
-        Point<2> sum;
-        for (const unsigned int corner : section.cells[cell].corners)
-          sum += 0.25 * section.points[corner];
-        return sum;
       }
 
       void add_name(const Element &element)
@@ -229,10 +181,9 @@ namespace ringmotor
         const unsigned int name = id_of(element, 1, edges, "curve");
         const Section::Edge edge =
             Section::edge(point_of_node[element.nodes[0]], point_of_node[element.nodes[1]]);
-        const std::string what =
-            "the curve '" + mesh.name_of(1, element) + "', at " + at(middle(element.nodes)) + ",";
-        const auto at_edges = section.cells_at_edges();
-        const auto cells    = at_edges.find(edge);
+        const std::string what = "the curve '" + mesh.name_of(1, element) + "', at " +
+                                 in_words(middle(element.nodes)) + ",";
+        const auto cells = at_edges.find(edge);
         if (cells == at_edges.end())
           refuse(what + " is not an edge of the section", "name edges of the surfaces only");
         if (cells->second.size() > 1)
@@ -242,7 +193,7 @@ namespace ringmotor
           refuse(what + " has a second name", "give each edge one name");
       }
 
-      void check_teeth() const
+      void check_parts() const
       {
         const auto has = [&](const types::material_id part)
         {
@@ -252,12 +203,6 @@ namespace ringmotor
         if (body == SectionOf::stator && !has(ids::base))
           refuse("it has no base", "name the metal that the slots do not reach: Physical "
                                    "Surface(\"base\")");
-        const bool has_contact =
-            std::any_of(section.names.begin(), section.names.end(),
-                        [](const auto &entry) { return entry.second == ids::tooth_top; });
-        if (has(ids::tooth) && !has_contact)
-          refuse("its teeth have no curve 'contact'",
-                 "name their tops: Physical Curve(\"contact\")");
         if (body == SectionOf::rotor && !has(ids::rotor))
           refuse("it has no rotor", "name the metal of the rotor: Physical Surface(\"rotor\")");
       }
@@ -275,16 +220,18 @@ namespace ringmotor
           const Section::Cell &cell = section.cells[cells.front()];
           const Point<2> place = 0.5 * (section.points[edge.first] + section.points[edge.second]);
           const Tensor<1, 2> along = section.points[edge.second] - section.points[edge.first];
-          if (up * (place - middle_of(cells.front()))[1] <= 0. ||
-              std::abs(along[1]) > std::abs(along[0]))
+          Point<2> middle_of_cell;
+          for (const unsigned int corner : cell.corners)
+            middle_of_cell += 0.25 * section.points[corner];
+          if (up * (place - middle_of_cell)[1] <= 0. || std::abs(along[1]) > std::abs(along[0]))
             refuse("the curve 'contact' does not face the " +
                        std::string(body == SectionOf::stator ? "rotor" : "stator") + ", at " +
-                       at(place),
+                       in_words(place),
                    body == SectionOf::stator
                        ? "name the tops of the teeth, which face +z"
                        : "name the lower face of lip or lining, which faces -z");
           if (body == SectionOf::stator && cell.part != ids::tooth)
-            refuse("the curve 'contact' lies on the base, at " + at(place),
+            refuse("the curve 'contact' lies on the base, at " + in_words(place),
                    "name the tops of the part 'tooth'");
         }
       }
@@ -294,6 +241,7 @@ namespace ringmotor
       const SectionOf body;
       std::vector<unsigned int> point_of_node;
       Section section;
+      std::map<Section::Edge, std::vector<unsigned int>> at_edges;
     };
   } // namespace
 

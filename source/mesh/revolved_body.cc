@@ -7,8 +7,10 @@
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/parameters/parameters.h>
 #include <ringmotor/parameters/required.h>
+#include <ringmotor/parameters/short_text.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace ringmotor
 {
@@ -63,6 +65,43 @@ namespace ringmotor
                         {std::string("Materials/") + material + "/" + constant});
     }
 
+    bool has_name(const Section &section, const types::boundary_id name)
+    {
+      return std::any_of(section.names.begin(), section.names.end(),
+                         [&](const auto &entry) { return entry.second == name; });
+    }
+
+    /** @throws UserError if a felt touches nothing */
+    void check_felt(const Parameters &parameters, const Section &section)
+    {
+      if (parameters.support.has_felt() && !has_name(section, ids::bottom) &&
+          parameters.effects["Felt support"] != EffectChoice::off)
+        throw UserError("the section Support has a felt, but Stator/Section file has no curve "
+                        "'felt' that lies on it; name it, Physical Curve(\"felt\"), or set "
+                        "Effects/Felt support = off");
+    }
+
+    /** N/m^3, of bars over the height of the edges that they hold. @throws UserError for bars
+     * without stiffness or the other way round */
+    double bar_stiffness(const Parameters &parameters, const Section &section)
+    {
+      const std::string entry = "Rotor/Radial bar stiffness";
+      const bool is_given     = missing_entries(parameters, {entry}).empty(),
+                 has_bars     = has_name(section, ids::radial_bars);
+      if (has_bars)
+        check_given(parameters, "Rotor/Section file has the curve 'bars'", {entry});
+      const double stiffness = parameters.rotor.radial_bar_stiffness;
+      if (!has_bars && is_given && stiffness > 0.)
+        throw UserError(entry + " = " + short_text(stiffness) +
+                        ", but Rotor/Section file has no curve 'bars'; name it, Physical "
+                        "Curve(\"bars\"), or give 0");
+      double height = 0.;
+      for (const auto &[edge, name] : section.names)
+        if (name == ids::radial_bars)
+          height += section.length(edge);
+      return has_bars ? stiffness / height : 0.;
+    }
+
     /** @throws UserError if there is no tooth between them */
     void check_slots(const Parameters &parameters, const Slots &slots)
     {
@@ -73,15 +112,19 @@ namespace ringmotor
                     "Stator/Section file has the part 'tooth'; give the width of a slot between "
                     "parallel walls, or Stator/Slot angle",
                     {"Stator/Slot width"});
-      if (slots.half_width() >= slots.inner_radius * slots.half_pitch())
-        throw UserError(
-            (slots.angle ? "Stator/Slot angle = " + std::to_string(*slots.angle)
-                         : entry("Stator/Slot width", slots.width)) +
-            " leaves no tooth where teeth begin, at the " + entry("radius", slots.inner_radius) +
-            "; allowed with " + entry("Motor/Number of teeth", slots.n_sectors) + ": less than " +
-            (slots.angle
-                 ? std::to_string(2. * slots.half_pitch())
-                 : entry("the pitch there, width", 2. * slots.inner_radius * slots.half_pitch())));
+      // As for dimensions: half a pitch has to hold half the slot and some of half the tooth.
+      constexpr double most_slot = 0.95;
+      const double widest        = most_slot * 2. * slots.half_pitch();
+      const double pitch         = 2. * slots.inner_radius * std::sin(slots.half_pitch());
+      if (slots.angle ? *slots.angle > widest : slots.width > most_slot * pitch)
+        throw UserError((slots.angle ? "Stator/Slot angle = " + short_text(*slots.angle)
+                                     : entry("Stator/Slot width", slots.width)) +
+                        " leaves no tooth with " + entry("Motor/Number of teeth", slots.n_sectors) +
+                        " and " +
+                        entry("a smallest inner radius of the teeth", slots.inner_radius) +
+                        "; allowed: up to 95 % of the pitch, here " +
+                        (slots.angle ? "Stator/Slot angle = " + short_text(widest)
+                                     : entry("Stator/Slot width", most_slot * pitch)));
     }
   } // namespace
 
@@ -92,9 +135,13 @@ namespace ringmotor
       return stator_body(stator, parameters.motor.n_teeth);
     const Section section = read_section(stator.section_file, SectionOf::stator);
     check_materials(parameters, section, "Stator/Section file");
+    check_felt(parameters, section);
     const Slots slots =
         slots_of(section, parameters.motor.n_teeth, stator.slot_width, stator.slot_angle);
     check_slots(parameters, slots);
+    if (parameters.modes.body == Body::tooth && !slots.has_teeth())
+      throw UserError("Modes/Body = tooth needs teeth, but " + stator.file_entry() +
+                      " has no part 'tooth'; allowed: stator, or a section with it");
     return {section, slots};
   }
 
@@ -184,7 +231,9 @@ namespace ringmotor
       return rotor_body(parameters.rotor, parameters.motor.n_teeth);
     const Section section = read_section(parameters.rotor.section_file, SectionOf::rotor);
     check_materials(parameters, section, "Rotor/Section file");
-    return {section, {parameters.motor.n_teeth}};
+    RevolvedBody body{section, {parameters.motor.n_teeth}};
+    body.bar_stiffness = bar_stiffness(parameters, section);
+    return body;
   }
 
   void check_bodies(const Parameters &parameters)

@@ -64,8 +64,10 @@ namespace ringmotor
     {
       if (const std::string &file = parameters.rotor.section_file; !file.empty())
         check_mesh_file("Rotor/Section file", file);
+      const std::vector<std::string> metal{"Materials/Rotor metal/"},
+          with_dimensions{"Rotor/", metal.front()};
       check_given(parameters, "Modes/Body = rotor needs a rotor",
-                  {"Rotor/", "Materials/Rotor metal/"});
+                  parameters.rotor.section_file.empty() ? with_dimensions : metal);
       check_rotor(parameters.rotor);
       return;
     }

@@ -17,7 +17,8 @@ namespace ringmotor
 
   namespace
   {
-    const std::string constants_of_ceramic = "Piezoelectricity/", slot_width = "Stator/Slot width";
+    const std::string constants_of_ceramic = "Piezoelectricity/", slot_width = "Stator/Slot width",
+                      bar_stiffness = "Rotor/Radial bar stiffness";
 
     bool starts_with_one_of(const std::string &path, const std::vector<std::string> &starts)
     {
@@ -33,7 +34,7 @@ namespace ringmotor
         return path != slot_width || parameters.stator.slot_angle ||
                !parameters.stator.mesh_file.empty();
       if (!parameters.rotor.section_file.empty() && starts_with_one_of(path, {"Rotor/"}))
-        return true;
+        return path != bar_stiffness;
       if (parameters.stator.piezoceramic_thickness == 0. &&
           starts_with_one_of(path, {"Materials/Piezoceramic/"}))
         return true;

@@ -14,6 +14,7 @@
 #include <ringmotor/mesh/revolved.h>
 #include <ringmotor/mesh/section_layers.h>
 #include <ringmotor/parameters/errors.h>
+#include <ringmotor/parameters/parameters.h>
 
 #include <gtest/gtest.h>
 
@@ -255,6 +256,98 @@ TEST(RevolvedBody, OfDimensionsIsReadAsItWasWritten)
     for (const unsigned int face : a->face_indices())
       EXPECT_EQ(a->face(face)->boundary_id(), b->face(face)->boundary_id());
   }
+}
+
+namespace
+{
+  /** Three blocks of a base with three of a tooth on them. */
+  SectionText three_columns()
+  {
+    SectionText text;
+    for (const double z : {0., 2e-3, 4e-3})
+      for (const double r : {10e-3, 15e-3, 20e-3, 25e-3})
+        text.points.emplace_back(r, z);
+    for (const int j : {0, 1})
+      for (const int i : {0, 1, 2})
+        text.elements.push_back({3,
+                                 j == 0 ? "base" : "tooth",
+                                 {4 * j + i, 4 * j + i + 1, 4 * j + i + 5, 4 * j + i + 4}});
+    for (const int i : {8, 9, 10})
+      text.elements.push_back({1, "contact", {i, i + 1}});
+    return text;
+  }
+} // namespace
+
+TEST(SectionFile, RefusesBodiesThatAreNotOne)
+{
+  EXPECT_EQ(read(three_columns()).cells.size(), 6u);
+  SectionText crack = three_columns(); // between the rows, open up to the last column
+  crack.points.insert(crack.points.end(), {crack.points[4], crack.points[5]});
+  crack.elements[3].points = {12, 13, 9, 8};
+  crack.elements[4].points = {13, 6, 10, 9};
+  expect_refusal(crack, {"touch without sharing their points", "r = 10 mm, z = 2 mm"});
+  SectionText gap = crack; // half a micrometre wide: closer than a file's rounding is none
+  gap.points[13][1] += 5e-9;
+  expect_refusal(gap, {"touch without sharing their points"});
+  SectionText fold = three_columns(); // back over its neighbour
+  fold.points.emplace_back(12e-3, 0.);
+  fold.points.emplace_back(12e-3, 2e-3);
+  fold.elements[2].points = {2, 12, 13, 6};
+  expect_refusal(fold, {"lie on one another", "r = 20 mm"});
+  SectionText one = three_columns();
+  one.elements.push_back(one.elements[0]);
+  expect_refusal(one, {"lie on one another"});
+  SectionText small = three_columns();
+  for (Point<2> &x : small.points)
+    x *= 1e-3;
+  expect_refusal(small, {"outer radius is 2.5e-05 m"});
+}
+
+TEST(SectionFile, RefusesTeethWithoutAFootOrATop)
+{
+  SectionText on_ceramic      = three_columns();
+  on_ceramic.elements[1].name = "piezoceramic";
+  expect_refusal(on_ceramic, {"a tooth stands on the piezoceramic"});
+  SectionText two_tops = three_columns();
+  two_tops.elements.erase(two_tops.elements.begin() + 7);
+  expect_refusal(two_tops, {"'contact' is in pieces"});
+  SectionText step = three_columns();
+  step.elements.pop_back();
+  step.points[11][1] = 5e-3;
+  expect_refusal(step, {"reaches z = 4 mm, below the highest point, z = 5 mm"});
+  SectionText two_feet = three_columns();
+  two_feet.elements.erase(two_feet.elements.begin() + 1);
+  expect_refusal(two_feet, {"the foot of the tooth is in pieces"});
+}
+
+TEST(RevolvedBody, HasBarsAndFeltWhereTheSectionNamesThem)
+{
+  SectionText ring;
+  ring.points   = {{10e-3, 0.}, {20e-3, 0.}, {10e-3, 4e-3}, {20e-3, 4e-3}};
+  ring.elements = {{3, "rotor", {0, 1, 3, 2}}, {1, "bars", {0, 2}}};
+  const Scratch scratch;
+  Parameters parameters;
+  parameters.rotor.section_file         = ring.write(scratch);
+  parameters.rotor.radial_bar_stiffness = 1e9;
+  EXPECT_NEAR(rotor_body(parameters).bar_stiffness, 1e9 / 4e-3, 1.);
+  parameters.not_given = {"Rotor/Radial bar stiffness"};
+  EXPECT_NE(message_of<UserError>([&]() { rotor_body(parameters); }).find("has the curve 'bars'"),
+            std::string::npos);
+  ring.elements.pop_back();
+  parameters.rotor.section_file = ring.write(scratch);
+  EXPECT_EQ(rotor_body(parameters).bar_stiffness, 0.);
+  parameters.not_given.clear();
+  EXPECT_NE(message_of<UserError>([&]() { rotor_body(parameters); }).find("no curve 'bars'"),
+            std::string::npos);
+
+  parameters.stator.section_file      = three_columns().write(scratch, "stator.msh");
+  parameters.support.felt_thickness   = 1e-3;
+  parameters.support.felt_modulus     = 1e6;
+  parameters.support.felt_loss_factor = 0.1;
+  EXPECT_NE(message_of<UserError>([&]() { stator_body(parameters); }).find("no curve 'felt'"),
+            std::string::npos);
+  parameters.effects["Felt support"] = EffectChoice::off;
+  EXPECT_NO_THROW(stator_body(parameters));
 }
 
 TEST(SectionFile, RefusesMistakes)
