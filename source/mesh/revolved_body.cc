@@ -11,9 +11,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
+#include <vector>
 
 namespace ringmotor
 {
+  using namespace dealii;
+
   RevolvedBody stator_body(const StatorGeometry &stator, const unsigned int n_teeth)
   {
     const double top = stator.base_thickness + stator.tooth_height;
