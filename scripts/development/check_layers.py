@@ -7,8 +7,9 @@ Prints file:line of every include that the table below does not allow, and then 
 """
 
 import re
-import sys
 from pathlib import Path
+
+from source_check import run_check
 
 # Each room may include itself and the rooms before it.
 ORDER = ["parameters", "results", "mesh", "elements", "algebra", "structure", "condensation", "contact", "contact/solve",
@@ -44,16 +45,5 @@ def violations(root):
                     yield f"{place}:{number}: {room} may not include {other} (<ringmotor/{found.group(1)}>)"
 
 
-def main():
-    root = Path(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).resolve().parents[2]).resolve()
-    n_files = sum(1 for p in (root / "source").rglob("*.cc"))
-    if n_files == 0:
-        sys.exit(f"{root} has no source files to check")
-    found = list(violations(root))
-    for line in found:
-        print(line)
-    return 1 if found else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    run_check(violations, "source", "*.cc")

@@ -11,8 +11,10 @@ import ast
 import sys
 from pathlib import Path
 
+from source_check import run_check
+
 FIRST_LINE = "#!/usr/bin/python3 -sE"
-STANDING_ALONE = ("check_layers.py", "check_scripts.py", "parameters_doc.py")  # for developers, of the standard library alone
+STANDING_ALONE = ("check_layers.py", "check_scripts.py", "parameters_doc.py", "source_check.py")  # for developers, of the standard library alone
 TEXT_FUNCTIONS = ("open", "fdopen", "read_text", "write_text", "NamedTemporaryFile", "TemporaryFile")
 PROCESSES = ("run", "Popen", "check_output")
 
@@ -65,15 +67,5 @@ def violations(root):
                     if isinstance(node, ast.Call) and lacks_encoding(node))
 
 
-def main():
-    root = Path(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).resolve().parents[2]).resolve()
-    if not (root / "scripts").is_dir():
-        sys.exit(f"{root} has no scripts to check")
-    found = list(violations(root))
-    for line in found:
-        print(line)
-    return 1 if found else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    run_check(violations, "scripts", "*.py")

@@ -51,8 +51,10 @@ namespace ringmotor
         const SectionPoints corners = singular_points(along);
         SectionGrading cells(along);
         cells.grow_from(corners, 1., {0.3, 1.});
-        for (const FromRoot &edge : edges_from_roots(along))
-          cells.grow(edge.root, edge.opposite, first(along) / edge.depth, {});
+        const std::vector<FromRoot> edges = edges_from_roots(along);
+        const double first                = narrowest(edges);
+        for (const FromRoot &edge : edges)
+          cells.grow(edge.root, edge.opposite, first / edge.depth, {});
         return with_layers(cells.result(), corners, grading.n_layers, grading.ratio);
       }
 
@@ -60,11 +62,12 @@ namespace ringmotor
       {
         if (!body.slots.has_teeth())
           return {0., 1.};
+        const double first   = narrowest(edges_from_roots(body.section));
         const auto from_side = [&](const double length, unsigned int EvenCells::*const n_even)
         {
           std::vector<double> lines = grading.even
                                           ? lines_from_edge(length, *grading.even.*n_even, 1.)
-                                          : graded_lines(length, first(body.section));
+                                          : graded_lines(length, first);
           for (double &line : lines)
             line /= length;
           return lines;
@@ -108,12 +111,12 @@ namespace ringmotor
       }
 
       /** The size of the cells at a root: what is narrowest around it, m. */
-      double first(const Section &section) const
+      double narrowest(const std::vector<FromRoot> &edges) const
       {
-        double first = std::min(half_slot, half_tooth);
-        for (const FromRoot &edge : edges_from_roots(section))
-          first = std::min(first, edge.depth);
-        return first;
+        double narrowest = std::min(half_slot, half_tooth);
+        for (const FromRoot &edge : edges)
+          narrowest = std::min(narrowest, edge.depth);
+        return narrowest;
       }
 
       /** Enough cells along the feet of the teeth. */
@@ -222,22 +225,12 @@ namespace ringmotor
       return radii;
     }
 
-    /** The edges of a section with a name. */
-    std::vector<Section::Edge> edges_named(const Section &section, const types::boundary_id name)
-    {
-      std::vector<Section::Edge> edges;
-      for (const auto &[edge, name_of_edge] : section.names)
-        if (name_of_edge == name)
-          edges.push_back(edge);
-      return edges;
-    }
-
     /** Cuts a tooth's section across the contact, and leaves the name of the tops to what the lip
      * covers. */
     Section cut_across_contact(const Section &tooth, const double lip_inner, const double lip_outer,
                                const InterfaceGrading &grading)
     {
-      const std::vector<Section::Edge> tops = edges_named(tooth, ids::tooth_top);
+      const std::vector<Section::Edge> tops = tooth.edges_named(ids::tooth_top);
       double begin = std::numeric_limits<double>::max(), end = 0.;
       for (const Section::Edge &top : tops)
         for (const unsigned int point : {top.first, top.second})
@@ -256,25 +249,11 @@ namespace ringmotor
         cuts.cut(top.first, top.second, fractions);
       }
       Section cut = cuts.result();
-      for (const Section::Edge &top : edges_named(cut, ids::tooth_top))
+      for (const Section::Edge &top : cut.edges_named(ids::tooth_top))
         if (const double radius = 0.5 * (cut.points[top.first][0] + cut.points[top.second][0]);
             radius < lip_inner || radius > lip_outer)
           cut.names[top] = ids::free;
       return cut;
-    }
-
-    /** The points of each cell at edges with a name, and those opposite to them. */
-    template <typename Visit>
-    void for_each_across(const Section &section, const types::boundary_id name, const Visit &visit)
-    {
-      for (const Section::Cell &cell : section.cells)
-        for (unsigned int i = 0; i < 4; ++i)
-          if (const auto found = section.names.find(Section::edge(cell, i));
-              found != section.names.end() && found->second == name)
-          {
-            visit(cell.corners[i], cell.corners[(i + 3) % 4]);
-            visit(cell.corners[(i + 1) % 4], cell.corners[(i + 2) % 4]);
-          }
     }
 
     /** Cuts it along its height: cells shrink towards the top and, if there are several, those at
@@ -282,16 +261,14 @@ namespace ringmotor
     Section cut_along_height(const Section &tooth, const InterfaceGrading &grading)
     {
       SectionCuts from_top(tooth);
-      const auto shrink = [&](const unsigned int top, const unsigned int below)
-      { from_top.cut(top, below, lines_from_edge(1., grading.n_across + 1, grading.ratio)); };
       for (const types::boundary_id name : {ids::tooth_top, ids::free})
-        for_each_across(tooth, name, shrink);
+        for (const Section::Across &edge : tooth.edges_across(name))
+          from_top.cut(edge.from, edge.to,
+                       lines_from_edge(1., grading.n_across + 1, grading.ratio));
       const Section cut = from_top.result();
       SectionCuts from_foot(cut);
-      for_each_across(
-          cut, ids::tooth_foot,
-          [&](const unsigned int foot, const unsigned int above)
-          { from_foot.cut(foot, above, lines_from_edge(1., grading.n_at_foot, grading.ratio)); });
+      for (const Section::Across &edge : cut.edges_across(ids::tooth_foot))
+        from_foot.cut(edge.from, edge.to, lines_from_edge(1., grading.n_at_foot, grading.ratio));
       return from_foot.result();
     }
   } // namespace

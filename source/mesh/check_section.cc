@@ -57,14 +57,6 @@ namespace ringmotor
         return Point<2>(0.5 * (point(edge.first) + point(edge.second)));
       }
 
-      Point<2> middle(const unsigned int cell) const
-      {
-        Point<2> sum;
-        for (const unsigned int corner : section.cells[cell].corners)
-          sum += 0.25 * point(corner);
-        return sum;
-      }
-
       void check_size() const
       {
         constexpr double smallest = 1e-4, largest = 1.; // m
@@ -108,8 +100,9 @@ namespace ringmotor
             bodies.union_set(cells[0], cells[1]);
         for (unsigned int cell = 1; cell < section.cells.size(); ++cell)
           if (bodies.find_set(cell) != bodies.find_set(0u))
-            file.refuse("it is in pieces: the cells at " + in_words(middle(0u)) + " and at " +
-                            in_words(middle(cell)) + " are not connected",
+            file.refuse("it is in pieces: the cells at " +
+                            in_words(section.middle(section.cells.front())) + " and at " +
+                            in_words(section.middle(section.cells[cell])) + " are not connected",
                         share_edges);
       }
 
@@ -221,18 +214,12 @@ namespace ringmotor
           file.refuse("a tooth stands on the " + name_of_part(section.cells[cell].part) + ", at " +
                           in_words(section.points[foot.first]),
                       "let the part 'tooth' stand on the part 'base'");
-    const bool has_teeth =
-        std::any_of(section.cells.begin(), section.cells.end(),
-                    [](const Section::Cell &cell) { return cell.part == ids::tooth; });
-    std::vector<Section::Edge> tops;
+    const bool has_teeth                  = section.has_part(ids::tooth);
+    const std::vector<Section::Edge> tops = section.edges_named(ids::tooth_top);
     double highest_top = -std::numeric_limits<double>::max(), highest = highest_top, radius = 0.;
-    for (const auto &[edge, name] : section.names)
-      if (name == ids::tooth_top)
-      {
-        tops.push_back(edge);
-        for (const unsigned int end : {edge.first, edge.second})
-          highest_top = std::max(highest_top, section.points[end][1]);
-      }
+    for (const Section::Edge &top : tops)
+      for (const unsigned int end : {top.first, top.second})
+        highest_top = std::max(highest_top, section.points[end][1]);
     for (const Point<2> &x : section.points)
     {
       highest = std::max(highest, x[1]);

@@ -195,15 +195,10 @@ namespace ringmotor
 
       void check_parts() const
       {
-        const auto has = [&](const types::material_id part)
-        {
-          return std::any_of(section.cells.begin(), section.cells.end(),
-                             [&](const Section::Cell &cell) { return cell.part == part; });
-        };
-        if (body == SectionOf::stator && !has(ids::base))
+        if (body == SectionOf::stator && !section.has_part(ids::base))
           refuse("it has no base", "name the metal that the slots do not reach: Physical "
                                    "Surface(\"base\")");
-        if (body == SectionOf::rotor && !has(ids::rotor))
+        if (body == SectionOf::rotor && !section.has_part(ids::rotor))
           refuse("it has no rotor", "name the metal of the rotor: Physical Surface(\"rotor\")");
       }
 
@@ -212,18 +207,13 @@ namespace ringmotor
       {
         const unsigned int contact = edges.front().second;
         const double up            = body == SectionOf::stator ? 1. : -1.;
-        for (const auto &[edge, cells] : section.cells_at_edges())
+        for (const Section::Edge &edge : section.edges_named(contact))
         {
-          const auto name = section.names.find(edge);
-          if (name == section.names.end() || name->second != contact)
-            continue;
-          const Section::Cell &cell = section.cells[cells.front()];
+          const Section::Cell &cell = section.cells[at_edges.at(edge).front()];
           const Point<2> place = 0.5 * (section.points[edge.first] + section.points[edge.second]);
           const Tensor<1, 2> along = section.points[edge.second] - section.points[edge.first];
-          Point<2> middle_of_cell;
-          for (const unsigned int corner : cell.corners)
-            middle_of_cell += 0.25 * section.points[corner];
-          if (up * (place - middle_of_cell)[1] <= 0. || std::abs(along[1]) > std::abs(along[0]))
+          if (up * (place - section.middle(cell))[1] <= 0. ||
+              std::abs(along[1]) > std::abs(along[0]))
             refuse("the curve 'contact' does not face the " +
                        std::string(body == SectionOf::stator ? "rotor" : "stator") + ", at " +
                        in_words(place),

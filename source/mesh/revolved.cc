@@ -315,10 +315,9 @@ namespace ringmotor
     void Revolver::mark(Triangulation<3> &triangulation) const
     {
       double outermost = 0.;
-      for (const auto &[edge, name] : edge_names)
-        if (name == ids::tooth_top)
-          for (const unsigned int end : {edge.first, edge.second})
-            outermost = std::max(outermost, points[end][0]);
+      for (const Section::Edge &top : section.edges_named(ids::tooth_top))
+        for (const unsigned int end : {top.first, top.second})
+          outermost = std::max(outermost, points[end][0]);
       const auto is_outermost = [&](const unsigned int vertex)
       { return is_same_place(points[vertices[vertex].first][0], outermost, outermost); };
       for (const auto &face : triangulation.active_face_iterators())

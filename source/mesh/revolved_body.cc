@@ -59,27 +59,19 @@ namespace ringmotor
     void check_materials(const Parameters &parameters, const Section &section,
                          const std::string &entry)
     {
-      for (const auto &[part, name, material] :
-           {std::make_tuple(ids::piezoceramic, "piezoceramic", "Piezoceramic"),
-            {ids::lining, "lining", "Lining"},
-            {ids::adhesive, "adhesive", "Adhesive"}})
-        if (std::any_of(section.cells.begin(), section.cells.end(),
-                        [id = part](const Section::Cell &cell) { return cell.part == id; }))
+      for (const auto &[part, material] : {std::make_pair(ids::piezoceramic, "Piezoceramic"),
+                                           {ids::lining, "Lining"},
+                                           {ids::adhesive, "Adhesive"}})
+        if (section.has_part(part))
           for (const char *const constant : {"Young modulus", "Poisson ratio", "Density"})
-            check_given(parameters, entry + " has the part '" + name + "'",
+            check_given(parameters, entry + " has the part '" + name_of_part(part) + "'",
                         {std::string("Materials/") + material + "/" + constant});
-    }
-
-    bool has_name(const Section &section, const types::boundary_id name)
-    {
-      return std::any_of(section.names.begin(), section.names.end(),
-                         [&](const auto &entry) { return entry.second == name; });
     }
 
     /** @throws UserError if a felt touches nothing */
     void check_felt(const Parameters &parameters, const Section &section)
     {
-      if (parameters.support.has_felt() && !has_name(section, ids::bottom) &&
+      if (parameters.support.has_felt() && section.edges_named(ids::bottom).empty() &&
           parameters.effects["Felt support"] != EffectChoice::off)
         throw UserError("the section Support has a felt, but Stator/Section file has no curve "
                         "'felt' that lies on it; name it, Physical Curve(\"felt\"), or set "
@@ -91,20 +83,20 @@ namespace ringmotor
     double bar_stiffness(const Parameters &parameters, const Section &section)
     {
       const std::string entry = "Rotor/Radial bar stiffness";
-      const bool is_given     = missing_entries(parameters, {entry}).empty(),
-                 has_bars     = has_name(section, ids::radial_bars);
-      if (has_bars)
+      const double stiffness  = parameters.rotor.radial_bar_stiffness;
+      double height           = 0.;
+      for (const Section::Edge &edge : section.edges_named(ids::radial_bars))
+        height += section.length(edge);
+      if (height > 0.)
+      {
         check_given(parameters, "Rotor/Section file has the curve 'bars'", {entry});
-      const double stiffness = parameters.rotor.radial_bar_stiffness;
-      if (!has_bars && is_given && stiffness > 0.)
+        return stiffness / height;
+      }
+      if (missing_entries(parameters, {entry}).empty() && stiffness > 0.)
         throw UserError(entry + " = " + short_text(stiffness) +
                         ", but Rotor/Section file has no curve 'bars'; name it, Physical "
                         "Curve(\"bars\"), or give 0");
-      double height = 0.;
-      for (const auto &[edge, name] : section.names)
-        if (name == ids::radial_bars)
-          height += section.length(edge);
-      return has_bars ? stiffness / height : 0.;
+      return 0.;
     }
 
     /** @throws UserError if there is no tooth between them */
@@ -113,23 +105,20 @@ namespace ringmotor
       if (!slots.has_teeth())
         return;
       if (!slots.angle)
+      {
         check_given(parameters,
                     "Stator/Section file has the part 'tooth'; give the width of a slot between "
                     "parallel walls, or Stator/Slot angle",
                     {"Stator/Slot width"});
-      // As for dimensions: half a pitch has to hold half the slot and some of half the tooth.
-      constexpr double most_slot = 0.95;
-      const double widest        = most_slot * 2. * slots.half_pitch();
-      const double pitch         = 2. * slots.inner_radius * std::sin(slots.half_pitch());
-      if (slots.angle ? *slots.angle > widest : slots.width > most_slot * pitch)
-        throw UserError((slots.angle ? "Stator/Slot angle = " + short_text(*slots.angle)
-                                     : entry("Stator/Slot width", slots.width)) +
-                        " leaves no tooth with " + entry("Motor/Number of teeth", slots.n_sectors) +
-                        " and " +
-                        entry("a smallest inner radius of the teeth", slots.inner_radius) +
-                        "; allowed: up to 95 % of the pitch, here " +
-                        (slots.angle ? "Stator/Slot angle = " + short_text(widest)
-                                     : entry("Stator/Slot width", most_slot * pitch)));
+        check_slot_width(slots.width, slots.inner_radius, slots.n_sectors);
+        return;
+      }
+      const double widest = most_slot * 2. * slots.half_pitch();
+      if (*slots.angle > widest)
+        throw UserError(
+            "Stator/Slot angle = " + short_text(*slots.angle) + " leaves no tooth with " +
+            entry("Motor/Number of teeth", slots.n_sectors) +
+            "; allowed: up to 95 % of the pitch, here Stator/Slot angle = " + short_text(widest));
     }
   } // namespace
 

@@ -19,35 +19,25 @@ namespace ringmotor
     /** Divides the edges in contact, what continues them outwards, and what they bound. */
     void divide_contact(SectionGrading &cells, const Section &section, const InterfaceGrading &lip)
     {
-      const auto is_contact = [&](const Section::Edge &edge)
-      {
-        const auto name = section.names.find(edge);
-        return name != section.names.end() && name->second == ids::lip;
-      };
       unsigned int outermost = 0; // of the points in contact
       double radius          = 0.;
-      for (const auto &[edge, name] : section.names)
-        for (const unsigned int end : {edge.first, edge.second})
-          if (name == ids::lip && section.points[end][0] > radius)
-          {
-            outermost = end;
-            radius    = section.points[end][0];
-          }
-      for (const Section::Cell &cell : section.cells)
-        for (unsigned int i = 0; i < 4; ++i)
-          if (is_contact(Section::edge(cell, i)))
-          {
-            unsigned int from = cell.corners[i], to = cell.corners[(i + 1) % 4];
-            for (const auto &[face, behind] :
-                 {std::make_pair(from, cell.corners[(i + 3) % 4]), {to, cell.corners[(i + 2) % 4]}})
-              cells.cut(face, behind, lines_from_edge(1., lip.n_across + 1, lip.ratio));
-            if (section.points[from][0] < section.points[to][0])
-              std::swap(from, to);
-            cells.cut(from, to, lines_from_edge(1., lip.n_across, lip.ratio));
-          }
+      for (const Section::Edge &edge : section.edges_named(ids::lip))
+      {
+        unsigned int from = edge.first, to = edge.second;
+        if (section.points[from][0] < section.points[to][0])
+          std::swap(from, to);
+        cells.cut(from, to, lines_from_edge(1., lip.n_across, lip.ratio));
+        if (section.points[from][0] > radius)
+        {
+          outermost = from;
+          radius    = section.points[from][0];
+        }
+      }
+      for (const Section::Across &edge : section.edges_across(ids::lip))
+        cells.cut(edge.from, edge.to, lines_from_edge(1., lip.n_across + 1, lip.ratio));
       for (const auto &[edge, at_edge] : section.cells_at_edges())
         for (const auto &[from, to] : {edge, Section::Edge{edge.second, edge.first}})
-          if (from == outermost && at_edge.size() == 1 && !is_contact(edge) &&
+          if (from == outermost && at_edge.size() == 1 && !section.is_named(edge, ids::lip) &&
               is_same_place(section.points[from][1], section.points[to][1], radius))
             cells.shrink(from, to, lip.n_across, lip.ratio);
     }

@@ -23,6 +23,48 @@ namespace ringmotor
     return at;
   }
 
+  bool Section::has_part(const types::material_id part) const
+  {
+    return std::any_of(cells.begin(), cells.end(),
+                       [&](const Cell &cell) { return cell.part == part; });
+  }
+
+  bool Section::is_named(const Edge &edge, const types::boundary_id name) const
+  {
+    const auto found = names.find(edge);
+    return found != names.end() && found->second == name;
+  }
+
+  std::vector<Section::Edge> Section::edges_named(const types::boundary_id name) const
+  {
+    std::vector<Edge> edges;
+    for (const auto &[edge, name_of_edge] : names)
+      if (name_of_edge == name)
+        edges.push_back(edge);
+    return edges;
+  }
+
+  Point<2> Section::middle(const Cell &cell) const
+  {
+    Point<2> sum;
+    for (const unsigned int corner : cell.corners)
+      sum += 0.25 * points[corner];
+    return sum;
+  }
+
+  std::vector<Section::Across> Section::edges_across(const types::boundary_id name) const
+  {
+    std::vector<Across> edges;
+    for (const Cell &cell : cells)
+      for (unsigned int i = 0; i < 4; ++i)
+        if (is_named(edge(cell, i), name))
+        {
+          edges.push_back({cell.corners[i], cell.corners[(i + 3) % 4]});
+          edges.push_back({cell.corners[(i + 1) % 4], cell.corners[(i + 2) % 4]});
+        }
+    return edges;
+  }
+
   Section Section::only(const types::material_id part) const
   {
     Section kept{points, {}, {}, shell};

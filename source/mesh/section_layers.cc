@@ -124,11 +124,14 @@ namespace ringmotor
   Section SectionGrading::result() const
   {
     SectionCuts all = cuts;
+    std::vector<bool> is_done(families.size());
     for (const auto &[edge, cells] : section.cells_at_edges())
     {
-      const Family &family = families[cuts.family(edge)];
-      if (family.is_cut)
+      const unsigned int number = cuts.family(edge);
+      const Family &family      = families[number];
+      if (family.is_cut || is_done[number])
         continue;
+      is_done[number]         = true;
       const bool is_along     = cuts.is_along(edge);
       const auto [begin, end] = is_along ? edge : Section::Edge{edge.second, edge.first};
       const bool meet         = family.at_begin && family.at_end;

@@ -5,6 +5,7 @@
 #include <ringmotor/mesh/revolved_body.h>
 #include <ringmotor/motor/electrode_layout.h>
 #include <ringmotor/parameters/errors.h>
+#include <ringmotor/parameters/parameters.h>
 #include <ringmotor/parameters/short_text.h>
 
 #include <deal.II/base/numbers.h>

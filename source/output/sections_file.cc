@@ -21,10 +21,9 @@ namespace ringmotor
       if (!body.section.shell.points.empty())
         return body.section.shell.points.front()[1] - 0.5 * body.shell_thickness;
       double lowest = std::numeric_limits<double>::infinity();
-      for (const auto &[edge, name] : body.section.names)
-        if (name == contact)
-          lowest = std::min(
-              {lowest, body.section.points[edge.first][1], body.section.points[edge.second][1]});
+      for (const Section::Edge &edge : body.section.edges_named(contact))
+        lowest = std::min(
+            {lowest, body.section.points[edge.first][1], body.section.points[edge.second][1]});
       return std::isfinite(lowest) ? lowest : 0.;
     }
 

@@ -31,6 +31,17 @@ namespace ringmotor
     return path + " = " + std::to_string(count);
   }
 
+  void check_slot_width(const double width, const double smallest_radius,
+                        const unsigned int n_teeth)
+  {
+    const double widest = most_slot * 2. * smallest_radius * std::sin(M_PI / n_teeth);
+    if (width > widest)
+      throw UserError(entry("Stator/Slot width", width) + " leaves no tooth with " +
+                      entry("Motor/Number of teeth", n_teeth) + " and " +
+                      entry("a smallest inner radius of the teeth", smallest_radius) + "; " +
+                      entry("allowed: up to 95 % of the pitch, here Stator/Slot width", widest));
+  }
+
   namespace
   {
     /** Shells must be thin. */
@@ -67,15 +78,7 @@ namespace ringmotor
           root_height_share * (stator.tip_inner_radius - stator.base_inner_radius);
       const double smallest_radius = std::min(root_inner_radius, stator.tip_inner_radius);
 
-      // Half a pitch, measured at right angles to the slot's wall, contains half the slot and half
-      // the tooth; at least 5 % must be left for the tooth.
-      constexpr double most_slot = 0.95;
-      const double widest        = most_slot * 2. * smallest_radius * std::sin(M_PI / n_teeth);
-      if (stator.slot_width > widest)
-        throw UserError(entry("Stator/Slot width", stator.slot_width) + " leaves no tooth with " +
-                        entry("Motor/Number of teeth", n_teeth) + " and " +
-                        entry("a smallest inner radius of the teeth", smallest_radius) + "; " +
-                        entry("allowed: up to 95 % of the pitch, here Stator/Slot width", widest));
+      check_slot_width(stator.slot_width, smallest_radius, n_teeth);
     }
 
     /** Two heights or radii of the rotor must be in order, more than a sliver apart. */

@@ -269,10 +269,11 @@ namespace ringmotor
         write_used_prm(folder + "used.prm", "stator", parameters);
         write_frequencies(folder + "frequencies.csv", body.search().modes());
         if (of_stator)
+        {
           write_sections(folder + "sections.json", parameters);
-        if (of_stator)
           write_modes_h5(folder + "modes.h5", parameters, body.search().sector(),
                          body.search().modes(), wave, body.circuits());
+        }
         if (wave != nullptr)
           write_ellipses(folder + "ellipses.csv", *wave);
         if (body.circuits() != nullptr)

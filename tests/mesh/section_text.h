@@ -3,7 +3,7 @@
 
 #include "output/scratch.h"
 
-#include <ringmotor/mesh/section.h>
+#include <ringmotor/mesh/read_section.h>
 
 #include <fstream>
 #include <map>
@@ -75,4 +75,49 @@ namespace ringmotor::tests
     return {{{2, 1}, "base"},     {{2, 2}, "tooth"},    {{2, 3}, "piezoceramic"},
             {{1, 15}, "contact"}, {{1, 21}, "clamped"}, {{1, 24}, "felt"}};
   }
+
+  /** A clamped web, a ring of three blocks above it with a tooth on top, and a ceramic ring below:
+   *
+   *       8--9       tooth
+   *       6--7       ring
+   *    2--4--5       web, ring
+   *    0--1--3
+   *       10-11      ceramic
+   */
+  inline SectionText disc()
+  {
+    SectionText text;
+    text.points   = {{10e-3, 0.},   {20e-3, 0.},   {10e-3, 1e-3},  {30e-3, 0.},
+                     {20e-3, 1e-3}, {30e-3, 1e-3}, {20e-3, 3e-3},  {30e-3, 3e-3},
+                     {20e-3, 5e-3}, {30e-3, 5e-3}, {20e-3, -5e-4}, {30e-3, -5e-4}};
+    text.elements = {
+        {3, "base", {0, 1, 4, 2}},  {3, "base", {1, 3, 5, 4}},           {3, "base", {4, 5, 7, 6}},
+        {3, "tooth", {6, 7, 9, 8}}, {3, "piezoceramic", {10, 11, 3, 1}}, {1, "clamped", {0, 2}},
+        {1, "contact", {8, 9}}};
+    return text;
+  }
+
+  /** Three blocks of a base with three of a tooth on them. */
+  inline SectionText three_columns()
+  {
+    SectionText text;
+    for (const double z : {0., 2e-3, 4e-3})
+      for (const double r : {10e-3, 15e-3, 20e-3, 25e-3})
+        text.points.emplace_back(r, z);
+    for (const int j : {0, 1})
+      for (const int i : {0, 1, 2})
+        text.elements.push_back({3,
+                                 j == 0 ? "base" : "tooth",
+                                 {4 * j + i, 4 * j + i + 1, 4 * j + i + 5, 4 * j + i + 4}});
+    for (const int i : {8, 9, 10})
+      text.elements.push_back({1, "contact", {i, i + 1}});
+    return text;
+  }
+
+  inline Section read(const SectionText &text, const SectionOf body = SectionOf::stator)
+  {
+    const Scratch scratch;
+    return read_section(text.write(scratch), body);
+  }
+
 } // namespace ringmotor::tests

@@ -59,6 +59,19 @@ namespace ringmotor
     /** The cells at each edge, one or two. */
     std::map<Edge, std::vector<unsigned int>> cells_at_edges() const;
 
+    bool has_part(const dealii::types::material_id part) const;
+    bool is_named(const Edge &edge, const dealii::types::boundary_id name) const;
+    std::vector<Edge> edges_named(const dealii::types::boundary_id name) const;
+    dealii::Point<2> middle(const Cell &cell) const;
+
+    /** An edge of a cell that leads away from another one. */
+    struct Across
+    {
+      unsigned int from, to; ///< points
+    };
+    /** Both edges of each cell that lead away from its edges with a name. */
+    std::vector<Across> edges_across(const dealii::types::boundary_id name) const;
+
     /** The same without the cells of all parts but one. */
     Section only(const dealii::types::material_id part) const;
   };

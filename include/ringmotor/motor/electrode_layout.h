@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/parameters/parameters.h>
+#include <ringmotor/parameters/electrodes.h>
+#include <ringmotor/parameters/motor.h>
 
 #include <array>
 #include <complex>
@@ -10,6 +11,8 @@
 
 namespace ringmotor
 {
+  struct Parameters;
+
   enum class Phase
   {
     a,

@@ -7,6 +7,13 @@
 
 namespace ringmotor
 {
+  /** Half a pitch, measured at right angles to the slot's wall, contains half the slot and half the
+   * tooth; the largest share of the slot, so that at least 5 % are left for the tooth. */
+  inline constexpr double most_slot = 0.95;
+
+  /** Checks the width of slots (m) between teeth that begin at a radius (m). @throws UserError */
+  void check_slot_width(double width, double smallest_radius, unsigned int n_teeth);
+
   // Checks of dimensions against each other. All of them throw a UserError that names the
   // conflicting entries and what is allowed.
 
