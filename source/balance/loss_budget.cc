@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/stator_parts.h>
 #include <ringmotor/balance/loss_budget.h>
 #include <ringmotor/points/point_quantities.h>
 #include <ringmotor/wave/body_modes.h>

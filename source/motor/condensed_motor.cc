@@ -3,7 +3,7 @@
 #include <ringmotor/motor/condensed_motor.h>
 #include <ringmotor/motor/motor_model.h>
 #include <ringmotor/motor/relevant.h>
-#include <ringmotor/motor/rotor_modes.h>
+#include <ringmotor/motor/stator_modes.h>
 #include <ringmotor/motor/tooth_modes.h>
 #include <ringmotor/parameters/errors.h>
 
@@ -151,13 +151,14 @@ namespace ringmotor
     return std::gcd(n_waves, n_teeth);
   }
 
-  bool CondensedMotor::has_rotor_modes() const
+  bool CondensedMotor::has_modes_of(const ModePart part) const
   {
     return std::any_of(modes.begin(), modes.end(),
-                       [](const std::vector<RingMode> &of_diameter)
+                       [&](const std::vector<RingMode> &of_diameter)
                        {
                          return std::any_of(of_diameter.begin(), of_diameter.end(),
-                                            [](const RingMode &mode) { return !mode.of_tooth; });
+                                            [&](const RingMode &mode)
+                                            { return mode.part == part; });
                        });
   }
 
@@ -248,14 +249,19 @@ namespace ringmotor
     void add_modes(CondensedMotor &motor, const SectorSurface &tooth_top,
                    const MortarCoupling &mortar, const ContactDiscretisation &discretisation,
                    const Parameters &parameters, const MotorModel &model,
-                   const unsigned int modes_level, const RotorVibration &of_rotor,
+                   const unsigned int modes_level, const MotorVibration &vibration,
                    const ModeSets sets)
     {
       const auto modes_at = [&](const VibrationSetting &setting)
       {
         RingModes modes(motor.n_teeth / 2 + 1);
         if (model.rotor_needs_modes())
-          modes = of_rotor.at(setting, tooth_top.surface, discretisation.lip_turn);
+          modes = vibration.rotor.at(setting, tooth_top.surface, discretisation.lip_turn);
+        RingModes of_stator(modes.size());
+        if (model.stator_gives_way)
+          of_stator = vibration.stator.modes(setting).at(tooth_top.surface, mortar);
+        for (unsigned int k = 0; k < modes.size(); ++k)
+          modes[k].insert(modes[k].end(), of_stator[k].begin(), of_stator[k].end());
         if (!model.teeth_vibrate)
           return modes;
         const std::vector<RingMode> of_tooth = tooth_modes(
@@ -263,7 +269,7 @@ namespace ringmotor
             tooth_top.surface, mortar);
         const auto excited = harmonics_by_diameter(parameters.motor, setting.n_harmonics);
         for (unsigned int k = 0; k < modes.size(); ++k)
-          if (model.rotor_moves_as_whole || excited.count(k) > 0)
+          if (of_stator[k].empty() && (model.rotor_moves_as_whole || excited.count(k) > 0))
             modes[k].insert(modes[k].end(), of_tooth.begin(), of_tooth.end());
         return modes;
       };
@@ -271,18 +277,18 @@ namespace ringmotor
                            InertiaScheme::second_order(parameters.time.spectral_radius),
                            model.rotor_needs_modes() && !model.rotor_vibrates};
       motor.modes_level = modes_level;
-      motor.modes       = modes_at(of_rotor.setting(modes_level));
+      motor.modes       = modes_at(vibration.rotor.setting(modes_level));
       if (sets == ModeSets::own)
         return;
-      motor.coarse_modes             = modes_at(of_rotor.on_coarser_mesh(modes_level));
-      motor.modes_of_other_harmonics = modes_at(of_rotor.of_other_harmonics(modes_level));
+      motor.coarse_modes             = modes_at(vibration.rotor.on_coarser_mesh(modes_level));
+      motor.modes_of_other_harmonics = modes_at(vibration.rotor.of_other_harmonics(modes_level));
     }
   } // namespace
 
   CondensedMotor condense_motor(const Parameters &all_parameters, const StatorWave &wave,
                                 const ContactDiscretisation &discretisation,
                                 const std::optional<unsigned int> &modes_level,
-                                const RotorVibration *vibration, const ModeSets sets)
+                                const MotorVibration *vibration, const ModeSets sets)
   {
     const Parameters parameters = relevant_for_condensation(all_parameters);
     const MotorModel model      = motor_model(parameters);
@@ -307,7 +313,7 @@ namespace ringmotor
     if (model.needs_modes())
       add_modes(motor, tooth.surface, rotor.mortar, discretisation, parameters, model,
                 modes_level.value_or(RotorVibration::usual_level),
-                vibration ? *vibration : RotorVibration(parameters, wave.angular_frequency), sets);
+                vibration ? *vibration : MotorVibration(parameters, wave), sets);
     return motor;
   }
 

@@ -27,7 +27,9 @@ namespace ringmotor
       const double size          = std::abs(indicator);
       const std::string obstacle = effect.obstacle(parameters);
       if (obstacle.empty())
-        return effect.is_free() || size > AccuracyBudget::effect(target);
+        return effect.is_free() ||
+               size > (effect.is_costly() ? AccuracyBudget::costly_effect(target)
+                                          : AccuracyBudget::effect(target));
       if (size > target)
         throw ComputationError("Effects/" + effect.name +
                                " = auto: it would change the results by " + per_cent(indicator) +
@@ -73,9 +75,9 @@ namespace ringmotor
     static const PartList<Effect> list = made_by<Effect>(
         {effects::tooth_shear, effects::rotor_tangential_compliance, effects::initial_deformation,
          effects::static_friction_excess, effects::rotor_inertia, effects::tooth_inertia,
-         effects::tooth_vibration, effects::damping, effects::stator_back_reaction,
-         effects::spin_convection, effects::target_plates, effects::felt_support,
-         effects::piezoelectric_coupling, effects::friction_lining});
+         effects::tooth_vibration, effects::stator_compliance, effects::damping,
+         effects::stator_back_reaction, effects::spin_convection, effects::target_plates,
+         effects::felt_support, effects::piezoelectric_coupling, effects::friction_lining});
     return list;
   }
 
@@ -208,13 +210,13 @@ namespace ringmotor
           effect->add_cost(motor, row);
   }
 
-  void add_modes_to(EffectRow &row, const CondensedMotor &motor, const bool of_teeth)
+  void add_modes_to(EffectRow &row, const CondensedMotor &motor, const ModePart part)
   {
     for (const RingModes *modes :
          {&motor.modes, &motor.coarse_modes, &motor.modes_of_other_harmonics})
       for (const std::vector<RingMode> &of_diameter : *modes)
         for (const RingMode &mode : of_diameter)
-          if (mode.of_tooth == of_teeth)
+          if (mode.part == part)
           {
             row.dofs += modes == &motor.modes ? 1 : 0;
             row.bytes += mode.motion.size() * sizeof(mode.motion.front());

@@ -90,7 +90,7 @@ namespace ringmotor
       {
         const ModesByShapes::Mode &mode = modes->by_diameter[k][r];
         displacements[k].push_back(states[k][r].displacement);
-        if (mode.of_tooth)
+        if (mode.part == ModePart::tooth)
           displacements[k].back() -= earlier[k][r] / std::pow(mode.frequency, 2);
       }
     return motion_of(displacements);
@@ -137,7 +137,7 @@ namespace ringmotor
         const Complex moved =
             state.displacement - from.displacement - (now[k][r] - earlier[k][r]) / (omega * omega);
         power.taken += weight / dt * (std::conj(0.5 * (now[k][r] + earlier[k][r])) * moved).real();
-        if (!mode.of_tooth)
+        if (mode.part == ModePart::rotor)
           power.damped_by_factor +=
               weight * omega * std::norm(0.5 * (state.velocity + from.velocity));
       }

@@ -116,8 +116,9 @@ namespace ringmotor
     relevant.accuracy.mode                 = defaults.accuracy.mode;
     relevant.accuracy.interface_refinement = defaults.accuracy.interface_refinement;
     relevant.accuracy.rotor_modes          = defaults.accuracy.rotor_modes;
-    relevant.support                       = defaults.support;
-    relevant.electrodes                    = defaults.electrodes;
+    if (!motor_model(relevant).stator_gives_way)
+      relevant.support = defaults.support;
+    relevant.electrodes = defaults.electrodes;
     forget_what_never_matters(relevant);
     if (needs_modes)
       relevant.materials.rotor_metal.loss_factor = rotor_loss_factor;

@@ -12,6 +12,17 @@ namespace ringmotor
     using Complex = std::complex<double>;
   } // namespace
 
+  RingMode interpolated(const RingMode &mode, const std::vector<SurfaceWeights> &weights)
+  {
+    RingMode interpolated = mode;
+    interpolated.motion.assign(weights.size(), {});
+    for (std::size_t a = 0; a < weights.size(); ++a)
+      for (const auto &[node, weight] : weights[a])
+        for (unsigned int c = 0; c < 3; ++c)
+          interpolated.motion[a][c] += weight * mode.motion[node][c];
+    return interpolated;
+  }
+
   SteadyInertia::SteadyInertia(const RingModes &modes, const unsigned int n_waves,
                                const unsigned int n_sectors, const double period,
                                const unsigned int n_instants, const double dt,
@@ -45,11 +56,11 @@ namespace ringmotor
     const unsigned int n_shapes = modes->shapes.n();
     std::vector<std::vector<Complex>> waves(n_instants / 2 + 1,
                                             std::vector<Complex>(n_shapes * n_shapes));
-    for (unsigned int m = 1; m < waves.size(); ++m)
+    for (unsigned int m = 0; m < waves.size(); ++m)
     {
       const HistoryWave around = wave(m);
       for (const ModesByShapes::Mode &mode : modes->by_diameter[around.k])
-        mode.add(mode.amplification(dynamics, around, dt) - 1., waves[m]);
+        mode.add(mode.amplification(dynamics, around, dt) - mode.at_once(), waves[m]);
       if (around.conjugate)
         for (Complex &entry : waves[m])
           entry = std::conj(entry);
@@ -68,9 +79,8 @@ namespace ringmotor
       const std::vector<Complex> force = on_shapes(forces, m);
       std::vector<Complex> amplitudes;
       for (const ModesByShapes::Mode &mode : modes->by_diameter[around.k])
-        amplitudes.push_back(
-            mode.static_motion(force) / mode.frequency *
-            (mode.amplification(dynamics, around, dt) - (mode.of_tooth ? 1. : 0.)));
+        amplitudes.push_back(mode.static_motion(force) / mode.frequency *
+                             (mode.amplification(dynamics, around, dt) - mode.of_teeth_at_once()));
       modes->add_motion(around.k, amplitudes, around.conjugate, m, n_instants, motion);
     }
     return motion;
@@ -149,11 +159,13 @@ namespace ringmotor
                       velocity = motion * dynamics.scheme.velocity(around.z, dt);
         // Forces at the middle of steps and motions in the steps.
         const Complex middle = 0.5 * (1. + 1. / around.z) * at_rest,
-                      moved  = (1. - 1. / around.z) * (motion - at_rest);
+                      moved  = (1. - 1. / around.z) * (motion - mode.at_once() * at_rest);
         power.taken += weight * (std::conj(middle) * moved).real() / dt;
+        if (mode.part != ModePart::rotor)
+          continue;
         if (!mode.has_inertia(dynamics))
           power.damped_by_factor += weight / dt * std::abs(around.z.imag()) * std::norm(motion);
-        else if (!mode.of_tooth)
+        else
           power.damped_by_factor += weight / mode.frequency * std::norm(velocity);
       }
     }

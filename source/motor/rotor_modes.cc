@@ -196,15 +196,17 @@ namespace ringmotor
     return other;
   }
 
+  std::vector<VibrationSetting> RotorVibration::settings(const unsigned int level,
+                                                         const ModeSets sets) const
+  {
+    if (sets == ModeSets::own)
+      return {setting(level)};
+    return {setting(level), on_coarser_mesh(level), of_other_harmonics(level)};
+  }
+
   void RotorVibration::prepare(const unsigned int modes_level, const ModeSets sets) const
   {
-    std::vector<VibrationSetting> settings{setting(modes_level)};
-    if (sets == ModeSets::with_compared)
-    {
-      settings.push_back(on_coarser_mesh(modes_level));
-      settings.push_back(of_other_harmonics(modes_level));
-    }
-    for (const VibrationSetting &each : settings)
+    for (const VibrationSetting &each : settings(modes_level, sets))
       for (const Part &part : parts(each))
         modes_of(part);
   }

@@ -39,17 +39,14 @@ namespace ringmotor
     for (const Mode &mode :
          without_fast_vectors(ResponseModes(tooth.sector).at(0, loads, frequencies), up_to))
     {
-      const auto top =
-          sector_motion(on_surface(tooth.sector, displacements, mode), tooth.whole_top.origin);
-      RingMode at_points{std::sqrt(mode.eigenvalue), {}, /*of_tooth =*/true};
-      for (const SurfaceWeights &of_point : weights)
-      {
-        at_points.motion.emplace_back();
-        for (const auto &[node, weight] : of_point)
-          for (unsigned int c = 0; c < 3; ++c) // two halves make a tooth
-            at_points.motion.back()[c] += std::sqrt(0.5) * weight * top[node][c];
-      }
-      modes.push_back(std::move(at_points));
+      RingMode on_top{
+          std::sqrt(mode.eigenvalue),
+          sector_motion(on_surface(tooth.sector, displacements, mode), tooth.whole_top.origin),
+          ModePart::tooth};
+      for (std::array<std::complex<double>, 3> &motion : on_top.motion)
+        for (std::complex<double> &component : motion)
+          component *= std::sqrt(0.5); // two halves make a tooth
+      modes.push_back(interpolated(on_top, weights));
     }
     return modes;
   }

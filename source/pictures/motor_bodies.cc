@@ -139,7 +139,7 @@ namespace ringmotor
                              const std::vector<PointSample> &samples) const
   {
     std::vector<RingBody::Displacement> displacements = static_rotor_motions(samples);
-    if (motor.has_rotor_modes())
+    if (motor.has_modes_of(ModePart::rotor))
       add_vibration(motor, samples, displacements);
     return displacements;
   }

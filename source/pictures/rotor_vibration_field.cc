@@ -90,7 +90,7 @@ namespace ringmotor
           of_found += std::norm(found.motion[a][c]);
           of_known += std::norm(known.motion[a][c]);
         }
-      if (known.of_tooth || std::abs(product) < (1. - tolerance) * std::max(of_found, of_known))
+      if (!known.of_rotor() || std::abs(product) < (1. - tolerance) * std::max(of_found, of_known))
         return 0.;
       return product < 0. ? -1. : 1.;
     }
@@ -103,7 +103,7 @@ namespace ringmotor
     std::vector<Mode> modes            = solver.modes(k);
     const std::vector<RingMode> &known = motor.modes[k];
     const auto n_known =
-        std::count_if(known.begin(), known.end(), [](const auto &mode) { return !mode.of_tooth; });
+        std::count_if(known.begin(), known.end(), [](const auto &mode) { return mode.of_rotor(); });
     bool are_those = modes.size() == static_cast<std::size_t>(n_known);
     for (std::size_t r = 0; are_those && r < modes.size(); ++r)
     {

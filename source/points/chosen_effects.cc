@@ -37,7 +37,7 @@ namespace ringmotor
   } // namespace
 
   ChosenEffects::ChosenEffects(const Parameters &given, const StatorWave &wave)
-      : uniform_vibration(on_uniform_ring(given), wave.angular_frequency, MPI_COMM_WORLD),
+      : uniform_vibration(on_uniform_ring(given), wave, MPI_COMM_WORLD),
         chosen(given), own_vibration(uniform_vibration)
   {
     constexpr unsigned int n_harmonics = 6, level = 1, coarsest = 0;
@@ -45,7 +45,7 @@ namespace ringmotor
     constexpr unsigned int n_rough = 3;
     std::optional<LipAmplification> rough_lip;
     const auto on_coarsest = [&](const unsigned int n)
-    { return LipAmplification(given, uniform_vibration.of_harmonics(n, coarsest), coarsest, n); };
+    { return LipAmplification(given, uniform_vibration.rotor.of_harmonics(n, coarsest), coarsest, n); };
     const Scene scene{
         chosen, &wave,
         [&](const Effect &effect)
@@ -58,13 +58,13 @@ namespace ringmotor
         {
           if (roughly)
             return rough_lip.emplace(on_coarsest(n_rough));
-          lip.emplace(given, uniform_vibration.of_first_harmonics(), level, n_harmonics);
+          lip.emplace(given, uniform_vibration.rotor.of_first_harmonics(), level, n_harmonics);
           lip_quantities = quantities_of(*lip, on_coarsest(n_harmonics), wave.angular_frequency);
           return *lip;
         }};
     rows = choose_effects(chosen, EffectStage::contact, scene, given.accuracy.contact_target);
     own_vibration = is_marched(chosen)
-                        ? RotorVibration(chosen, wave.angular_frequency, MPI_COMM_WORLD)
+                        ? MotorVibration(chosen, wave, MPI_COMM_WORLD)
                         : uniform_vibration; // with its computed results
   }
 } // namespace ringmotor

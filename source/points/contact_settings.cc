@@ -192,7 +192,7 @@ namespace ringmotor
       knobs.push_back(flange_knob(parameters));
       knobs.push_back(contact_knob(parameters, motor));
       knobs.push_back(steps_knob(common));
-      if (model.rotor_needs_modes())
+      if (model.has_ring_modes())
         for (const Knob &knob : inertia_knobs())
           knobs.push_back(knob);
       if (is_marched(parameters))

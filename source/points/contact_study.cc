@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/stator_modes.h>
 #include <ringmotor/motor/relevant.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/points/contact_study.h>
@@ -13,7 +14,7 @@
 namespace ringmotor
 {
   ContactStudy::ContactStudy(const Parameters &parameters, const StatorWave &wave,
-                             const RotorVibration &vibration)
+                             const MotorVibration &vibration)
       : parameters(parameters), wave(wave), vibration(vibration),
         period(2. * dealii::numbers::PI / wave.angular_frequency),
         has_curve(parameters.loading.values.empty())
@@ -71,10 +72,10 @@ namespace ringmotor
     // The modes of the rotor are the same for all meshes of the same model.
     const bool shares_modes = !setting.is_other_model;
     double seconds          = 0.;
-    if (motor_model(setting.parameters).rotor_needs_modes() && shares_modes)
+    if (motor_model(setting.parameters).has_ring_modes() && shares_modes)
     {
       const ProcessorTime time;
-      vibration.prepare(setting.modes_level);
+      vibration.prepare(motor_model(setting.parameters), setting.modes_level);
       seconds += vibration_seconds.emplace(setting.modes_level, time.seconds()).first->second;
     }
     const ProcessorTime time;

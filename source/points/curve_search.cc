@@ -135,7 +135,8 @@ namespace ringmotor
         {Cure::meshes, scene.level < finest_level},
         // Those of teeth are the same at all levels.
         {Cure::modes,
-         scene.modes_level < RotorVibration::finest_level && motor().has_rotor_modes()},
+         scene.modes_level < RotorVibration::finest_level &&
+             (motor().has_modes_of(ModePart::rotor) || motor().has_modes_of(ModePart::stator))},
         {Cure::steps, n_parts.at(point.request) < steps.most_parts()}};
     std::map<Cure, double> curable;
     for (const auto &cause : all_error_causes())

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/stator_modes.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/points/effect_on_points.h>
 #include <ringmotor/points/point_finder.h>
@@ -34,7 +35,7 @@ namespace ringmotor
   } // namespace
 
   EffectOnPoints effect_on_points(const Parameters &all_parameters, const Effect &effect,
-                                  const StatorWave &wave, const RotorVibration &vibration,
+                                  const StatorWave &wave, const MotorVibration &vibration,
                                   const MPI_Comm communicator)
   {
     constexpr unsigned int modes_level = 1;
@@ -49,8 +50,7 @@ namespace ringmotor
       return condense_motor(parameters, wave, ContactDiscretisation::level(0), modes_level,
                             &vibration, ModeSets::own);
     };
-    if (motor_model(with).rotor_needs_modes()) // by all ranks together
-      vibration.prepare(modes_level, ModeSets::own);
+    vibration.prepare(motor_model(with), modes_level, ModeSets::own); // by all ranks together
     const std::vector<CondensedMotor> motors = shared_work<CondensedMotor>(
         {[&] { return condensed(with); }, [&] { return condensed(without); }}, communicator);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/stator_modes.h>
 #include <ringmotor/motor/motor_model.h>
 #include <ringmotor/points/point_finder.h>
 #include <ringmotor/points/point_source.h>
@@ -12,7 +13,7 @@
 namespace ringmotor
 {
   ComputedPoints::ComputedPoints(const Parameters &parameters, const StatorWave &wave,
-                                 const RotorVibration &vibration, PointStore &store,
+                                 const MotorVibration &vibration, PointStore &store,
                                  Progress &progress, const MPI_Comm communicator)
       : parameters(parameters), wave(wave), vibration(vibration), store(store), progress(progress),
         communicator(communicator)
@@ -22,7 +23,7 @@ namespace ringmotor
   std::vector<TimedMotor> ComputedPoints::motors(const std::vector<unsigned int> &levels,
                                                  const unsigned int modes_level)
   {
-    const auto modes = motor_model(parameters).rotor_needs_modes() ? std::make_optional(modes_level)
+    const auto modes = motor_model(parameters).has_ring_modes() ? std::make_optional(modes_level)
                                                                    : std::nullopt;
     std::map<unsigned int, TimedMotor> known;
     std::vector<unsigned int> missing;
@@ -52,10 +53,10 @@ namespace ringmotor
   std::vector<TimedMotor> ComputedPoints::condense(const std::vector<unsigned int> &levels,
                                                    const unsigned int modes_level) const
   {
-    if (motor_model(parameters).rotor_needs_modes()) // by all ranks together
+    if (motor_model(parameters).has_ring_modes()) // by all ranks together
     {
-      progress.enter("vibrations of the rotor");
-      vibration.prepare(modes_level);
+      progress.enter("vibrations of the bodies");
+      vibration.prepare(motor_model(parameters), modes_level);
     }
     std::vector<std::function<TimedMotor()>> tasks;
     for (const unsigned int level : levels)

@@ -65,22 +65,33 @@ namespace ringmotor
     }
 
     /** Combinations of vectors whose stiffness and mass are given that are orthogonal with respect
-     * to both and have unit mass, with their stiffness. */
+     * to both and have unit mass, with their stiffness. What rounding takes from the vectors is
+     * small in strain energy, so that the compliance, which is of second order in it, is exact. */
     struct RitzVectors
     {
-      Vector<double> values;
+      std::vector<double> values; ///< ascending
       FullMatrix<double> weights; ///< of each vector, in each combination
 
       RitzVectors(const FullMatrix<double> &stiffness, const FullMatrix<double> &mass)
       {
-        const FullMatrix<double> basis = orthonormal(mass);
-        FullMatrix<double> times_basis(stiffness.m(), basis.n()), reduced(basis.n(), basis.n());
-        stiffness.mmult(times_basis, basis);
+        const FullMatrix<double> basis = orthonormal(stiffness);
+        FullMatrix<double> times_basis(mass.m(), basis.n()), reduced(basis.n(), basis.n());
+        mass.mmult(times_basis, basis);
         basis.Tmmult(reduced, times_basis);
-        const SymmetricEigenpairs pairs(reduced);
-        values = pairs.values;
-        weights.reinit(basis.m(), basis.n());
-        basis.mmult(weights, pairs.vectors);
+        const SymmetricEigenpairs pairs(reduced); // of the mass for unit stiffness
+        constexpr double rounding = 1e-14;
+        const unsigned int n      = basis.n();
+        FullMatrix<double> of_basis(n, n);
+        for (unsigned int r = 0; r < n; ++r)
+          if (const double square = pairs.values[n - 1 - r];
+              square > rounding * pairs.values[n - 1])
+          {
+            for (unsigned int i = 0; i < n; ++i)
+              of_basis(i, r) = pairs.vectors(i, n - 1 - r) / std::sqrt(square);
+            values.push_back(1. / square);
+          }
+        weights.reinit(basis.m(), n);
+        basis.mmult(weights, of_basis);
       }
     };
 
@@ -164,7 +175,7 @@ namespace ringmotor
 
     const RitzVectors ritz(stiffness, mass);
     std::vector<Mode> modes;
-    for (unsigned int r = 0; r < ritz.weights.n(); ++r)
+    for (unsigned int r = 0; r < ritz.values.size(); ++r)
     {
       std::fill(motion.begin(), motion.end(), 0.);
       for (unsigned int i = 0; i < ritz.weights.m(); ++i)

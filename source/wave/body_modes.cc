@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/stator_parts.h>
 #include <ringmotor/mesh/body_sector.h>
 #include <ringmotor/mesh/ids.h>
 #include <ringmotor/mesh/read_sector.h>
@@ -69,23 +70,6 @@ namespace ringmotor
                                 : BodyDiscretisation{4, 3};
     }
   } // namespace
-
-  MaterialTable material_table(const Materials &materials, const Body body,
-                               const std::optional<PiezoelectricLaw> &ceramic)
-  {
-    if (body == Body::rotor)
-      return {{ids::rotor, materials.rotor_metal},
-              {ids::lip_shell, materials.rotor_metal},
-              {ids::lining, materials.lining},
-              {ids::adhesive, materials.adhesive}};
-    if (body == Body::tooth)
-      return {{ids::tooth, materials.stator_metal}};
-    MaterialTable table{{ids::base, materials.stator_metal},
-                        {ids::tooth, materials.stator_metal},
-                        {ids::piezoceramic, materials.piezoceramic}};
-    table[ids::piezoceramic].law = ceramic;
-    return table;
-  }
 
   BodyModes::BodyModes(const Parameters &all_parameters, MPI_Comm ranks)
       : given(all_parameters), parameters(relevant_for_modes(all_parameters)),

@@ -2,13 +2,12 @@
 #include <ringmotor/elements/bar.h>
 #include <ringmotor/elements/foundation.h>
 #include <ringmotor/mesh/ids.h>
+#include <ringmotor/motor/stator_parts.h>
 #include <ringmotor/structure/motion_products.h>
 #include <ringmotor/wave/frequency_shift.h>
 
 #include <deal.II/base/mpi.h>
 
-#include <algorithm>
-#include <array>
 #include <set>
 
 namespace ringmotor
@@ -17,14 +16,6 @@ namespace ringmotor
 
   namespace
   {
-    /** Lower faces of the stator's solids, bare or with the ceramic ring as a shell. */
-    constexpr std::array<types::boundary_id, 2> felt_ids{{ids::bottom, ids::skin}};
-
-    bool is_on_felt(const types::boundary_id id)
-    {
-      return std::find(felt_ids.begin(), felt_ids.end(), id) != felt_ids.end();
-    }
-
     /** Twice the energies of a mode in what is added, over the meshed part of a sector. */
     struct Products
     {
@@ -99,14 +90,5 @@ namespace ringmotor
     }
     return 0.5 * (products.stiffness / mode.eigenvalue - products.mass) /
            motion_products(sector, {&mode.motion}).front().mass;
-  }
-
-  void add_to_stator(const MotorModel &model, SectorMesh &mesh)
-  {
-    if (model.target_plates)
-      mesh.bars[ids::target_plate] = *model.target_plates;
-    if (model.felt_stiffness > 0.)
-      for (const types::boundary_id id : felt_ids)
-        mesh.foundations[id] = model.felt_stiffness;
   }
 } // namespace ringmotor

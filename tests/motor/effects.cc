@@ -10,6 +10,7 @@
 #include "support/record.h"
 
 #include <ringmotor/motor/effect.h>
+#include <ringmotor/motor/stator_modes.h>
 #include <ringmotor/parameters/declared_entries.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/points/effect_on_points.h>
@@ -78,7 +79,7 @@ TEST(Effects, HaveEachAnEntryOfTheirOwn)
   const DeclaredEntries declared(prm);
   for (const std::string &name : names)
     EXPECT_NE(declared.find(name), nullptr) << name;
-  EXPECT_EQ(names.size(), 14u);
+  EXPECT_EQ(names.size(), 15u);
 }
 
 TEST(Effects, SayWhatTheyNeed)
@@ -222,12 +223,11 @@ TEST(Effects, ThatAreOffCostNothing)
 
 TEST(ToothInertia, ChangesSpeedsAsItsIndicatorSays)
 {
-  Parameters parameters  = reference_motor();
-  const StatorWave wave  = stator_wave(parameters);
-  const double indicator = *effect("Tooth inertia").indicator({parameters, &wave, {}});
-  const EffectOnPoints change =
-      effect_on_points(parameters, effect("Tooth inertia"), wave,
-                       RotorVibration(parameters, wave.angular_frequency), MPI_COMM_SELF);
+  Parameters parameters       = reference_motor();
+  const StatorWave wave       = stator_wave(parameters);
+  const double indicator      = *effect("Tooth inertia").indicator({parameters, &wave, {}});
+  const EffectOnPoints change = effect_on_points(parameters, effect("Tooth inertia"), wave,
+                                                 MotorVibration(parameters, wave), MPI_COMM_SELF);
   record("indicator", indicator);
   record("relative change of the operating points", change.relative);
   EXPECT_GT(change.relative, indicator / 3.);
@@ -242,9 +242,8 @@ TEST(ToothVibration, ChangesLessThanItsEstimate)
   const StatorWave wave               = stator_wave(parameters);
   const Effect &vibration             = effect("Tooth vibration");
   const double indicator              = *vibration.indicator({parameters, &wave, {}});
-  const EffectOnPoints change =
-      effect_on_points(parameters, vibration, wave,
-                       RotorVibration(parameters, wave.angular_frequency), MPI_COMM_SELF);
+  const EffectOnPoints change         = effect_on_points(parameters, vibration, wave,
+                                                         MotorVibration(parameters, wave), MPI_COMM_SELF);
   record("indicator", indicator);
   record("relative change of the operating points", change.relative);
   EXPECT_GT(change.relative, indicator / 30.);
@@ -269,6 +268,34 @@ TEST(ToothVibration, ChangesLessThanItsEstimate)
   }
 }
 
+TEST(StatorCompliance, IsMeasuredAtOperatingPointsAndCostly)
+{
+  Parameters parameters = reference_motor();
+  const StatorWave wave = stator_wave(parameters);
+  const Effect &stator  = effect("Stator compliance");
+  const MotorVibration vibration(parameters, wave);
+  const EffectOnPoints change =
+      effect_on_points(parameters, stator, wave, vibration, MPI_COMM_SELF);
+  record("relative change of the operating points", change.relative);
+  EXPECT_GT(change.relative, 0.005);
+  EXPECT_LT(change.relative, 0.05);
+  // Where it would multiply the time of all points, `auto` leaves more of it to the error bars.
+  const auto choice = [&](const double target)
+  {
+    Parameters chosen                   = parameters;
+    chosen.effects["Stator compliance"] = EffectChoice::automatic;
+    const Scene scene{chosen, &wave, [&](const Effect &) { return change.relative; }};
+    choose_effects(chosen, EffectStage::contact, scene, target);
+    return chosen.effects["Stator compliance"];
+  };
+  EXPECT_EQ(choice(1.9 * change.relative), EffectChoice::on);
+  EXPECT_EQ(choice(2.1 * change.relative), EffectChoice::off);
+  parameters.time.scheme                  = TimeScheme::marching;
+  parameters.effects["Stator compliance"] = EffectChoice::on;
+  expect_refused(parameters, EffectStage::contact,
+                 {"Effects/Stator compliance = on", "Time/Scheme = marching"});
+}
+
 TEST(EffectRanks, ChangesPointsAlikeOnTwo)
 {
   Parameters parameters         = reference_motor();
@@ -276,7 +303,7 @@ TEST(EffectRanks, ChangesPointsAlikeOnTwo)
   const StatorWave wave         = stator_wave(parameters);
   const auto change_on          = [&](MPI_Comm communicator)
   {
-    const RotorVibration vibration(parameters, wave.angular_frequency, communicator);
+    const MotorVibration vibration(parameters, wave, communicator);
     return effect_on_points(parameters, effect("Rotor inertia"), wave, vibration, communicator);
   };
   const EffectOnPoints one = change_on(MPI_COMM_SELF), two = change_on(MPI_COMM_WORLD);

@@ -8,7 +8,7 @@
 #include "support/motor_model.h"
 
 #include <ringmotor/motor/relevant.h>
-#include <ringmotor/motor/rotor_modes.h>
+#include <ringmotor/motor/stator_modes.h>
 #include <ringmotor/output/contact_keep.h>
 #include <ringmotor/output/files.h>
 #include <ringmotor/output/kept_file.h>
@@ -236,7 +236,7 @@ namespace
     CondensedMotor condensed(ContactKeep store)
     {
       Progress silent;
-      const RotorVibration vibration(parameters, wave->angular_frequency);
+      const MotorVibration vibration(parameters, *wave);
       return ComputedPoints(parameters, *wave, vibration, store, silent, MPI_COMM_SELF)
           .motors({0}, RotorVibration::usual_level)
           .front()
@@ -248,7 +248,7 @@ namespace
                                    const std::vector<PointRequest> &wanted)
     {
       Progress silent;
-      const RotorVibration vibration(parameters, wave->angular_frequency);
+      const MotorVibration vibration(parameters, *wave);
       return ComputedPoints(parameters, *wave, vibration, store, silent, MPI_COMM_SELF)
           .points({}, motor, wanted, {});
     }

@@ -7,6 +7,7 @@
 #include "support/motor_model.h"
 #include "support/record.h"
 
+#include <ringmotor/motor/stator_modes.h>
 #include <ringmotor/points/contact_study.h>
 
 #include <gtest/gtest.h>
@@ -117,7 +118,7 @@ TEST(ContactStudy, ComesCloserToAFinerMeshWithCellsAndDegree)
   parameters.accuracy.mode                 = AccuracyMode::fixed;
   parameters.accuracy.interface_refinement = 2;
   const StatorWave wave                    = stator_wave(parameters);
-  const RotorVibration vibration(parameters, wave.angular_frequency);
+  const MotorVibration vibration(parameters, wave);
   ContactStudy study(parameters, wave, vibration);
   std::map<std::string, StudyRow> rows;
   for (const ContactSetting &setting : study.settings())

@@ -8,7 +8,7 @@
 #include "support/record.h"
 
 #include <ringmotor/motor/marching.h>
-#include <ringmotor/motor/rotor_modes.h>
+#include <ringmotor/motor/stator_modes.h>
 #include <ringmotor/output/kept_file.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/points/point_finder.h>
@@ -196,13 +196,12 @@ TEST(MotorIndependenceRanks, SameVibrationsAndMotorsOnTwo)
   Parameters parameters               = reference_motor();
   parameters.effects["Rotor inertia"] = EffectChoice::on;
   const StatorWave wave               = stator_wave(parameters);
-  const RotorVibration one(parameters, wave.angular_frequency),
-      two(parameters, wave.angular_frequency, MPI_COMM_WORLD);
+  const MotorVibration one(parameters, wave), two(parameters, wave, MPI_COMM_WORLD);
   unsigned int n_modes = 0;
   for (unsigned int k = 0; k <= parameters.motor.n_teeth / 2; ++k)
   {
-    const auto &alone  = one.of_first_harmonics().of_diameter(k),
-               &shared = two.of_first_harmonics().of_diameter(k);
+    const auto &alone  = one.rotor.of_first_harmonics().of_diameter(k),
+               &shared = two.rotor.of_first_harmonics().of_diameter(k);
     ASSERT_EQ(alone.size(), shared.size()) << k;
     n_modes += alone.size();
     for (unsigned int i = 0; i < alone.size(); ++i)
@@ -212,7 +211,7 @@ TEST(MotorIndependenceRanks, SameVibrationsAndMotorsOnTwo)
   }
   EXPECT_GT(n_modes, 20u);
 
-  const auto motors_on = [&](const RotorVibration &vibration, MPI_Comm communicator)
+  const auto motors_on = [&](const MotorVibration &vibration, MPI_Comm communicator)
   {
     NothingKept store;
     Progress silent;

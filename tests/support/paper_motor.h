@@ -17,6 +17,7 @@ namespace ringmotor::tests
     effects["Rotor inertia"]               = EffectChoice::off;
     effects["Tooth inertia"]               = EffectChoice::off;
     effects["Tooth vibration"]             = EffectChoice::off;
+    effects["Stator compliance"]           = EffectChoice::off;
     effects["Damping"]                     = EffectChoice::off;
     effects["Stator back-reaction"]        = EffectChoice::off;
     effects["Spin convection"]             = EffectChoice::off;

@@ -7,6 +7,7 @@
 #include "support/materials.h"
 #include "support/paper_motor.h"
 
+#include <ringmotor/motor/stator_parts.h>
 #include <ringmotor/mesh/body_sector.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/wave/body_modes.h>

@@ -12,6 +12,7 @@
 #include <ringmotor/mesh/body_sector.h>
 #include <ringmotor/pictures/sector_field.h>
 #include <ringmotor/pictures/surface_trace.h>
+#include <ringmotor/motor/stator_parts.h>
 #include <ringmotor/wave/body_modes.h>
 #include <ringmotor/wave/frequency_shift.h>
 

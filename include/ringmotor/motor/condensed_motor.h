@@ -102,7 +102,7 @@ namespace ringmotor
     std::vector<Node> nodes;
     std::vector<NearRigidMode> near_rigid_modes;
     double rotor_mass = 0.;             ///< kg, for its rise; 0: quasi-static
-    RingModes modes;                    ///< of rotor and teeth if they have inertia or damping
+    RingModes modes;                    ///< of its bodies if they have inertia or damping
     RingModes coarse_modes;             ///< on the next coarser mesh: error estimate
     RingModes modes_of_other_harmonics; ///< on that mesh, see RotorVibration: error estimate
     unsigned int modes_level = 0;       ///< see RotorVibration
@@ -119,8 +119,8 @@ namespace ringmotor
     unsigned int n_repeats() const;
     /** Whether the model contains modes. */
     bool has_modes() const { return !modes.empty(); }
-    /** Whether it contains modes of the rotor. */
-    bool has_rotor_modes() const;
+    /** Whether it contains modes of a part. */
+    bool has_modes_of(const ModePart part) const;
     /** The compliance of the repeating part. */
     const RingCompliance &repeating() const { return n_repeats() > 1 ? folded : compliance; }
 
@@ -171,13 +171,13 @@ namespace ringmotor
    * the teeth. */
   double tooth_inertia_indicator(const Parameters &parameters, const StatorWave &wave);
 
-  class RotorVibration;
+  struct MotorVibration;
 
   /**
    * Condenses the teeth and the rotor of a motor to their contact points. Depends only on
    * relevant_for_condensation() of the parameters.
    * @param modes_level of the rotor, from 1, see RotorVibration; none: the usual one
-   * @param vibration of the rotor, which is the same for all discretisations; computed if not
+   * @param vibration of its bodies, which is the same for all discretisations; computed if not
    * given
    * @param sets which of the motor's modes are wanted
    * @throws UserError if the lip misses the teeth
@@ -185,6 +185,6 @@ namespace ringmotor
   CondensedMotor condense_motor(const Parameters &parameters, const StatorWave &wave,
                                 const ContactDiscretisation &discretisation,
                                 const std::optional<unsigned int> &modes_level = {},
-                                const RotorVibration *vibration                = nullptr,
+                                const MotorVibration *vibration                = nullptr,
                                 const ModeSets sets = ModeSets::with_compared);
 } // namespace ringmotor

@@ -77,6 +77,10 @@ namespace ringmotor
     /** Whether it adds no work: then `auto` includes it, however small it is. */
     virtual bool is_free() const { return false; }
 
+    /** Whether it multiplies the time of each point: then `auto` leaves it to the error bars up to
+     * AccuracyBudget::costly_effect(). */
+    virtual bool is_costly() const { return false; }
+
     /** Adds what it costs a motor that has it to a row. */
     virtual void add_cost(const CondensedMotor &, EffectRow &) const {}
 
@@ -126,7 +130,8 @@ namespace ringmotor
 
   /**
    * Switches effects of a stage that are `auto` on or off: on where they are free, or the indicator
-   * exceeds a third of @p target; one that the motor cannot have is off up to the whole target.
+   * exceeds a third of @p target, half of it if they are costly; one that the motor cannot have is
+   * off up to the whole target.
    * @return a row for each effect of the stage
    * @throws ComputationError if one is not available that changes more
    */
@@ -136,6 +141,8 @@ namespace ringmotor
   /** Adds what effects cost a motor to their rows, see Effect::add_cost(). */
   void add_costs(const CondensedMotor &motor, std::vector<EffectRow> &rows);
 
-  /** Adds the modes of teeth, or those of the rotor, to a row. */
-  void add_modes_to(EffectRow &row, const CondensedMotor &motor, const bool of_teeth);
+  enum class ModePart;
+
+  /** Adds the modes of a part to a row. */
+  void add_modes_to(EffectRow &row, const CondensedMotor &motor, const ModePart part);
 } // namespace ringmotor

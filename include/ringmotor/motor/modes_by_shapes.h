@@ -44,7 +44,8 @@ namespace ringmotor
       by_diameter.resize(modes.size());
       for (std::size_t r = 0; r < all.size(); ++r)
       {
-        Mode mode{all[r].second->angular_frequency, all[r].second->of_tooth, {}};
+        const RingMode &of = *all[r].second;
+        Mode mode{of.angular_frequency, of.part, of.response, {}};
         for (unsigned int i = 0; i < shapes.n(); ++i)
           mode.shares.emplace_back(factors.weights(i, 2 * r), factors.weights(i, 2 * r + 1));
         by_diameter[all[r].first].push_back(std::move(mode));
@@ -54,14 +55,20 @@ namespace ringmotor
     struct Mode
     {
       double frequency; ///< rad/s
-      bool of_tooth;
+      ModePart part;
+      ModeResponse response;
       std::vector<Complex> shares; ///< of the shapes in motion / omega
 
       /** 1/s */
       double damping(const RingDynamics &dynamics) const
       {
-        return of_tooth ? 0. : dynamics.loss_factor * frequency;
+        return part == ModePart::rotor ? dynamics.loss_factor * frequency : 0.;
       }
+
+      /** The share of its static motion that the static compliance of the motor contains. */
+      double at_once() const { return part == ModePart::stator ? 0. : 1.; }
+      /** The same share of what SteadyInertia::motion() leaves to the static motion. */
+      double of_teeth_at_once() const { return part == ModePart::tooth ? 1. : 0.; }
 
       /** omega motion^H f / omega^2: the static motion of this mode times omega. */
       Complex static_motion(const std::vector<Complex> &force_on_shapes) const
@@ -74,13 +81,16 @@ namespace ringmotor
 
       bool has_inertia(const RingDynamics &dynamics) const
       {
-        return of_tooth || !dynamics.is_hysteretic;
+        return response == ModeResponse::vibrates &&
+               (part != ModePart::rotor || !dynamics.is_hysteretic);
       }
 
       /** Motion in a wave relative to the static motion. */
       Complex amplification(const RingDynamics &dynamics, const HistoryWave &wave,
                             const double dt) const
       {
+        if (response != ModeResponse::vibrates)
+          return response == ModeResponse::none ? 0. : 1.;
         if (!has_inertia(dynamics))
           return 1. / Complex(1., wave.direction * dynamics.loss_factor);
         return frequency * frequency *

@@ -27,6 +27,7 @@ namespace ringmotor
     bool teeth_give_way          = false; ///< elastic teeth under contact forces
     bool teeth_move_with_inertia = false; ///< where the base drives them
     bool teeth_vibrate           = false; ///< with inertia under contact forces
+    bool stator_gives_way        = false; ///< its base, with inertia, under contact forces
     bool rotor_gives_way_along   = false; ///< elastic rotor also under friction
     bool rotor_vibrates          = false; ///< with inertia
     bool rotor_moves_as_whole    = false; ///< with its mass and its inertia against tilting
@@ -42,12 +43,14 @@ namespace ringmotor
      */
     bool is_marched = false;
 
-    /** Whether the teeth or the rotor have inertia under contact forces. */
+    /** Whether the teeth or the rotor, of small mass, have inertia under contact forces. */
     bool has_inertia() const { return teeth_vibrate || rotor_vibrates; }
     /** Whether the response of the rotor depends on the history of forces, which requires its
      * modes. */
     bool rotor_needs_modes() const { return rotor_vibrates || rotor_loss_factor > 0.; }
-    bool needs_modes() const { return teeth_vibrate || rotor_needs_modes(); }
+    /** Whether it has modes of a whole ring, which all meshes of the contact share. */
+    bool has_ring_modes() const { return stator_gives_way || rotor_needs_modes(); }
+    bool needs_modes() const { return teeth_vibrate || has_ring_modes(); }
   };
 
   /** The model with all effects that are not off; `auto` stands for `on` here. */

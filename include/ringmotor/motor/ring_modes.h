@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/contact/contact_surface.h>
 #include <ringmotor/contact/ring_compliance.h>
 #include <ringmotor/contact/solve/contact_problem.h>
 #include <ringmotor/motor/inertia_scheme.h>
@@ -16,6 +17,23 @@
 
 namespace ringmotor
 {
+  /** What a mode belongs to. The static compliance of rotor and teeth contains that of their modes;
+   * the stator below the teeth has none but that of its modes. */
+  enum class ModePart
+  {
+    rotor,
+    tooth,
+    stator
+  };
+
+  /** How a mode responds to forces. */
+  enum class ModeResponse
+  {
+    vibrates,   ///< with its inertia; that of the rotor may be switched off
+    as_at_rest, ///< far below its frequency
+    none        ///< the static compliance is reduced by its own
+  };
+
   /** A mode of a ring of equal sectors at its contact nodes. */
   struct RingMode
   {
@@ -23,14 +41,22 @@ namespace ringmotor
     /** Of each node of sector 0, times exp(-i k j alpha) for sector j, 1/sqrt(kg): the static
      * compliance for such waves of forces is the sum of motion motion^H / omega^2 of all modes. */
     std::vector<std::array<std::complex<double>, 3>> motion;
-    bool of_tooth = false; ///< of a tooth instead of the rotor; not damped
+    ModePart part         = ModePart::rotor; ///< only modes of the rotor are damped
+    ModeResponse response = ModeResponse::vibrates;
+
+    bool of_rotor() const { return part == ModePart::rotor; }
 
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &angular_frequency &motion &of_tooth;
+      archive &angular_frequency &motion &part &response;
     }
   };
+
+  /** The same mode at other points, by interpolation between its nodes. @param weights of each
+   * point
+   */
+  RingMode interpolated(const RingMode &mode, const std::vector<SurfaceWeights> &weights);
 
   /** The modes by nodal diameter 0 .. N / 2. */
   using RingModes = std::vector<std::vector<RingMode>>;
@@ -89,8 +115,8 @@ namespace ringmotor
     /** Motions at the instants due to forces at the instants. */
     RingCompliance compliance() const;
 
-    /** Motions in the rotor's modes, and the contribution of inertia to those of the teeth, under
-     * @p forces, both by instant and node. */
+    /** Motions in the modes of rotor and stator, and the contribution of inertia to those of the
+     * teeth, under @p forces, both by instant and node. */
     std::vector<PointVector> motion(const std::vector<PointVector> &forces) const;
 
     /** The modes at the first instant, by nodal diameter, under @p forces, by instant and node. */

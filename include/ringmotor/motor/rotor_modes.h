@@ -165,6 +165,8 @@ namespace ringmotor
     /** Those that find the modes of at() again, with the rotor's interior; each nodal diameter has
      * modes in one of them at most. */
     std::vector<std::unique_ptr<RotorModeSolver>> solvers(const VibrationSetting &setting) const;
+    /** That of a level, and those that tell its error. */
+    std::vector<VibrationSetting> settings(const unsigned int level, const ModeSets sets) const;
     /** Computes what condense_motor() reads: before ranks condense different motors. */
     void prepare(const unsigned int modes_level,
                  const ModeSets sets = ModeSets::with_compared) const;

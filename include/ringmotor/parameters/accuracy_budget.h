@@ -23,6 +23,8 @@ namespace ringmotor
     double wave() const { return 0.2 * strictest; }
     /** An effect that is left out, of the @p target of its program. */
     static double effect(const double target) { return target / 3.; }
+    /** The same where including it would multiply the time of each point. */
+    static double costly_effect(const double target) { return target / 2.; }
     /** The meshes alone, on which short steps and varied motors are worth their cost. */
     double meshes() const { return 0.9 * contact; }
     /** How closely the means of a marched motor must settle. */

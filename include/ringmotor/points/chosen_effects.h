@@ -2,6 +2,7 @@
 #pragma once
 
 #include <ringmotor/motor/lip_amplification.h>
+#include <ringmotor/motor/stator_modes.h>
 #include <ringmotor/points/effect_on_points.h>
 #include <ringmotor/results/quantity.h>
 
@@ -23,8 +24,8 @@ namespace ringmotor
     const Parameters &parameters() const { return chosen; }
     /** The effects left out, for error bars. */
     LeftOut left_out() const { return {rows, measured}; }
-    /** The modes of the rotor of this motor. */
-    const RotorVibration &vibration() const { return own_vibration; }
+    /** The modes of the bodies of this motor. */
+    const MotorVibration &vibration() const { return own_vibration; }
 
     std::optional<LipAmplification> lip; ///< if the rotor's inertia may matter
     /** What it tells of the rotor, with errors: `lip_A_r/A_n` and, with the number of the harmonic
@@ -33,9 +34,9 @@ namespace ringmotor
     std::vector<EffectRow> rows;
 
   private:
-    const RotorVibration uniform_vibration;         ///< of the rotor on a uniform ring
+    const MotorVibration uniform_vibration;         ///< on a uniform ring
     std::map<std::string, EffectOnPoints> measured; ///< effects measured at operating points
     Parameters chosen;
-    RotorVibration own_vibration;
+    MotorVibration own_vibration;
   };
 } // namespace ringmotor

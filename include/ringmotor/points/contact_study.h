@@ -27,7 +27,7 @@ namespace ringmotor
      * @throws UserError if a curve is requested of a rotor that sticks
      * @throws ComputationError */
     ContactStudy(const Parameters &parameters, const StatorWave &wave,
-                 const RotorVibration &vibration);
+                 const MotorVibration &vibration);
 
     const std::vector<ContactSetting> &settings() const { return all; }
 
@@ -57,7 +57,7 @@ namespace ringmotor
 
     const Parameters &parameters;
     const StatorWave &wave;
-    const RotorVibration &vibration;
+    const MotorVibration &vibration;
     const double period;                              ///< s, of the wave
     std::map<unsigned int, double> vibration_seconds; ///< by level
     std::map<std::string, std::unique_ptr<const Condensed>> motors;

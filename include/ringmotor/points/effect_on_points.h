@@ -26,7 +26,7 @@ namespace ringmotor
    * @throws ComputationError if no state is found without the effect
    */
   EffectOnPoints effect_on_points(const Parameters &parameters, const Effect &effect,
-                                  const StatorWave &wave, const RotorVibration &vibration,
+                                  const StatorWave &wave, const MotorVibration &vibration,
                                   MPI_Comm communicator);
 
   /** The effects that `auto` has left out of a motor. */

@@ -34,7 +34,7 @@ namespace ringmotor
   public:
     /** All must outlive this object. */
     ComputedPoints(const Parameters &parameters, const StatorWave &wave,
-                   const RotorVibration &vibration, PointStore &store, Progress &progress,
+                   const MotorVibration &vibration, PointStore &store, Progress &progress,
                    MPI_Comm communicator);
 
     std::vector<TimedMotor> motors(const std::vector<unsigned int> &levels,
@@ -51,7 +51,7 @@ namespace ringmotor
 
     const Parameters &parameters;
     const StatorWave &wave;
-    const RotorVibration &vibration;
+    const MotorVibration &vibration;
     PointStore &store;
     Progress &progress;
     const MPI_Comm communicator;

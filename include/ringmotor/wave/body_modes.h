@@ -11,11 +11,6 @@
 
 namespace ringmotor
 {
-  /** The materials of the parts of a body; the ceramic of a stator has a potential if it has a law.
-   */
-  MaterialTable material_table(const Materials &materials, const Body body,
-                               const std::optional<PiezoelectricLaw> &ceramic = {});
-
   /** A mesh of a body and the degree of its elements. */
   struct BodyDiscretisation
   {

@@ -12,7 +12,4 @@ namespace ringmotor
    * added, divided by M of the body. Negative where mass prevails. Collective.
    */
   double frequency_shift(const CyclicSector &sector, const Mode &mode, const MotorModel &model);
-
-  /** Adds these parts of @p model to the mesh of a stator. */
-  void add_to_stator(const MotorModel &model, SectorMesh &mesh);
 } // namespace ringmotor

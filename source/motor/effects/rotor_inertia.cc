@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/motor/effects/list.h>
 #include <ringmotor/motor/lip_amplification.h>
+#include <ringmotor/motor/ring_modes.h>
 #include <ringmotor/parameters/check_geometry.h>
 #include <ringmotor/parameters/errors.h>
 
@@ -65,7 +66,7 @@ namespace ringmotor::effects
 
       void add_cost(const CondensedMotor &motor, EffectRow &row) const override
       {
-        add_modes_to(row, motor, /*of_teeth =*/false);
+        add_modes_to(row, motor, ModePart::rotor);
       }
     };
   } // namespace

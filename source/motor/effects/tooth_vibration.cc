@@ -48,7 +48,7 @@ namespace ringmotor::effects
 
       void add_cost(const CondensedMotor &motor, EffectRow &row) const override
       {
-        add_modes_to(row, motor, /*of_teeth =*/true);
+        add_modes_to(row, motor, ModePart::tooth);
       }
     };
   } // namespace

@@ -76,7 +76,7 @@ namespace ringmotor
         PointError error =
             of_mesh * scene.change_by(coarse_modes, request) + of_harmonics * change(coarse, other);
         const CondensedMotor &motor = scene.motor();
-        if (motor.has_rotor_modes() && !motor.dynamics.is_hysteretic)
+        if (motor.has_modes_of(ModePart::rotor) && !motor.dynamics.is_hysteretic)
           error.raise(least_error(point, motor, scene.crest_speed(point)));
         return error.raise(least_of_power(point, error));
       }

@@ -16,6 +16,7 @@ namespace ringmotor::effects
   EffectPointer tooth_vibration();
   EffectPointer damping();
   EffectPointer stator_back_reaction();
+  EffectPointer stator_compliance();
   EffectPointer spin_convection();
   EffectPointer target_plates();
   EffectPointer felt_support();

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/effects/list.h>
+#include <ringmotor/motor/ring_modes.h>
+
+namespace ringmotor::effects
+{
+  namespace
+  {
+    /** Motions of the stator below its teeth under contact forces, beside the wave, with inertia.
+     */
+    class StatorCompliance : public Effect
+    {
+    public:
+      StatorCompliance()
+          : Effect({"Stator compliance",
+                    "Elasticity and inertia of the stator below its teeth under contact forces: "
+                    "all of its modes but the one that drives the motor."},
+                   EffectStage::contact)
+      {
+      }
+
+      std::string obstacle(const Parameters &parameters) const override
+      {
+        return is_marched(parameters) ? " is not available with Time/Scheme = marching or a warped "
+                                        "ring in this version; allowed: off"
+                                      : "";
+      }
+
+      void enter(const Parameters &, MotorModel &model) const override
+      {
+        model.stator_gives_way = true;
+      }
+
+      std::optional<double> indicator(const Scene &scene) const override
+      {
+        return measured_in(scene);
+      }
+
+      bool is_costly() const override { return true; }
+
+      void add_cost(const CondensedMotor &motor, EffectRow &row) const override
+      {
+        add_modes_to(row, motor, ModePart::stator);
+      }
+    };
+  } // namespace
+
+  EffectPointer stator_compliance()
+  {
+    return std::make_unique<const StatorCompliance>();
+  }
+} // namespace ringmotor::effects
