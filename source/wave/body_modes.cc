@@ -3,6 +3,7 @@
 #include <ringmotor/mesh/ids.h>
 #include <ringmotor/mesh/read_sector.h>
 #include <ringmotor/mesh/rotor_sector.h>
+#include <ringmotor/motor/contact_bodies.h>
 #include <ringmotor/motor/relevant.h>
 #include <ringmotor/parameters/accuracy_budget.h>
 #include <ringmotor/parameters/errors.h>
@@ -74,10 +75,7 @@ namespace ringmotor
                                const std::optional<PiezoelectricLaw> &ceramic)
   {
     if (body == Body::rotor)
-      return {{ids::rotor, materials.rotor_metal},
-              {ids::lip_shell, materials.rotor_metal},
-              {ids::lining, materials.lining},
-              {ids::adhesive, materials.adhesive}};
+      return rotor_materials(materials);
     if (body == Body::tooth)
       return {{ids::tooth, materials.stator_metal}};
     MaterialTable table{{ids::base, materials.stator_metal},
