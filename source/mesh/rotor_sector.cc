@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/mesh/contact_line.h>
 #include <ringmotor/mesh/ids.h>
+#include <ringmotor/mesh/merged_section.h>
 #include <ringmotor/mesh/places.h>
 #include <ringmotor/mesh/revolved.h>
 #include <ringmotor/mesh/rotor_sector.h>
@@ -49,9 +50,10 @@ namespace ringmotor
             cells.shrink(from, to, lip.n_across, lip.ratio);
     }
 
-    Section divided(const RevolvedBody &rotor, const RotorGrading &grading,
-                    const InterfaceGrading &lip)
+    Section divided(RevolvedBody rotor, const RotorGrading &grading, const InterfaceGrading &lip)
     {
+      if (lip.n_across > 1)
+        rotor.section = without_lines_from(ids::lip, rotor.section);
       SectionGrading cells(rotor.section);
       cells.grow_from(singular_points(rotor.section), grading.first,
                       {grading.ratio, grading.longest}, rotor.thinnest);

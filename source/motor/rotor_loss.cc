@@ -69,8 +69,11 @@ namespace ringmotor
           condensation.interior(k, body.held(k), {even_pressure(body, k)}).front();
       for (const auto &[part, energy] : motion_products(body.sector, {&motion}).front().stiffness)
       {
-        lost += weight * energy * parts.at(part).loss_factor;
-        stored += weight * energy;
+        if (const auto material = parts.find(part); material != parts.end())
+        {
+          lost += weight * energy * material->second.loss_factor;
+          stored += weight * energy;
+        }
       }
     }
     return stored > 0. ? lost / stored : largest_rotor_loss_factor(parameters);

@@ -119,8 +119,9 @@ TEST(SectionMotor, TellsWhereItsBodiesTouch)
 TEST(SectionMotor, LosesInAllPartsOfItsRotor)
 {
   Parameters motor;
-  motor.motor              = {"", 9, 90};
-  motor.rotor.section_file = RINGMOTOR_SOURCE_DIR "/meshes/disc60_rotor.msh";
+  motor.motor                      = {"", 9, 90};
+  motor.rotor.section_file         = RINGMOTOR_SOURCE_DIR "/meshes/disc60_rotor.msh";
+  motor.rotor.radial_bar_stiffness = 0.;
   Material &metal = motor.materials.rotor_metal, &lining = motor.materials.lining;
   metal  = {68.9e9, 0.33, 2700., 1e-3};
   lining = {2e9, 0.35, 1500., 1e-3};
@@ -130,8 +131,9 @@ TEST(SectionMotor, LosesInAllPartsOfItsRotor)
   EXPECT_GT(with_lining, 2e-3);
   EXPECT_LT(with_lining, 3e-2);
   EXPECT_EQ(largest_rotor_loss_factor(motor), 3e-2);
-  lining.young_modulus = 2e8; // nearly all energy in the lining
-  EXPECT_GT(rotor_loss_factor(motor), with_lining);
-  lining.young_modulus = 2e13; // nearly none
-  EXPECT_NEAR(rotor_loss_factor(motor), 1e-3, 2e-4);
+  lining.young_modulus = 2e6; // nearly all energy in the lining
+  EXPECT_NEAR(rotor_loss_factor(motor), 3e-2, 1e-3);
+  lining.poisson_ratio = metal.poisson_ratio;
+  lining.young_modulus = metal.young_modulus; // a small part of the ring
+  EXPECT_LT(rotor_loss_factor(motor), with_lining);
 }
