@@ -13,6 +13,7 @@
 #include <ringmotor/mesh/ids.h>
 #include <ringmotor/motor/condensed_motor.h>
 #include <ringmotor/motor/rotor_loss.h>
+#include <ringmotor/parameters/errors.h>
 #include <ringmotor/points/point_finder.h>
 
 #include <gtest/gtest.h>
@@ -59,6 +60,16 @@ TEST(SectionMotor, IsThatOfItsDimensions)
   const StatorWave wave     = stator_wave(motor);
   const Parameters sections = with_sections(motor, scratch);
   EXPECT_NO_THROW(check_bodies_in_contact(sections));
+  Parameters mixed = sections;
+  mixed.rotor      = motor.rotor;
+  EXPECT_NO_THROW(check_bodies_in_contact(mixed));
+  mixed.rotor.lip_inner_radius = 40e-3;
+  mixed.rotor.lip_outer_radius = 41e-3;
+  const std::string message    = message_of<UserError>([&]() { check_bodies_in_contact(mixed); });
+  EXPECT_NE(message.find("Rotor/Lip inner radius = 0.04 m to Rotor/Lip outer radius = 0.041 m, and "
+                         "the curve 'contact' of Stator/Section file = \""),
+            std::string::npos)
+      << message;
   EXPECT_EQ(rotor_loss_factor(sections), motor.materials.rotor_metal.loss_factor);
   for (const unsigned int level : {0u, 2u})
   {
