@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/balance/drive.h>
+#include <ringmotor/motor/rotor_loss.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/parameters/short_text.h>
 
@@ -69,10 +70,11 @@ namespace ringmotor
           "a wavelength, as 0.25 or 0.75, or Wave/Drive = amplitude");
     CurvePoint at_rest; // with the wave alone
     at_rest.result.amplitude = driven.amplitude;
+    const double of_rotor    = rotor_loss_factor(parameters);
     const LossBudget losses =
-        loss_budget(at_rest, energies, parameters.materials, parameters.support);
+        loss_budget(at_rest, energies, parameters.materials, of_rotor, parameters.support);
     VoltageDrive drive = voltage_drive(driven, losses, driven.amplitude, *parameters.wave.voltage);
-    drive.rotor_loss_factor = parameters.materials.rotor_metal.loss_factor;
+    drive.rotor_loss_factor = of_rotor;
     drive.force_factor.errors[causes::circuits] += // it is the mean of both phases
         0.5 * difference_of_phases(driven) * std::abs(drive.force_factor.value);
     wave.drive = drive;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <ringmotor/motor/stator_parts.h>
 #include <ringmotor/balance/loss_budget.h>
+#include <ringmotor/motor/body_parts.h>
 #include <ringmotor/points/point_quantities.h>
 #include <ringmotor/wave/body_modes.h>
 
@@ -8,32 +8,45 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ringmotor
 {
   using namespace dealii;
 
-  double felt_energy(const Support &felt, const StatorGeometry &stator, const unsigned int n_teeth,
-                     const WaveMotion &lower_side)
+  namespace
   {
-    const double inner = std::max(felt.felt_inner_radius.value_or(0.), stator.base_inner_radius),
-                 outer = std::min(felt.felt_outer_radius.value_or(stator.base_outer_radius),
-                                  stator.base_outer_radius);
-    if (!felt.has_felt() || inner >= outer)
+    /** The integral of |U_z|^2 between two radii over one sector. */
+    double square_of_rise(const WaveMotion &wave, const RadialRange &radii, const double pitch)
+    {
+      // The wave is a polynomial on each face of the mesh, smooth enough from face to face.
+      const QIterated<1> points(QGauss<1>(3), 12);
+      double square = 0.;
+      for (unsigned int i = 0; i < points.size(); ++i)
+        for (unsigned int j = 0; j < points.size(); ++j)
+        {
+          const double r     = radii.inner + radii.width() * points.point(i)[0];
+          const double theta = pitch * (points.point(j)[0] - 0.5);
+          const auto u       = wave(Point<3>(r * std::cos(theta), r * std::sin(theta), 0.));
+          square +=
+              points.weight(i) * points.weight(j) * radii.width() * pitch * r * std::norm(u[2]);
+        }
+      return square;
+    }
+  } // namespace
+
+  double felt_energy(const Support &felt, const std::vector<RadialRange> &on_felt,
+                     const unsigned int n_teeth, const WaveMotion &lower_side)
+  {
+    if (!felt.has_felt())
       return 0.;
-    // The wave is a polynomial on each face of the mesh, smooth enough from face to face.
-    const QIterated<1> points(QGauss<1>(3), 12);
-    const double pitch = 2. * numbers::PI / n_teeth;
-    double square      = 0.; // integral of |U_z|^2 over one sector
-    for (unsigned int i = 0; i < points.size(); ++i)
-      for (unsigned int j = 0; j < points.size(); ++j)
-      {
-        const double r     = inner + (outer - inner) * points.point(i)[0];
-        const double theta = pitch * (points.point(j)[0] - 0.5);
-        const auto u       = lower_side(Point<3>(r * std::cos(theta), r * std::sin(theta), 0.));
-        square +=
-            points.weight(i) * points.weight(j) * (outer - inner) * pitch * r * std::norm(u[2]);
-      }
+    const RadialRange of_felt{
+        felt.felt_inner_radius.value_or(0.),
+        felt.felt_outer_radius.value_or(std::numeric_limits<double>::infinity())};
+    double square = 0.;
+    for (const RadialRange &radii : on_felt)
+      if (const RadialRange common = radii.common(of_felt); !common.is_empty())
+        square += square_of_rise(lower_side, common, 2. * numbers::PI / n_teeth);
     // The mean of Re(U exp(i omega t))^2 is |U|^2 / 2.
     return 0.25 * n_teeth * square * felt.stiffness();
   }
@@ -91,7 +104,7 @@ namespace ringmotor
   }
 
   LossBudget loss_budget(const CurvePoint &point, const WaveEnergies &wave,
-                         const Materials &materials, const Support &felt)
+                         const Materials &materials, const double of_rotor, const Support &felt)
   {
     const auto estimate = [&](const std::string &quantity)
     { return quantity_named(quantity).estimate(point); };
@@ -105,8 +118,8 @@ namespace ringmotor
     budget.friction     = estimate("friction_loss");
     budget.stator_metal = lost(materials.stator_metal.loss_factor, wave.metal);
     budget.piezoceramic = lost(materials.piezoceramic.loss_factor, wave.piezoceramic);
-    budget.rotor   = materials.rotor_metal.loss_factor * estimate("rotor_power_per_loss_factor");
-    budget.support = lost(felt.felt_loss_factor.value_or(0.), wave.felt);
+    budget.rotor        = of_rotor * estimate("rotor_power_per_loss_factor");
+    budget.support      = lost(felt.felt_loss_factor.value_or(0.), wave.felt);
     return budget;
   }
 } // namespace ringmotor

@@ -2,6 +2,7 @@
 #include <ringmotor/mesh/body_sector.h>
 #include <ringmotor/mesh/graded_lines.h>
 #include <ringmotor/mesh/ids.h>
+#include <ringmotor/mesh/merged_section.h>
 #include <ringmotor/mesh/places.h>
 #include <ringmotor/mesh/revolved.h>
 #include <ringmotor/mesh/section_layers.h>
@@ -280,8 +281,8 @@ namespace ringmotor
     Section tooth = stator.section;
     for (const Section::Edge &foot : feet_of_teeth(tooth))
       tooth.names[foot] = ids::tooth_foot;
-    tooth = cut_along_height(
-        cut_across_contact(tooth.only(ids::tooth), lip_inner, lip_outer, grading), grading);
+    tooth = without_lines_from(ids::tooth_top, tooth.only(ids::tooth));
+    tooth = cut_along_height(cut_across_contact(tooth, lip_inner, lip_outer, grading), grading);
     Revolution revolution{SectorForm::half, SectorParts::tooth, {}, 0};
     for (const double distance : lines_from_edge(1., grading.n_around, grading.ratio))
       revolution.lines.insert(revolution.lines.begin(), 1. - distance);

@@ -167,37 +167,36 @@ namespace ringmotor
       std::vector<Section::Edge> outer;
       double close = 0.; ///< m
     };
-
-    /** Whether edges make up one line with two ends. */
-    bool is_one_line(const std::vector<Section::Edge> &edges)
-    {
-      std::map<unsigned int, std::vector<unsigned int>> neighbours;
-      for (const auto &[a, b] : edges)
-      {
-        neighbours[a].push_back(b);
-        neighbours[b].push_back(a);
-      }
-      const auto end = std::find_if(neighbours.begin(), neighbours.end(),
-                                    [](const auto &entry) { return entry.second.size() == 1; });
-      if (end == neighbours.end())
-        return false;
-      std::set<unsigned int> seen;
-      unsigned int at = end->first;
-      for (bool goes_on = true; goes_on;)
-      {
-        seen.insert(at);
-        goes_on = false;
-        for (const unsigned int next : neighbours[at])
-          if (seen.count(next) == 0)
-          {
-            at      = next;
-            goes_on = true;
-            break;
-          }
-      }
-      return seen.size() == neighbours.size() && edges.size() + 1 == neighbours.size();
-    }
   } // namespace
+
+  bool is_one_line(const std::vector<Section::Edge> &edges)
+  {
+    std::map<unsigned int, std::vector<unsigned int>> neighbours;
+    for (const auto &[a, b] : edges)
+    {
+      neighbours[a].push_back(b);
+      neighbours[b].push_back(a);
+    }
+    const auto end = std::find_if(neighbours.begin(), neighbours.end(),
+                                  [](const auto &entry) { return entry.second.size() == 1; });
+    if (end == neighbours.end())
+      return false;
+    std::set<unsigned int> seen;
+    unsigned int at = end->first;
+    for (bool goes_on = true; goes_on;)
+    {
+      seen.insert(at);
+      goes_on = false;
+      for (const unsigned int next : neighbours[at])
+        if (seen.count(next) == 0)
+        {
+          at      = next;
+          goes_on = true;
+          break;
+        }
+    }
+    return seen.size() == neighbours.size() && edges.size() + 1 == neighbours.size();
+  }
 
   void check_body(const Section &section, const MeshFile &file)
   {

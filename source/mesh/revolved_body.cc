@@ -233,7 +233,13 @@ namespace ringmotor
   void check_bodies(const Parameters &parameters)
   {
     if (!parameters.stator.section_file.empty())
-      stator_body(parameters);
+    {
+      const Section section = stator_body(parameters).section;
+      const auto [low, high] =
+          std::minmax_element(section.points.begin(), section.points.end(),
+                              [](const Point<2> &a, const Point<2> &b) { return a[1] < b[1]; });
+      check_amplitude(parameters.wave, "the height of Stator/Section file", (*high - *low)[1]);
+    }
     if (!parameters.rotor.section_file.empty())
       rotor_body(parameters);
   }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/mesh/contact_line.h>
 #include <ringmotor/mesh/ids.h>
+#include <ringmotor/mesh/merged_section.h>
 #include <ringmotor/mesh/places.h>
 #include <ringmotor/mesh/revolved.h>
 #include <ringmotor/mesh/rotor_sector.h>
@@ -16,22 +18,28 @@ namespace ringmotor
 
   namespace
   {
-    /** Divides the edges in contact, what continues them outwards, and what they bound. */
-    void divide_contact(SectionGrading &cells, const Section &section, const InterfaceGrading &lip)
+    /** Divides the contact line, what continues it outwards, and what it bounds. */
+    void divide_contact(SectionGrading &cells, const RevolvedBody &rotor,
+                        const InterfaceGrading &lip)
     {
+      const Section &section = rotor.section;
+      const double radius    = contact_line(rotor).radii.outer,
+                   width     = contact_line(rotor).radii.width();
       unsigned int outermost = 0; // of the points in contact
-      double radius          = 0.;
       for (const Section::Edge &edge : section.edges_named(ids::lip))
       {
         unsigned int from = edge.first, to = edge.second;
         if (section.points[from][0] < section.points[to][0])
           std::swap(from, to);
-        cells.cut(from, to, lines_from_edge(1., lip.n_across, lip.ratio));
-        if (section.points[from][0] > radius)
-        {
+        if (section.points[from][0] == radius)
           outermost = from;
-          radius    = section.points[from][0];
-        }
+        const double begin  = radius - section.points[from][0],
+                     length = section.points[from][0] - section.points[to][0];
+        std::vector<double> fractions; // where lines over the whole width divide this edge
+        for (const double distance : lines_from_edge(width, lip.n_across, lip.ratio))
+          if (const double fraction = (distance - begin) / length; fraction > 0. && fraction < 1.)
+            fractions.push_back(fraction);
+        cells.cut(from, to, fractions);
       }
       for (const Section::Across &edge : section.edges_across(ids::lip))
         cells.cut(edge.from, edge.to, lines_from_edge(1., lip.n_across + 1, lip.ratio));
@@ -42,14 +50,15 @@ namespace ringmotor
             cells.shrink(from, to, lip.n_across, lip.ratio);
     }
 
-    Section divided(const RevolvedBody &rotor, const RotorGrading &grading,
-                    const InterfaceGrading &lip)
+    Section divided(RevolvedBody rotor, const RotorGrading &grading, const InterfaceGrading &lip)
     {
+      if (lip.n_across > 1)
+        rotor.section = without_lines_from(ids::lip, rotor.section);
       SectionGrading cells(rotor.section);
       cells.grow_from(singular_points(rotor.section), grading.first,
                       {grading.ratio, grading.longest}, rotor.thinnest);
       if (lip.n_across > 1)
-        divide_contact(cells, rotor.section, lip);
+        divide_contact(cells, rotor, lip);
       return cells.result();
     }
 

@@ -216,9 +216,8 @@ namespace ringmotor
       rotor.n_dofs = body.sector.n_dofs();
       rotor.mortar = couple(tooth_top, whole.surface, pitch, discretisation.lip_turn);
       if (rotor.mortar.nodes.empty())
-        throw UserError(
-            "the lip (Rotor/Lip inner radius to Lip outer radius) covers no part of the tooth tops "
-            "(Stator/Tip inner radius to Tip outer radius); let them overlap");
+        throw UserError("the lip covers no part of the tooth tops; let their faces in contact "
+                        "overlap");
       const Condensation condensation = body.condensed(model.rotor_moves_as_whole);
       const InterfaceCompliance interface(condensation);
       SurfaceCompliance of_lip = sector_compliance(interface, whole.origin);
@@ -273,9 +272,9 @@ namespace ringmotor
             modes[k].insert(modes[k].end(), of_tooth.begin(), of_tooth.end());
         return modes;
       };
-      motor.dynamics    = {model.rotor_loss_factor,
-                           InertiaScheme::second_order(parameters.time.spectral_radius),
-                           model.rotor_needs_modes() && !model.rotor_vibrates};
+      motor.dynamics = {model.rotor_loss_factor > 0. ? vibration.rotor.loss_factor() : 0.,
+                        InertiaScheme::second_order(parameters.time.spectral_radius),
+                        model.rotor_needs_modes() && !model.rotor_vibrates};
       motor.modes_level = modes_level;
       motor.modes       = modes_at(vibration.rotor.setting(modes_level));
       if (sets == ModeSets::own)

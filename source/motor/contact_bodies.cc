@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/contact/surface_compliance.h>
 #include <ringmotor/mesh/body_sector.h>
+#include <ringmotor/mesh/contact_line.h>
 #include <ringmotor/mesh/ids.h>
 #include <ringmotor/mesh/rotor_sector.h>
+#include <ringmotor/motor/body_parts.h>
 #include <ringmotor/motor/contact_bodies.h>
 #include <ringmotor/structure/motion_products.h>
 #include <ringmotor/structure/surface_load.h>
@@ -32,10 +34,9 @@ namespace ringmotor
     SectorMesh tooth_mesh(const Parameters &parameters, const ContactDiscretisation &discretisation,
                           const bool is_clamped)
     {
-      const RotorGeometry &rotor = parameters.rotor;
-      SectorMesh mesh =
-          make_contact_tooth(stator_body(parameters), rotor.lip_inner_radius,
-                             rotor.lip_outer_radius, discretisation.tooth, MPI_COMM_SELF);
+      const RadialRange lip = contact_line(rotor_body(parameters)).radii;
+      SectorMesh mesh       = make_contact_tooth(stator_body(parameters), lip.inner, lip.outer,
+                                                 discretisation.tooth, MPI_COMM_SELF);
       if (is_clamped)
         for (const auto &face : mesh.triangulation->active_face_iterators())
           if (face->at_boundary() && face->boundary_id() == ids::tooth_foot)
@@ -133,17 +134,18 @@ namespace ringmotor
   }
 
   RotorBody::RotorBody(const Parameters &parameters, const ContactDiscretisation &discretisation)
-      : mesh(make_rotor_sector(rotor_body(parameters), SectorForm::half, discretisation.rotor,
-                               MPI_COMM_SELF, discretisation.lip)),
-        sector(mesh,
-               {{ids::rotor, parameters.materials.rotor_metal},
-                {ids::lip_shell, parameters.materials.rotor_metal}},
-               discretisation.degree),
-        lip(parameters.rotor.flange_element == ElementKind::solid
-                ? solid_surface(sector, ids::lip)
-                : shell_surface(sector, ids::lip_shell)),
-        whole_lip(whole_surface(lip, mesh.form)),
-        has_bars(parameters.rotor.radial_bar_stiffness > 0.)
+      : RotorBody(rotor_body(parameters), parameters.materials, discretisation)
+  {
+  }
+
+  RotorBody::RotorBody(const RevolvedBody &rotor, const Materials &materials,
+                       const ContactDiscretisation &discretisation)
+      : mesh(make_rotor_sector(rotor, SectorForm::half, discretisation.rotor, MPI_COMM_SELF,
+                               discretisation.lip)),
+        sector(mesh, material_table(materials, Body::rotor), discretisation.degree),
+        lip(rotor.section.shell.points.empty() ? solid_surface(sector, ids::lip)
+                                               : shell_surface(sector, ids::lip_shell)),
+        whole_lip(whole_surface(lip, mesh.form)), has_bars(rotor.bar_stiffness > 0.)
   {
   }
 

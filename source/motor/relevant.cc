@@ -58,6 +58,17 @@ namespace ringmotor
       parameters.materials.adhesive = defaults.adhesive;
     }
 
+    /** Restores the loss factors of the rotor's parts. */
+    void keep_loss_of_rotor(Parameters &parameters, const Materials &given)
+    {
+      Materials &kept              = parameters.materials;
+      kept.rotor_metal.loss_factor = given.rotor_metal.loss_factor;
+      if (parameters.rotor.has_dimensions())
+        return;
+      kept.lining.loss_factor   = given.lining.loss_factor;
+      kept.adhesive.loss_factor = given.adhesive.loss_factor;
+    }
+
     /** Resets the entries that only the programs contact and losses read. */
     void forget_after_the_wave(Parameters &parameters)
     {
@@ -103,7 +114,7 @@ namespace ringmotor
     const Parameters defaults;
     const bool marched              = is_marched(relevant),
                needs_modes          = motor_model(relevant).rotor_needs_modes();
-    const auto rotor_loss_factor    = relevant.materials.rotor_metal.loss_factor;
+    const Materials materials       = relevant.materials;
     relevant.loading.control        = defaults.loading.control;
     relevant.loading.values         = defaults.loading.values;
     relevant.loading.n_curve_points = defaults.loading.n_curve_points;
@@ -121,7 +132,7 @@ namespace ringmotor
     relevant.electrodes = defaults.electrodes;
     forget_what_never_matters(relevant);
     if (needs_modes)
-      relevant.materials.rotor_metal.loss_factor = rotor_loss_factor;
+      keep_loss_of_rotor(relevant, materials);
     return relevant;
   }
 

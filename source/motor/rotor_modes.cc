@@ -2,6 +2,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <ringmotor/motor/motor_model.h>
+#include <ringmotor/motor/rotor_loss.h>
 #include <ringmotor/motor/rotor_modes.h>
 #include <ringmotor/motor/smooth_loads.h>
 #include <ringmotor/structure/modes.h>
@@ -220,6 +221,13 @@ namespace ringmotor
                                                const unsigned int level) const
   {
     return modes_of({level, n_harmonics, {}});
+  }
+
+  double RotorVibration::loss_factor() const
+  {
+    if (!known_loss_factor)
+      known_loss_factor = rotor_loss_factor(parameters);
+    return *known_loss_factor;
   }
 
   std::vector<RotorVibration::Part> RotorVibration::parts(const VibrationSetting &setting) const

@@ -2,10 +2,10 @@
 #include <ringmotor/contact/surface_compliance.h>
 #include <ringmotor/mesh/body_sector.h>
 #include <ringmotor/mesh/ids.h>
+#include <ringmotor/motor/body_parts.h>
 #include <ringmotor/motor/motor_model.h>
 #include <ringmotor/motor/smooth_loads.h>
 #include <ringmotor/motor/stator_modes.h>
-#include <ringmotor/motor/stator_parts.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/structure/response_modes.h>
 #include <ringmotor/structure/shared_work.h>

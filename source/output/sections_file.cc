@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <ringmotor/mesh/ids.h>
+#include <ringmotor/mesh/contact_line.h>
 #include <ringmotor/mesh/revolved_body.h>
 #include <ringmotor/output/files.h>
 #include <ringmotor/output/sections_file.h>
 #include <ringmotor/parameters/required.h>
 
-#include <algorithm>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 namespace ringmotor
@@ -14,18 +12,6 @@ namespace ringmotor
   namespace
   {
     using Json = nlohmann::ordered_json;
-
-    /** The height (m) of the face in contact. */
-    double contact_height(const RevolvedBody &body, const dealii::types::boundary_id contact)
-    {
-      if (!body.section.shell.points.empty())
-        return body.section.shell.points.front()[1] - 0.5 * body.shell_thickness;
-      double lowest = std::numeric_limits<double>::infinity();
-      for (const Section::Edge &edge : body.section.edges_named(contact))
-        lowest = std::min(
-            {lowest, body.section.points[edge.first][1], body.section.points[edge.second][1]});
-      return std::isfinite(lowest) ? lowest : 0.;
-    }
 
     /** @param rise m, by which the body is moved upwards */
     Json to_json(const RevolvedBody &body, const double rise, const Parameters &parameters)
@@ -74,18 +60,18 @@ namespace ringmotor
 
   void write_sections(const std::string &path, const Parameters &parameters)
   {
-    Json json   = Json::object();
-    double tops = 0.;
+    Json json = Json::object();
+    ContactLine tops;
     if (parameters.stator.mesh_file.empty())
     {
       const RevolvedBody stator = stator_body(parameters);
-      tops                      = contact_height(stator, ids::tooth_top);
+      tops                      = contact_line(stator);
       json["stator"]            = to_json(stator, 0., parameters);
     }
     if (has_rotor(parameters))
     {
       const RevolvedBody rotor = rotor_body(parameters);
-      json["rotor"]            = to_json(rotor, tops - contact_height(rotor, ids::lip), parameters);
+      json["rotor"] = to_json(rotor, tops.highest - contact_line(rotor).lowest, parameters);
     }
     write_file(path, json.dump(1) + "\n");
   }

@@ -10,7 +10,6 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 namespace ringmotor
 {
@@ -37,8 +36,11 @@ namespace ringmotor
                         std::to_string(motor.n_teeth / 2));
     }
 
+    /** @throws UserError for a file that is named but not there */
     void check_mesh_file(const std::string &entry, const std::string &file)
     {
+      if (file.empty())
+        return;
       std::error_code no_throw;
       const std::string found = entry + " = " + in_quotes(file) + " ";
       if (!std::filesystem::exists(file, no_throw))
@@ -52,6 +54,34 @@ namespace ringmotor
         throw UserError(found + "cannot be read; check its permissions");
     }
 
+    /** The files of the stator, where there are any. */
+    void check_stator_files(const StatorGeometry &stator)
+    {
+      if (!stator.mesh_file.empty() && !stator.section_file.empty())
+        throw UserError("Stator/Mesh file = " + in_quotes(stator.mesh_file) +
+                        " and Stator/Section file = " + in_quotes(stator.section_file) +
+                        " describe the same body; allowed: one of them");
+      if (!stator.has_dimensions() && stator.piezoceramic_element == ElementKind::shell)
+        throw UserError("Stator/Piezoceramic element = shell is incompatible with " +
+                        stator.file_entry() +
+                        ", which has the ceramic ring in its solid cells; allowed: solid");
+      check_mesh_file("Stator/Mesh file", stator.mesh_file);
+      check_mesh_file("Stator/Section file", stator.section_file);
+    }
+
+    void check_dimensions(const StatorGeometry &stator, const Motor &motor, const Wave &wave)
+    {
+      check_cross_section(stator, motor.n_teeth);
+      check_amplitude(wave, "Stator/Base thickness", stator.base_thickness);
+    }
+
+    /** The entries that describe the rotor of a motor. */
+    std::vector<std::string> entries_of_rotor(const RotorGeometry &rotor)
+    {
+      const std::string metal = "Materials/Rotor metal/";
+      return rotor.has_dimensions() ? std::vector<std::string>{"Rotor/", metal}
+                                    : std::vector<std::string>{metal};
+    }
   } // namespace
 
   void check_for_stator(const Parameters &parameters)
@@ -62,50 +92,35 @@ namespace ringmotor
     parameters.support.check();
     if (parameters.modes.body == Body::rotor)
     {
-      if (const std::string &file = parameters.rotor.section_file; !file.empty())
-        check_mesh_file("Rotor/Section file", file);
-      const std::vector<std::string> metal{"Materials/Rotor metal/"},
-          with_dimensions{"Rotor/", metal.front()};
+      check_mesh_file("Rotor/Section file", parameters.rotor.section_file);
       check_given(parameters, "Modes/Body = rotor needs a rotor",
-                  parameters.rotor.section_file.empty() ? with_dimensions : metal);
+                  entries_of_rotor(parameters.rotor));
       check_rotor(parameters.rotor);
       return;
     }
-    if (!stator.mesh_file.empty() && !stator.section_file.empty())
-      throw UserError("Stator/Mesh file = " + in_quotes(stator.mesh_file) +
-                      " and Stator/Section file = " + in_quotes(stator.section_file) +
-                      " describe the same body; allowed: one of them");
     if (!stator.section_file.empty() ||
         (!stator.mesh_file.empty() && parameters.modes.body == Body::stator))
     {
-      if (stator.piezoceramic_element == ElementKind::shell)
-        throw UserError("Stator/Piezoceramic element = shell is incompatible with " +
-                        stator.file_entry() +
-                        ", which has the ceramic ring in its solid cells; allowed: solid");
-      check_mesh_file(stator.section_file.empty() ? "Stator/Mesh file" : "Stator/Section file",
-                      stator.section_file.empty() ? stator.mesh_file : stator.section_file);
+      check_stator_files(stator);
       return;
     }
     check_thin_parts(stator);
-    check_cross_section(stator, parameters.motor.n_teeth);
-    check_amplitude(parameters.wave, stator);
+    check_dimensions(stator, parameters.motor, parameters.wave);
   }
 
   namespace
   {
-    void check_dimensions(const Parameters &parameters)
+    /** @throws UserError for bodies that are not of revolution */
+    void check_files_for_contact(const Parameters &parameters)
     {
       const StatorGeometry &stator = parameters.stator;
-      if (!stator.has_dimensions())
-        throw UserError(stator.file_entry() +
-                        " is not available in the program contact, which builds its own tooth "
-                        "from the dimensions; allowed: none; for the modes of the stator alone, "
-                        "run the program stator");
-      if (!parameters.rotor.section_file.empty())
-        throw UserError("Rotor/Section file = " + in_quotes(parameters.rotor.section_file) +
-                        " is not available in the program contact, which builds the rotor from the "
-                        "dimensions; allowed: none; for the modes of the rotor alone, run the "
-                        "program stator with Modes/Body = rotor");
+      if (!stator.mesh_file.empty())
+        throw UserError("Stator/Mesh file = " + in_quotes(stator.mesh_file) +
+                        " is not available in the program contact, which needs teeth of known "
+                        "cross-section; allowed: Stator/Section file, or dimensions; for the modes "
+                        "of the stator alone, run the program stator");
+      check_stator_files(stator);
+      check_mesh_file("Rotor/Section file", parameters.rotor.section_file);
     }
 
     /** The wave must be among the modes that the program stator computes. */
@@ -116,29 +131,6 @@ namespace ringmotor
         throw UserError("Modes/Nodal diameters do not include the wave of the motor, " +
                         entry("Motor/Number of waves", parameters.motor.n_waves) +
                         ", which contact and losses need; allowed: wave, or a list with it");
-    }
-
-    void check_history(const Parameters &parameters)
-    {
-      const double inner = std::max(parameters.rotor.lip_inner_radius,
-                                    parameters.stator.tip_inner_radius),
-                   outer = std::min(parameters.rotor.lip_outer_radius,
-                                    parameters.stator.tip_outer_radius);
-      for (const HistoryPoint &point : parameters.output.history_points)
-      {
-        std::ostringstream text;
-        text << "Output/History points: ";
-        if (point.radius < inner || point.radius > outer)
-          text << "radius " << point.radius
-               << " m is not where lip and teeth can touch; allowed: " << inner << " to " << outer
-               << " m";
-        else if (point.tooth >= parameters.motor.n_teeth)
-          text << "tooth " << point.tooth << " is not on the ring; allowed: from 0 to less than "
-               << parameters.motor.n_teeth << " (Motor/Number of teeth)";
-        else
-          continue;
-        throw UserError(text.str());
-      }
     }
 
     void check_friction(const Friction &friction)
@@ -178,24 +170,25 @@ namespace ringmotor
 
   std::vector<std::string> check_for_contact(const Parameters &parameters)
   {
-    check_dimensions(parameters);
+    check_files_for_contact(parameters);
+    std::vector<std::string> needed = entries_of_rotor(parameters.rotor);
+    needed.insert(needed.end(), {"Loading/", "Friction/"});
     check_given(
         parameters,
         "contact and losses need a rotor, its preload and its friction; for the modes of the "
         "stator alone, run the program stator",
-        {"Rotor/", "Materials/Rotor metal/", "Loading/", "Friction/"});
+        needed);
     check_wave(parameters.motor);
     parameters.support.check();
     check_modes_for_contact(parameters);
-    check_cross_section(parameters.stator, parameters.motor.n_teeth);
-    check_amplitude(parameters.wave, parameters.stator);
+    if (parameters.stator.has_dimensions())
+      check_dimensions(parameters.stator, parameters.motor, parameters.wave);
     check_rotor(parameters.rotor);
-    check_overlap(parameters.stator, parameters.rotor);
-    check_clearance(parameters.stator, parameters.rotor);
+    if (parameters.has_dimensions())
+      check_clearance(parameters.stator, parameters.rotor);
     check_friction(parameters.friction);
     check_springs(parameters);
     check_time(parameters);
-    check_history(parameters);
     std::vector<std::string> warnings;
     if (parameters.wave.drive == Drive::amplitude)
     {
@@ -216,25 +209,7 @@ namespace ringmotor
   {
     std::vector<std::string> warnings = check_for_contact(parameters);
     check_given(parameters, "losses needs the loss factor of each material, 0 for one without loss",
-                {"Materials/Stator metal/Loss factor", "Materials/Piezoceramic/Loss factor"});
-    const Support &felt            = parameters.support;
-    const StatorGeometry &stator   = parameters.stator;
-    const double felt_inner_radius = felt.felt_inner_radius.value_or(stator.base_inner_radius),
-                 felt_outer_radius = felt.felt_outer_radius.value_or(stator.base_outer_radius);
-    if (!felt.has_felt())
-      return warnings;
-    if (felt_inner_radius >= felt_outer_radius)
-      throw UserError(entry("Support/Felt inner radius", felt_inner_radius) + " is not below " +
-                      entry("Support/Felt outer radius", felt_outer_radius) +
-                      "; allowed: inner radius < outer radius");
-    if (felt_inner_radius >= stator.base_outer_radius ||
-        felt_outer_radius <= stator.base_inner_radius)
-      warnings.push_back("the felt (Support/Felt inner radius to Felt outer radius) is not "
-                         "under the stator: its loss is zero");
-    else if (felt_inner_radius < stator.base_inner_radius ||
-             felt_outer_radius > stator.base_outer_radius)
-      warnings.push_back("the felt (Support/Felt inner radius to Felt outer radius) reaches beyond "
-                         "the stator: that part is ignored");
+                {"Materials/Stator metal/Loss factor"});
     return warnings;
   }
 } // namespace ringmotor

@@ -140,20 +140,6 @@ namespace ringmotor
         "Ring upper face - Radial bar height", rotor.ring_upper_face - rotor.radial_bar_height);
   }
 
-  void check_overlap(const StatorGeometry &stator, const RotorGeometry &rotor)
-  {
-    constexpr double narrowest = 1e-5; // m
-    if (std::min(rotor.lip_outer_radius, stator.tip_outer_radius) -
-            std::max(rotor.lip_inner_radius, stator.tip_inner_radius) <
-        narrowest)
-      throw UserError(
-          "the lip misses the teeth: " + entry("Rotor/Lip inner radius", rotor.lip_inner_radius) +
-          " and " + entry("Rotor/Lip outer radius", rotor.lip_outer_radius) +
-          " do not overlap with " + entry("Stator/Tip inner radius", stator.tip_inner_radius) +
-          " to " + entry("Stator/Tip outer radius", stator.tip_outer_radius) +
-          "; allowed: at least 10 um in common");
-  }
-
   double clearance(const StatorGeometry &stator, const RotorGeometry &rotor)
   {
     if (rotor.ring_lower_face >= 0.)
@@ -185,14 +171,13 @@ namespace ringmotor
                       ", or a ring that ends above the tooth tops");
   }
 
-  void check_amplitude(const Wave &wave, const StatorGeometry &stator)
+  void check_amplitude(const Wave &wave, const std::string &of, const double thickness)
   {
     constexpr double largest_share = 0.01;
-    if (wave.amplitude > largest_share * stator.base_thickness)
-      throw UserError(
-          entry("Wave/Amplitude", wave.amplitude) + " is not small compared to " +
-          entry("Stator/Base thickness", stator.base_thickness) +
-          ", as required for linear vibration; allowed: up to 1 % of it; amplitudes are in "
-          "m (2 um is 2e-6)");
+    if (wave.amplitude > largest_share * thickness)
+      throw UserError(entry("Wave/Amplitude", wave.amplitude) + " is not small compared to " +
+                      entry(of, thickness) +
+                      ", as required for linear vibration; allowed: up to 1 % of it; amplitudes "
+                      "are in m (2 um is 2e-6)");
   }
 } // namespace ringmotor

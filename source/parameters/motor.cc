@@ -84,8 +84,9 @@ namespace ringmotor
     add_entry(
         prm, "Mesh file", mesh_file, file_or_none(),
         "Gmsh file (.msh) of one sector of the stator, which replaces the dimensions above in "
-        "the program stator; the program contact, which builds its teeth from the "
-        "dimensions, refuses it. A relative path is searched in the folder of this parameter "
+        "the program stator; the program contact, which builds its teeth from "
+        "dimensions or a section, refuses it. A relative path is searched in the folder of this "
+        "parameter "
         "file first, then in the current directory.");
   }
 

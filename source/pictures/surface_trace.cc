@@ -35,8 +35,8 @@ namespace ringmotor
       case Surface::bottom:
         return cell->at_boundary(face) &&
                (cell->face(face)->boundary_id() == ids::bottom ||
-                cell->face(face)->boundary_id() == ids::free) && // of a mesh that was read
-               is_same_place(cell->face(face)->center()[2], lowest, cell->diameter());
+                (cell->face(face)->boundary_id() == ids::free && // of a mesh that was read
+                 is_same_place(cell->face(face)->center()[2], lowest, cell->diameter())));
       }
       return false;
     }

@@ -189,7 +189,8 @@ namespace ringmotor
       const Parameters &parameters = common.parameters;
       const MotorModel model       = motor_model(parameters);
       std::vector<Knob> knobs      = mesh_knobs();
-      knobs.push_back(flange_knob(parameters));
+      if (parameters.rotor.has_dimensions())
+        knobs.push_back(flange_knob(parameters));
       knobs.push_back(contact_knob(parameters, motor));
       knobs.push_back(steps_knob(common));
       if (model.has_ring_modes())

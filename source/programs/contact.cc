@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/contact/friction_law.h>
+#include <ringmotor/mesh/check_contact.h>
+#include <ringmotor/mesh/contact_line.h>
 #include <ringmotor/motor/motor_model.h>
 #include <ringmotor/output/contact_files.h>
 #include <ringmotor/output/contact_h5.h>
@@ -278,7 +280,7 @@ namespace ringmotor
     void ContactProgram::write_fields(const CurveSearch &search)
     {
       const auto scope    = phases.measure("fields for ParaView");
-      const double height = parameters.stator.base_thickness + parameters.stator.tooth_height;
+      const double height = contact_line(stator_body(parameters)).highest;
       write_contact_surfaces(folder, search.motor(), search.points(), height);
       const MotorBodies bodies(parameters, wave,
                                ContactDiscretisation::level(search.discretisation().level));
@@ -293,8 +295,10 @@ namespace ringmotor
       summary.dofs                = motor.n_dofs;
       add_points(summary, search.points());
       add_quantities(summary, effects.lip_quantities, 0.);
-      const Estimate exact = clearance(given.stator, given.rotor);
-      add_quantities(summary, {{"clearance", units::length, exact}}, 0.);
+      if (given.has_dimensions())
+        add_quantities(
+            summary, {{"clearance", units::length, Estimate(clearance(given.stator, given.rotor))}},
+            0.);
       summary.effects = effects.rows;
       if (parameters.accuracy.mode == AccuracyMode::adaptive)
         summary.certificate.push_back(
@@ -311,6 +315,7 @@ namespace ringmotor
             [](const Parameters &parameters)
             {
               check_for_contact(parameters);
+              check_bodies_in_contact(parameters);
               law_of(parameters.friction).check(parameters.friction);
               check_effects(parameters, EffectStage::contact);
             },

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/contact/friction_law.h>
+#include <ringmotor/mesh/check_contact.h>
+#include <ringmotor/motor/rotor_loss.h>
 #include <ringmotor/output/contact_h5.h>
 #include <ringmotor/output/files.h>
 #include <ringmotor/output/log.h>
@@ -55,6 +57,8 @@ namespace ringmotor
     {
       for (const std::string &warning : check_for_losses(parameters))
         log.line("warning: " + warning);
+      for (const std::string &warning : check_bodies_for_losses(parameters))
+        log.line("warning: " + warning);
     }
 
     void LossesProgram::run()
@@ -73,11 +77,12 @@ namespace ringmotor
         body = modes.body();
       const StatorWave of_now = read_stator_wave(modes, parameters);
       const auto driven       = driven_wave(modes);
+      const double of_rotor   = rotor_loss_factor(parameters);
       for (const CurvePoint &point : read_contact_points(
                parameters.output.directory + "/contact/contact.h5", parameters, of_now))
       {
-        PointLosses losses{point,
-                           loss_budget(point, wave, parameters.materials, parameters.support)};
+        PointLosses losses{
+            point, loss_budget(point, wave, parameters.materials, of_rotor, parameters.support)};
         if (driven)
           losses.drive = drive_point(point, losses.budget, *driven);
         points.push_back(std::move(losses));
@@ -146,6 +151,7 @@ namespace ringmotor
             [](const Parameters &parameters)
             {
               check_for_losses(parameters);
+              check_bodies_for_losses(parameters);
               law_of(parameters.friction).check(parameters.friction);
               check_effects(parameters, EffectStage::contact);
             },

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <ringmotor/motor/stator_parts.h>
 #include <ringmotor/mesh/body_sector.h>
 #include <ringmotor/mesh/ids.h>
 #include <ringmotor/mesh/read_sector.h>
 #include <ringmotor/mesh/rotor_sector.h>
+#include <ringmotor/motor/body_parts.h>
+#include <ringmotor/motor/contact_bodies.h>
 #include <ringmotor/motor/relevant.h>
 #include <ringmotor/parameters/accuracy_budget.h>
 #include <ringmotor/parameters/errors.h>

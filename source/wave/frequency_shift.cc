@@ -2,7 +2,7 @@
 #include <ringmotor/elements/bar.h>
 #include <ringmotor/elements/foundation.h>
 #include <ringmotor/mesh/ids.h>
-#include <ringmotor/motor/stator_parts.h>
+#include <ringmotor/motor/body_parts.h>
 #include <ringmotor/structure/motion_products.h>
 #include <ringmotor/wave/frequency_shift.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <ringmotor/motor/stator_parts.h>
+#include <ringmotor/motor/body_parts.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/wave/body_modes.h>
 #include <ringmotor/wave/motor_circuits.h>

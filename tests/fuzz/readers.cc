@@ -7,6 +7,7 @@
 // Usage: readers MOTOR.prm MODES.h5 < names of files, one per line; their endings say what they are
 
 #include <ringmotor/contact/friction_law.h>
+#include <ringmotor/mesh/check_contact.h>
 #include <ringmotor/mesh/read_sector.h>
 #include <ringmotor/motor/effect.h>
 #include <ringmotor/output/contact_h5.h>
@@ -35,9 +36,11 @@ namespace
     check_for_stator(parameters);
     check_effects(parameters, EffectStage::stator);
     check_for_contact(parameters);
+    check_bodies_in_contact(parameters);
     law_of(parameters.friction).check(parameters.friction);
     check_effects(parameters, EffectStage::contact);
     check_for_losses(parameters);
+    check_bodies_for_losses(parameters);
   }
 
   /** Numbers that are not finite must have been refused. */

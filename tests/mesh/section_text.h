@@ -76,6 +76,13 @@ namespace ringmotor::tests
             {{1, 15}, "contact"}, {{1, 21}, "clamped"}, {{1, 24}, "felt"}};
   }
 
+  /** The same of a rotor. */
+  inline std::map<std::pair<int, int>, std::string> names_of_rotor()
+  {
+    return {{{2, 4}, "rotor"},    {{2, 6}, "lining"},  {{2, 7}, "adhesive"}, {{1, 16}, "contact"},
+            {{1, 17}, "pressed"}, {{1, 18}, "driven"}, {{1, 22}, "bars"}};
+  }
+
   /** A clamped web, a ring of three blocks above it with a tooth on top, and a ceramic ring below:
    *
    *       8--9       tooth

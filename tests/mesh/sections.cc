@@ -9,6 +9,7 @@
 
 #include <ringmotor/mesh/body_sector.h>
 #include <ringmotor/mesh/ids.h>
+#include <ringmotor/mesh/merged_section.h>
 #include <ringmotor/mesh/read_section.h>
 #include <ringmotor/mesh/revolved.h>
 #include <ringmotor/mesh/section_layers.h>
@@ -245,4 +246,32 @@ TEST(RevolvedBody, HasBarsAndFeltWhereTheSectionNamesThem)
             std::string::npos);
   parameters.effects["Felt support"] = EffectChoice::off;
   EXPECT_NO_THROW(stator_body(parameters));
+}
+
+TEST(Section, LosesLinesThatOnlyDivide)
+{
+  // Two columns of ring and lining; the line between them reaches from the contact to the top.
+  SectionText text;
+  for (const double z : {0., 1e-3, 3e-3})
+    for (const double r : {20e-3, 22e-3, 25e-3})
+      text.points.emplace_back(r, z);
+  text.elements     = {{3, "lining", {0, 1, 4, 3}}, {3, "lining", {1, 2, 5, 4}},
+                       {3, "rotor", {3, 4, 7, 6}},  {3, "rotor", {4, 5, 8, 7}},
+                       {1, "contact", {0, 1}},      {1, "contact", {1, 2}},
+                       {1, "pressed", {6, 7}},      {1, "pressed", {7, 8}}};
+  const auto merged = [&]() { return without_lines_from(ids::lip, read(text, SectionOf::rotor)); };
+  EXPECT_EQ(merged().cells.size(), 2u);
+  EXPECT_NEAR(area(merged()), 15e-6, 1e-18);
+  EXPECT_NEAR(circumference(merged()), 16e-3, 1e-15);
+  EXPECT_NEAR(length(merged(), ids::lip), 5e-3, 1e-15);
+  EXPECT_NEAR(length(merged(), ids::ring_top), 5e-3, 1e-15);
+  const std::vector<SectionText::Element> all = text.elements;
+  text.elements.pop_back(); // the line ends where a name does
+  EXPECT_EQ(merged().cells.size(), 4u);
+  text.elements     = all;
+  text.points[7][1] = 3.2e-3; // or at a corner
+  EXPECT_EQ(merged().cells.size(), 4u);
+  text.points[7][1] = 3e-3;
+  text.points[4][1] = 1.1e-3; // or crosses a bent one
+  EXPECT_EQ(merged().cells.size(), 4u);
 }

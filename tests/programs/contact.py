@@ -238,6 +238,43 @@ class OtherStators(unittest.TestCase):
                 self.assertIn("belongs to another motor", outcome(CONTACT, "--set", entry).stderr)
 
 
+class Sections(unittest.TestCase):
+    """A motor whose bodies are drawn: prm/disc60.prm."""
+
+    def test_turns(self):
+        quickly = settings("Accuracy/Mode = fixed", "Accuracy/Polynomial degree = 2", "Accuracy/Refinement = 0",
+                           "Accuracy/Interface refinement = 0", "Effects/Rotor inertia = off", "Effects/Damping = off",
+                           "Effects/Tooth vibration = off", "Loading/Values = 0.1", "Output/VTU = false")
+        with tempfile.TemporaryDirectory() as case:
+            for program in (STATOR, CONTACT, pathlib.Path(CONTACT).with_name("losses")):
+                done = run(program, ROOT / "prm" / "disc60.prm", "--output", case, *quickly)
+                self.assertEqual(done.returncode, 0, done.stderr)
+            contact, losses = (json.loads((pathlib.Path(case) / program / "summary.json").read_text())
+                               for program in ("contact", "losses"))
+            self.assertTrue(contact["certificate"]["holds"])
+            self.assertNotIn("clearance", [quantity["name"] for quantity in contact["quantities"]])  # of dimensions
+            found = {quantity["name"]: quantity["value"] for quantity in contact["quantities"] + losses["quantities"]}
+            # The rotor loses more than its metal alone would, as the lining has a larger loss factor.
+            factor = found["internal_loss_rotor"] / found["rotor_power_per_loss_factor"]
+            self.assertGreater(factor, 2e-3)
+            self.assertLess(factor, 3e-2)
+            with h5py.File(pathlib.Path(case) / "contact" / "contact.h5") as file:
+                radii, forces = file["nodes/radius"][()], file["points/000/force"][()]
+            self.assertAlmostEqual(radii.min(), 0.026, places=9)  # the lining, see meshes/disc60_rotor.geo
+            self.assertAlmostEqual(radii.max(), 0.029, places=9)
+            self.assertAlmostEqual(9 * forces[0, ..., 0].sum(), 160, places=6)  # nine repetitions
+
+    def test_bodies_that_do_not_meet(self):
+        for entries, said in (
+                (["Rotor/Section file = none"], "missing Rotor/"),
+                (["Wave/Amplitude = 1e-4"], "the height of Stator/Section file = 0.0053 m"),
+                (["Output/History points = 0:0.0255"], "allowed: 0.026 to 0.029 m")):
+            done = run(CONTACT, ROOT / "prm" / "disc60.prm", "--check", *settings(*entries))
+            self.assertEqual(done.returncode, 1, done.stdout)
+            self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
+            self.assertIn(said, done.stderr)
+
+
 class Targets(unittest.TestCase):
     """The accuracy that the contact asks for is that of the stator's wave, too."""
 

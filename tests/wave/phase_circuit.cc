@@ -7,8 +7,8 @@
 #include "support/materials.h"
 #include "support/paper_motor.h"
 
-#include <ringmotor/motor/stator_parts.h>
 #include <ringmotor/mesh/body_sector.h>
+#include <ringmotor/motor/body_parts.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/wave/body_modes.h>
 #include <ringmotor/wave/phase_circuit.h>

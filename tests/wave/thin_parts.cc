@@ -10,9 +10,9 @@
 #include "support/paper_motor.h"
 
 #include <ringmotor/mesh/body_sector.h>
+#include <ringmotor/motor/body_parts.h>
 #include <ringmotor/pictures/sector_field.h>
 #include <ringmotor/pictures/surface_trace.h>
-#include <ringmotor/motor/stator_parts.h>
 #include <ringmotor/wave/body_modes.h>
 #include <ringmotor/wave/frequency_shift.h>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/mesh/contact_line.h>
 #include <ringmotor/parameters/parameters.h>
 #include <ringmotor/pictures/sector_field.h>
 #include <ringmotor/points/curve_point.h>
@@ -22,9 +23,10 @@ namespace ringmotor
    * modulus / felt thickness per area and follows its lower side: the mean over a period of one
    * half of stiffness times normal displacement squared. Only the area where the felt lies under
    * the stator counts.
+   * @param on_felt of the stator, see radii_on_felt()
    */
-  double felt_energy(const Support &felt, const StatorGeometry &stator, const unsigned int n_teeth,
-                     const WaveMotion &lower_side);
+  double felt_energy(const Support &felt, const std::vector<RadialRange> &on_felt,
+                     const unsigned int n_teeth, const WaveMotion &lower_side);
 
   /**
    * The power balance of an operating point, in W. Hysteretic damping: a part with the strain
@@ -58,6 +60,7 @@ namespace ringmotor
   std::vector<std::vector<double>> loss_density(const SectorField &wave,
                                                 const Materials &materials);
 
+  /** @param of_rotor its loss factor, see rotor_loss_factor() */
   LossBudget loss_budget(const CurvePoint &point, const WaveEnergies &wave,
-                         const Materials &materials, const Support &felt);
+                         const Materials &materials, const double of_rotor, const Support &felt);
 } // namespace ringmotor

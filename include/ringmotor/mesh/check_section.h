@@ -5,6 +5,7 @@
 #include <ringmotor/mesh/section.h>
 
 #include <string>
+#include <vector>
 
 namespace ringmotor
 {
@@ -21,6 +22,9 @@ namespace ringmotor
    * @throws UserError that refuses the @p file
    */
   void check_teeth(const Section &section, const MeshFile &file);
+
+  /** Whether edges make up one line with two ends. */
+  bool is_one_line(const std::vector<Section::Edge> &edges);
 
   /** "r = 15 mm, z = 1 mm" */
   std::string in_words(const dealii::Point<2> &place);

@@ -23,7 +23,7 @@ namespace ringmotor
 
   /**
    * Meshes the sector of a rotor that belongs to one tooth, with cells of exact cylindrical shape.
-   * Cells shrink towards re-entrant corners. @p lip sets the division of the edges in contact, with
+   * Cells shrink towards re-entrant corners. @p lip sets the division of the contact line, with
    * cells that shrink towards the outer end and away from the face.
    */
   SectorMesh make_rotor_sector(const RevolvedBody &rotor, const SectorForm form,

@@ -69,8 +69,9 @@ namespace ringmotor
   {
     RotorBody(const Parameters &parameters, const ContactDiscretisation &discretisation);
 
-    /** Its lip is the interface; the preload on the ring's top and the torque on its inner side,
-     * along which the rotor is almost free to move, are supports 0 and 1. */
+    /** Its lip is the interface; the preload on the edges ids::ring_top of its section and the
+     * torque on the edges ids::ring_bore, along which the rotor is almost free to move, are
+     * supports 0 and 1. */
     Condensation condensed(const bool with_interior = false) const;
 
     /** The supports that are needed for k waves: the rotor rises and turns freely, and tilts almost
@@ -88,6 +89,10 @@ namespace ringmotor
     const ContactSurface lip;
     const SectorSurface whole_lip;
     const bool has_bars;
+
+  private:
+    RotorBody(const RevolvedBody &rotor, const Materials &materials,
+              const ContactDiscretisation &discretisation);
   };
 
   /** The displacements of a mode on a surface, the real field, then the imaginary one.

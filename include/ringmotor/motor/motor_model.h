@@ -31,7 +31,9 @@ namespace ringmotor
     bool rotor_gives_way_along   = false; ///< elastic rotor also under friction
     bool rotor_vibrates          = false; ///< with inertia
     bool rotor_moves_as_whole    = false; ///< with its mass and its inertia against tilting
-    double rotor_loss_factor     = 0.;    ///< of its internal damping, with inertia or without
+    /** Of the rotor's internal damping, with inertia or without: the largest of its parts; see
+     * rotor_loss_factor() for that of the whole rotor. */
+    double rotor_loss_factor = 0.;
 
     // The interface between them
     Warp warp;

@@ -174,6 +174,8 @@ namespace ringmotor
     const LipModes &of_first_harmonics() const;
     /** The same for as many harmonics as are asked for, on the mesh of a level. */
     const LipModes &of_harmonics(const unsigned int n_harmonics, const unsigned int level) const;
+    /** See rotor_loss_factor(). */
+    double loss_factor() const;
 
   private:
     /** Modes on one mesh. */
@@ -195,5 +197,6 @@ namespace ringmotor
     mutable std::map<std::tuple<unsigned int, unsigned int, unsigned int, unsigned int>,
                      std::shared_ptr<const LipModes>>
         known;
+    mutable std::optional<double> known_loss_factor;
   };
 } // namespace ringmotor

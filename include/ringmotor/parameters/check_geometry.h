@@ -31,9 +31,6 @@ namespace ringmotor
   /** Lip, flange and ring must be in the right order. */
   void check_rotor(const RotorGeometry &rotor);
 
-  /** Lip and tooth tops must overlap by more than a sliver. */
-  void check_overlap(const StatorGeometry &stator, const RotorGeometry &rotor);
-
   /** The distance (m) of the rotor's ring from the stator: along r from its outer side, negative if
    * one cuts into the other; of a ring above the tooth tops from their outer edge. */
   double clearance(const StatorGeometry &stator, const RotorGeometry &rotor);
@@ -41,6 +38,7 @@ namespace ringmotor
   /** The ring must not cut into the stator. */
   void check_clearance(const StatorGeometry &stator, const RotorGeometry &rotor);
 
-  /** Amplitudes must be small; this finds those given in um instead of m. */
-  void check_amplitude(const Wave &wave, const StatorGeometry &stator);
+  /** Amplitudes must be small compared to a thickness (m), the entry or what it is of; this finds
+   * those given in um instead of m. */
+  void check_amplitude(const Wave &wave, const std::string &of, double thickness);
 } // namespace ringmotor

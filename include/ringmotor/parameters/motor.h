@@ -63,7 +63,8 @@ namespace ringmotor
 
   /**
    * The rotor: a ring, a flange spring running inwards from it, and a lip at the flange's inner end
-   * that touches the teeth. Lengths in m; heights are above the plane of the tooth tops.
+   * that touches the teeth. Lengths in m; heights are above the plane of the tooth tops. The
+   * dimensions describe the rotor only while #section_file is empty.
    */
   struct RotorGeometry
   {
@@ -80,6 +81,9 @@ namespace ringmotor
     double radial_bar_height    = 0.5e-3; ///< of the band that the bars hold, below the upper edge
     std::string section_file; ///< Gmsh file of the cross-section, as #mesh_file; empty: none
     std::string mesh_file;    ///< Gmsh file of one sector, absolute path after reading; empty: none
+
+    /** Whether the dimensions describe it, not a file. */
+    bool has_dimensions() const { return section_file.empty() && mesh_file.empty(); }
 
     /** Declares the entries; reading them changes the members. */
     void declare(dealii::ParameterHandler &prm);

@@ -57,6 +57,9 @@ namespace ringmotor
      * values above are then the defaults, those of another motor. */
     std::vector<std::string> not_given;
 
+    /** Whether dimensions describe both bodies. */
+    bool has_dimensions() const { return stator.has_dimensions() && rotor.has_dimensions(); }
+
     /** The entries that name files of meshes, with their values. */
     std::vector<std::pair<std::string, std::string *>> mesh_files();
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/motor/effects/list.h>
+#include <ringmotor/motor/rotor_loss.h>
 #include <ringmotor/parameters/errors.h>
 
 namespace ringmotor::effects
@@ -11,8 +12,8 @@ namespace ringmotor::effects
     {
     public:
       Damping()
-          : Effect({"Damping", "Internal damping of the rotor's motion by the loss factor of its "
-                               "metal; the program losses includes the loss in any case."},
+          : Effect({"Damping", "Internal damping of the rotor's motion by the loss factors of its "
+                               "parts; the program losses includes the loss in any case."},
                    EffectStage::contact)
       {
       }
@@ -31,7 +32,7 @@ namespace ringmotor::effects
       {
         // Without inertia the choice of `auto` is still open.
         if (choice(parameters) == EffectChoice::on || model.rotor_vibrates)
-          model.rotor_loss_factor = parameters.materials.rotor_metal.loss_factor;
+          model.rotor_loss_factor = largest_rotor_loss_factor(parameters);
       }
 
       /** Always on if the rotor vibrates. Hysteresis delays the rotor's motion by the fraction eta;
@@ -40,7 +41,7 @@ namespace ringmotor::effects
       {
         return motor_model(scene.parameters).rotor_vibrates
                    ? std::nullopt
-                   : std::optional<double>(scene.parameters.materials.rotor_metal.loss_factor);
+                   : std::optional<double>(rotor_loss_factor(scene.parameters));
       }
     };
   } // namespace

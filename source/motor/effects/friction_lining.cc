@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/mesh/contact_line.h>
 #include <ringmotor/motor/effects/list.h>
 #include <ringmotor/parameters/errors.h>
-
-#include <deal.II/base/numbers.h>
-
-#include <cmath>
 
 namespace ringmotor::effects
 {
@@ -50,11 +47,8 @@ namespace ringmotor::effects
         const Parameters &parameters = scene.parameters;
         if (!is_given(parameters.friction))
           return 0.;
-        constexpr double share     = 0.1;
-        const RotorGeometry &rotor = parameters.rotor;
-        const double area =
-            share * dealii::numbers::PI *
-            (std::pow(rotor.lip_outer_radius, 2) - std::pow(rotor.lip_inner_radius, 2));
+        constexpr double share = 0.1;
+        const double area      = share * contact_line(rotor_body(parameters)).radii.area();
         return parameters.loading.preload / area / *parameters.friction.lining_normal_stiffness /
                parameters.wave.amplitude;
       }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/mesh/ids.h>
-#include <ringmotor/motor/stator_parts.h>
+#include <ringmotor/motor/body_parts.h>
 
 #include <algorithm>
 #include <array>

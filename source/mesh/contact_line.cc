@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/mesh/contact_line.h>
+#include <ringmotor/mesh/ids.h>
+#include <ringmotor/mesh/places.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace ringmotor
+{
+  using namespace dealii;
+
+  double RadialRange::area() const
+  {
+    return is_empty() ? 0. : numbers::PI * (outer * outer - inner * inner);
+  }
+
+  RadialRange RadialRange::common(const RadialRange &other) const
+  {
+    return {std::max(inner, other.inner), std::min(outer, other.outer)};
+  }
+
+  namespace
+  {
+    /** The ends of the edges that can touch. */
+    std::vector<Point<2>> ends_in_contact(const RevolvedBody &body)
+    {
+      std::vector<Point<2>> ends;
+      for (const types::boundary_id name : {ids::tooth_top, ids::lip})
+        for (const Section::Edge &edge : body.section.edges_named(name))
+          for (const unsigned int end : {edge.first, edge.second})
+            ends.push_back(body.section.points[end]);
+      const Section::ShellLine &shell = body.section.shell;
+      for (unsigned int i = 0; shell.n_in_contact > 0 && i <= shell.n_in_contact; ++i)
+        ends.emplace_back(shell.points[i][0], shell.points[i][1] - 0.5 * body.shell_thickness);
+      return ends;
+    }
+
+    RadialRange radii_of(const Section &section, const Section::Edge &edge)
+    {
+      const auto [inner, outer] =
+          std::minmax(section.points[edge.first][0], section.points[edge.second][0]);
+      return {inner, outer};
+    }
+  } // namespace
+
+  ContactLine contact_line(const RevolvedBody &body)
+  {
+    const std::vector<Point<2>> ends = ends_in_contact(body);
+    if (ends.empty())
+      return {};
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    ContactLine line{{infinity, 0.}, infinity, -infinity};
+    for (const Point<2> &end : ends)
+    {
+      line.radii.inner = std::min(line.radii.inner, end[0]);
+      line.radii.outer = std::max(line.radii.outer, end[0]);
+      line.lowest      = std::min(line.lowest, end[1]);
+      line.highest     = std::max(line.highest, end[1]);
+    }
+    return line;
+  }
+
+  double rise_to_contact(const RevolvedBody &rotor, const RevolvedBody &stator)
+  {
+    return contact_line(stator).highest - contact_line(rotor).lowest;
+  }
+
+  std::vector<RadialRange> radii_on_felt(const RevolvedBody &stator)
+  {
+    std::vector<RadialRange> all;
+    for (const types::boundary_id name : {ids::bottom, ids::skin})
+      for (const Section::Edge &edge : stator.section.edges_named(name))
+        all.push_back(radii_of(stator.section, edge));
+    std::sort(all.begin(), all.end(),
+              [](const RadialRange &a, const RadialRange &b) { return a.inner < b.inner; });
+    std::vector<RadialRange> joined;
+    for (const RadialRange &range : all)
+      if (!joined.empty() && range.inner <= joined.back().outer * (1. + places::rounding))
+        joined.back().outer = std::max(joined.back().outer, range.outer);
+      else
+        joined.push_back(range);
+    return joined;
+  }
+} // namespace ringmotor

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Sections that the program stator reads but that cannot be in contact are refused in one line that
+// says what was found and what to do.
+
+#include "mesh/section_text.h"
+
+#include <ringmotor/mesh/check_contact.h>
+#include <ringmotor/parameters/errors.h>
+#include <ringmotor/parameters/parameters.h>
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+using namespace ringmotor;
+using namespace ringmotor::tests;
+
+namespace
+{
+  /** A hub, a web and a ring with a lining below:
+   *
+   *    4--5--6--7
+   *    0--1--2--3
+   *          8--9
+   */
+  SectionText rotor()
+  {
+    SectionText text;
+    for (const double z : {0., 2e-3})
+      for (const double r : {5e-3, 10e-3, 20e-3, 24e-3})
+        text.points.emplace_back(r, z);
+    text.points.emplace_back(20e-3, -1e-3);
+    text.points.emplace_back(24e-3, -1e-3);
+    text.elements = {{3, "rotor", {0, 1, 5, 4}}, {3, "rotor", {1, 2, 6, 5}},
+                     {3, "rotor", {2, 3, 7, 6}}, {3, "lining", {8, 9, 3, 2}},
+                     {1, "contact", {8, 9}},     {1, "pressed", {4, 5}},
+                     {1, "driven", {0, 4}}};
+    return text;
+  }
+
+  struct Sections
+  {
+    SectionText stator = three_columns(), rotor = ::rotor();
+    Parameters parameters;
+  };
+
+  std::string message_with(const std::function<void(Sections &)> &change)
+  {
+    const Scratch scratch;
+    Sections of;
+    of.parameters.rotor.radial_bar_stiffness = 0.;
+    of.parameters.motor.n_teeth              = 60;
+    change(of);
+    of.parameters.stator.section_file = of.stator.write(scratch, "stator.msh");
+    of.parameters.rotor.section_file  = of.rotor.write(scratch, "rotor.msh");
+    return message_of<UserError>([&]() { check_bodies_in_contact(of.parameters); });
+  }
+
+  void expect_refusal(const std::function<void(Sections &)> &change,
+                      const std::vector<std::string> &words)
+  {
+    const std::string message = message_with(change);
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+    EXPECT_NE(message.find("; "), std::string::npos) << message; // what to do
+    for (const std::string &word : words)
+      EXPECT_NE(message.find(word), std::string::npos) << '"' << word << "\" not in: " << message;
+  }
+
+  void erase(SectionText &text, const std::string &name)
+  {
+    for (std::size_t i = 0; i < text.elements.size();)
+      if (text.elements[i].name == name)
+        text.elements.erase(text.elements.begin() + i);
+      else
+        ++i;
+  }
+} // namespace
+
+TEST(ContactSections, AreAccepted)
+{
+  EXPECT_EQ(message_with([](Sections &) {}), "nothing thrown");
+}
+
+TEST(ContactSections, NeedTheEdgesOfContactAndLoads)
+{
+  for (const auto &[name, what] : {std::make_pair("pressed", "the preload acts"),
+                                   {"driven", "the load torque acts"},
+                                   {"contact", "the lower face of lip or lining"}})
+    expect_refusal([name = name](Sections &of) { erase(of.rotor, name); },
+                   {"Rotor/Section file = \"", std::string("it has no curve '") + name, what});
+  expect_refusal(
+      [](Sections &of)
+      {
+        erase(of.stator, "contact");
+        for (SectionText::Element &element : of.stator.elements)
+          element.name = "base";
+      },
+      {"Stator/Section file = \"", "it has no curve 'contact'", "contact needs teeth"});
+  expect_refusal(
+      [](Sections &of) {
+        of.rotor.elements.push_back({1, "clamped", {3, 7}});
+      },
+      {"Rotor/Section file = \"", "it has the curve 'clamped'"});
+  expect_refusal([](Sections &of) { of.parameters.not_given = {"Materials/Lining/Loss factor"}; },
+                 {"Materials/Lining/Loss factor", "Rotor/Section file has the part 'lining'"});
+}
+
+TEST(ContactSections, NeedLevelLinesThatOverlap)
+{
+  expect_refusal([](Sections &of) { of.rotor.points[9][1] = -1.1e-3; },
+                 {"Rotor/Section file = \"", "reaches from z = -1.1 mm to -1 mm", "draw it level"});
+  expect_refusal(
+      [](Sections &of)
+      {
+        for (dealii::Point<2> &x : of.rotor.points)
+          x[0] += 10e-3;
+      },
+      {"the lip misses the teeth", "the curve 'contact' of Rotor/Section file = \"",
+       "from r = 30 mm to 34 mm", "the curve 'contact' of Stator/Section file = \"",
+       "from r = 10 mm to 25 mm", "at least 10 um"});
+  expect_refusal(
+      [](Sections &of) {
+        of.parameters.output.history_points = {{0., 0.0195}};
+      },
+      {"Output/History points: radius 0.0195 m", "allowed: 0.02 to 0.024 m"});
+  expect_refusal(
+      [](Sections &of)
+      {
+        // The hub reaches below the tops, in the tooth.
+        of.rotor.points[0] = {11e-3, -1.5e-3};
+        of.rotor.points[1] = {13e-3, -1.5e-3};
+        of.rotor.points[4] = {11e-3, 2e-3};
+        of.rotor.points[5] = {13e-3, 2e-3};
+      },
+      {"the rotor cuts into the stator, at r = ", "touch along these lines only"});
+}
+
+TEST(ContactSections, BoundTheAmplitude)
+{
+  expect_refusal([](Sections &of) { of.parameters.wave.amplitude = 2e-3; },
+                 {"Wave/Amplitude = 0.002 m", "the height of Stator/Section file = 0.004 m"});
+}
