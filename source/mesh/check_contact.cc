@@ -76,7 +76,8 @@ namespace ringmotor
       if (body.line.highest - body.line.lowest > places::file_rounding * body.line.radii.outer)
         body.refuse("the curve 'contact' reaches from z = " + in_millimetres(body.line.lowest) +
                         " to " + in_millimetres(body.line.highest),
-                    "draw it level: the program contact has no faces that touch in part at rest");
+                    "name the part of it that is level, crowned or conical up to a tenth of its "
+                    "width");
     }
 
     /** The edges that a rotor from a file must have, and those that it must not have. */

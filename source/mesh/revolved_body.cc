@@ -99,6 +99,14 @@ namespace ringmotor
       return 0.;
     }
 
+    /** The same with the shape of its contact line as a profile. */
+    RevolvedBody with_level_face(RevolvedBody body, const types::boundary_id contact)
+    {
+      body.face    = face_profile(body.section, contact);
+      body.section = levelled(std::move(body.section), contact, body.face);
+      return body;
+    }
+
     /** @throws UserError if there is no tooth between them */
     void check_slots(const Parameters &parameters, const Slots &slots)
     {
@@ -136,7 +144,7 @@ namespace ringmotor
     if (parameters.modes.body == Body::tooth && !slots.has_teeth())
       throw UserError("Modes/Body = tooth needs teeth, but " + stator.file_entry() +
                       " has no part 'tooth'; allowed: stator, or a section with it");
-    return {section, slots};
+    return with_level_face({section, slots}, ids::tooth_top);
   }
 
   namespace
@@ -227,7 +235,7 @@ namespace ringmotor
     check_materials(parameters, section, "Rotor/Section file");
     RevolvedBody body{section, {parameters.motor.n_teeth}};
     body.bar_stiffness = bar_stiffness(parameters, section);
-    return body;
+    return with_level_face(std::move(body), ids::lip);
   }
 
   void check_bodies(const Parameters &parameters)

@@ -127,7 +127,10 @@ namespace ringmotor
   {
     std::vector<PointVector> position = positions_by(state);
     for (unsigned int point = 0; point < position.size(); ++point)
+    {
       position[point] -= vibration.empty() ? stator[point] : stator[point] - vibration[point];
+      position[point][0] += gap(point);
+    }
     return position;
   }
 
@@ -149,7 +152,10 @@ namespace ringmotor
     std::vector<PointVector> motion             = positions(state);
     const std::vector<PointVector> tooth_motion = this->tooth_motion(state);
     for (unsigned int point = 0; point < motion.size(); ++point)
+    {
       motion[point] += tooth_motion[point];
+      motion[point][0] -= gap(point);
+    }
     return motion;
   }
 
@@ -324,7 +330,7 @@ namespace ringmotor
     {
       std::vector<double> heights;
       for (unsigned int point = m * n_of_sample; point < (m + 1) * n_of_sample; ++point)
-        heights.push_back(stator[point][0]);
+        heights.push_back(stator[point][0] - gap(point));
       const auto n_above = static_cast<std::ptrdiff_t>(1 + share * n_of_sample);
       std::nth_element(heights.begin(), heights.end() - n_above, heights.end());
       state.rigid[m * n_rigid_of_sample] = *(heights.end() - n_above);

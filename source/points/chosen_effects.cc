@@ -37,15 +37,17 @@ namespace ringmotor
   } // namespace
 
   ChosenEffects::ChosenEffects(const Parameters &given, const StatorWave &wave)
-      : uniform_vibration(on_uniform_ring(given), wave, MPI_COMM_WORLD),
-        chosen(given), own_vibration(uniform_vibration)
+      : uniform_vibration(on_uniform_ring(given), wave, MPI_COMM_WORLD), chosen(given),
+        own_vibration(uniform_vibration)
   {
     constexpr unsigned int n_harmonics = 6, level = 1, coarsest = 0;
     // Where inertia was switched off, its estimate is for information only.
     constexpr unsigned int n_rough = 3;
     std::optional<LipAmplification> rough_lip;
-    const auto on_coarsest = [&](const unsigned int n)
-    { return LipAmplification(given, uniform_vibration.rotor.of_harmonics(n, coarsest), coarsest, n); };
+    const auto on_coarsest = [&](const unsigned int n) {
+      return LipAmplification(given, uniform_vibration.rotor.of_harmonics(n, coarsest), coarsest,
+                              n);
+    };
     const Scene scene{
         chosen, &wave,
         [&](const Effect &effect)
@@ -63,8 +65,7 @@ namespace ringmotor
           return *lip;
         }};
     rows = choose_effects(chosen, EffectStage::contact, scene, given.accuracy.contact_target);
-    own_vibration = is_marched(chosen)
-                        ? MotorVibration(chosen, wave, MPI_COMM_WORLD)
-                        : uniform_vibration; // with its computed results
+    own_vibration = is_marched(chosen) ? MotorVibration(chosen, wave, MPI_COMM_WORLD)
+                                       : uniform_vibration; // with its computed results
   }
 } // namespace ringmotor

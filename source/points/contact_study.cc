@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <ringmotor/motor/stator_modes.h>
 #include <ringmotor/motor/relevant.h>
+#include <ringmotor/motor/stator_modes.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/points/contact_study.h>
 #include <ringmotor/points/point_finder.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <ringmotor/motor/stator_modes.h>
 #include <ringmotor/motor/motor_model.h>
+#include <ringmotor/motor/stator_modes.h>
 #include <ringmotor/points/point_finder.h>
 #include <ringmotor/points/point_source.h>
 #include <ringmotor/structure/shared_work.h>
@@ -23,8 +23,8 @@ namespace ringmotor
   std::vector<TimedMotor> ComputedPoints::motors(const std::vector<unsigned int> &levels,
                                                  const unsigned int modes_level)
   {
-    const auto modes = motor_model(parameters).has_ring_modes() ? std::make_optional(modes_level)
-                                                                   : std::nullopt;
+    const auto modes =
+        motor_model(parameters).has_ring_modes() ? std::make_optional(modes_level) : std::nullopt;
     std::map<unsigned int, TimedMotor> known;
     std::vector<unsigned int> missing;
     for (const unsigned int level : levels)

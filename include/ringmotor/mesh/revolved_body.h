@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/mesh/face_profile.h>
 #include <ringmotor/mesh/section.h>
 #include <ringmotor/mesh/slots.h>
 #include <ringmotor/parameters/motor.h>
@@ -21,6 +22,7 @@ namespace ringmotor
     /** m, what is thinnest at re-entrant corners, where dimensions tell; else edges do. */
     std::optional<double> thinnest = {};
     double bar_stiffness           = 0.; ///< N/m^3, of bars at the edges ids::radial_bars
+    FaceProfile face{}; ///< of the edges in contact, which are level in the section
   };
 
   /** The stator that dimensions describe: a trapezoid of one cell for the base and one for the

@@ -3,6 +3,7 @@
 
 #include <ringmotor/contact/solve/contact_solver.h>
 #include <ringmotor/motor/contact_bodies.h>
+#include <ringmotor/motor/rest_gap.h>
 #include <ringmotor/motor/ring_modes.h>
 #include <ringmotor/motor/voltage_drive.h>
 
@@ -102,6 +103,7 @@ namespace ringmotor
     std::vector<Node> nodes;
     std::vector<NearRigidMode> near_rigid_modes;
     double rotor_mass = 0.;             ///< kg, for its rise; 0: quasi-static
+    RestGap gap;                        ///< of the faces in contact
     RingModes modes;                    ///< of its bodies if they have inertia or damping
     RingModes coarse_modes;             ///< on the next coarser mesh: error estimate
     RingModes modes_of_other_harmonics; ///< on that mesh, see RotorVibration: error estimate
@@ -135,7 +137,8 @@ namespace ringmotor
     {
       archive &n_teeth &n_waves &wave &nodes &near_rigid_modes &compliance &folded;
       archive &constants.normal &constants.tangential &tooth_compliance &faces &degree &n_dofs;
-      archive &rotor_mass &modes &coarse_modes &modes_of_other_harmonics &modes_level &dynamics;
+      archive &rotor_mass &gap &modes &coarse_modes &modes_of_other_harmonics &modes_level
+          &dynamics;
     }
   };
 

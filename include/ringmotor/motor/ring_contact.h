@@ -156,6 +156,11 @@ namespace ringmotor
 
   private:
     void place_stator(const double first_time, const Warp &warp);
+    /** m, of the faces at rest at a contact point, see RestGap. */
+    double gap(const unsigned int point) const
+    {
+      return motor.gap.at(point % n_nodes, load.preload);
+    }
     void tabulate_rigid_motions();
     double turn(const ContactState &state) const;
     /** Positions due to forces and rigid motions only, and the change of positions in a step. */

@@ -114,10 +114,18 @@ namespace ringmotor
     penalty
   };
 
+  /** The shape of the faces in contact at rest. */
+  enum class ContactFaces
+  {
+    drawn, ///< as in the section, level without one
+    lapped ///< parallel to each other under the preload, spread evenly
+  };
+
   /** How contact is enforced. */
   struct Contact
   {
     ContactFormulation formulation = ContactFormulation::mortar;
+    ContactFaces faces             = ContactFaces::drawn;
     std::optional<double> normal_penalty;     ///< N/m at each node, for the penalty formulation
     std::optional<double> tangential_penalty; ///< N/m at each node, for the penalty formulation
 
