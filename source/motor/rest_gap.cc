@@ -2,11 +2,14 @@
 #include <ringmotor/mesh/revolved_body.h>
 #include <ringmotor/motor/condensed_motor.h>
 #include <ringmotor/motor/rest_gap.h>
+#include <ringmotor/parameters/parameters.h>
 
 #include <algorithm>
+#include <array>
 #include <complex>
 #include <limits>
 #include <numeric>
+#include <sstream>
 
 namespace ringmotor
 {
@@ -82,5 +85,32 @@ namespace ringmotor
     subtract_mean(gap.drawn, shares);
     subtract_mean(gap.deflection, shares);
     return gap;
+  }
+
+  RestGap rough_rest_gap(Parameters parameters)
+  {
+    for (const std::string name :
+         {"Rotor inertia", "Tooth vibration", "Damping", "Stator compliance"})
+      parameters.effects[name] = EffectChoice::off;
+    StatorWave at_rest;
+    at_rest.n_waves           = parameters.motor.n_waves;
+    at_rest.angular_frequency = 1.; // any
+    at_rest.foot = at_rest.top = [](const dealii::Point<3> &)
+    { return std::array<std::complex<double>, 3>(); };
+    return condense_motor(parameters, at_rest, ContactDiscretisation::level(0)).gap;
+  }
+
+  std::string describe_faces(const RestGap &gap, const Parameters &parameters)
+  {
+    const double uneven = gap.unevenness(parameters.loading.preload);
+    std::ostringstream text;
+    text.precision(2);
+    text << "under the preload, spread evenly, the faces in contact are " << 1e6 * uneven
+         << " um from parallel";
+    if (!gap.is_lapped && uneven > parameters.wave.amplitude)
+      text << ", more than the amplitude of the wave, " << 1e6 * parameters.wave.amplitude
+           << " um: they touch with an edge; motors are made with Contact/Faces = lapped, or with "
+              "faces drawn to fit";
+    return (gap.is_lapped || uneven <= parameters.wave.amplitude ? "" : "warning: ") + text.str();
   }
 } // namespace ringmotor

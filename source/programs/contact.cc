@@ -165,6 +165,7 @@ namespace ringmotor
         if (!point.remark.empty())
           log.line("note: at " + text(1e3 * point.result.torque, 2) +
                    " mN m Newton's method did not converge directly: " + point.remark);
+      log.line(describe_faces(search.motor().gap, parameters));
       report_static_friction(search);
       warn_of_weak_waves(search);
       warn_of_long_steps(search);
@@ -324,6 +325,10 @@ namespace ringmotor
             { ContactProgram(parameters).study(resumes); },
             [](const Parameters &parameters) { ContactProgram(parameters).run(true); },
             [](const Parameters &parameters)
-            { ContactKeep::clear(results_folder("contact", parameters)); }};
+            { ContactKeep::clear(results_folder("contact", parameters)); },
+            [](const Parameters &parameters) {
+              return std::vector<std::string>{
+                  describe_faces(rough_rest_gap(parameters), parameters)};
+            }};
   }
 } // namespace ringmotor

@@ -95,6 +95,10 @@ namespace ringmotor
     {
       if (line.form == "json")
         return print_as_json(std::cout, plan);
+      for (const Program &program : plan.programs)
+        for (const std::string &remark :
+             program.remarks ? program.remarks(plan.parameters) : std::vector<std::string>())
+          std::cout << program.name << ": " << remark << std::endl;
       std::cout << process.name << ": the parameters are valid; results would be written to "
                 << (plan.programs.size() > 1
                         ? plan.parameters.output.directory + "/"

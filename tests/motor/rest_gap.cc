@@ -167,7 +167,9 @@ namespace
       if (share > 0.2 && share < 0.7)
         error = std::max(error, std::abs(mean - expected(x)));
       if (share > 1.3)
+      {
         EXPECT_EQ(mean, 0.) << x;
+      }
     }
     return error;
   }

@@ -3,6 +3,7 @@
 
 #include <boost/serialization/vector.hpp>
 
+#include <string>
 #include <vector>
 
 namespace ringmotor
@@ -38,4 +39,12 @@ namespace ringmotor
   /** That of a motor whose bodies are condensed: the drawn shapes, and the deflection by the static
    * compliance and by the modes without nodal diameters. */
   RestGap rest_gap(const Parameters &parameters, const CondensedMotor &motor);
+
+  /** The same on coarse meshes, by the compliance of rotor and teeth alone: before anything else of
+   * a motor is known. */
+  RestGap rough_rest_gap(Parameters parameters);
+
+  /** How far the faces are from parallel under the preload, in words; it is a warning if that is
+   * more than the amplitude of the wave. */
+  std::string describe_faces(const RestGap &gap, const Parameters &parameters);
 } // namespace ringmotor

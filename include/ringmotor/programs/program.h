@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace ringmotor
 {
@@ -18,6 +19,8 @@ namespace ringmotor
     std::function<void(const Parameters &, bool resumes)> study = {};
     /** The options `--resume` and `--clear`. Options that a program does not have are refused. */
     std::function<void(const Parameters &)> resume = {}, clear = {};
+    /** What the option `--check` says besides, found by a small computation; a line each. */
+    std::function<std::vector<std::string>(const Parameters &)> remarks = {};
   };
 
   /** Natural modes of the stator and its travelling wave, or the modes of the rotor or a tooth. */
