@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/output/files.h>
 #include <ringmotor/output/log.h>
+#include <ringmotor/output/sections_file.h>
 #include <ringmotor/parameters/entries.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/programs/blas_kernel.h>
@@ -95,6 +96,8 @@ namespace ringmotor
     {
       if (line.form == "json")
         return print_as_json(std::cout, plan);
+      if (line.form == "sections")
+        return print_sections(std::cout, plan.parameters);
       std::cout << process.name << ": the parameters are valid; results would be written to "
                 << (plan.programs.size() > 1
                         ? plan.parameters.output.directory + "/"

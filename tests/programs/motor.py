@@ -125,7 +125,7 @@ class Motor(unittest.TestCase):
 
 
 class Questions(unittest.TestCase):
-    """--check=json, --check=lines and --help=json."""
+    """--check=json, --check=lines and --help=json; --check=sections is in stator.py."""
 
     def setUp(self):
         self.folder = pathlib.Path(tempfile.mkdtemp())
