@@ -9,6 +9,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import types
 
 sys.dont_write_bytecode = True
 from running import surroundings  # noqa: F401
@@ -176,12 +177,32 @@ def run(options, resume):
     return status or max(shown)
 
 
+def check(words):
+    """Looks at the parameters, and draws the bodies that they describe beside the results."""
+    Interruption().need(PROGRAMS / "motor", *words)
+    options = [word for word in words if word != "--check"]
+    plan = described(PROGRAMS / "motor", *options)
+    sections = described(PROGRAMS / "motor", *options, form="sections")
+    if plan["entries"]["Output/Figures"] != "true" or not sections:
+        return 0
+    from drawing.basics import figures_folder, save  # which takes its time
+    from drawing.section_figure import draw_sections
+    motor = types.SimpleNamespace(motor=plan["entries"]["Motor/Name"], sections=sections,
+                                  summary={**plan, "program": "motor"})
+    with figures_folder(plan["folder"], "") as folder:
+        save(draw_sections(motor), folder, "sections")
+    print(f"drawing of the bodies: {folder}sections.png, sections.svg")
+    return 0
+
+
 def main(words):
     refuse_copies()
     if asked := [word for word in words if is_flag(word, ("--help", "--version"))]:
         os.execv(PROGRAMS / "contact", ["contact", asked[0]])
     for word in words:
         refuse_pipe(word)
+    if "--check" in words:
+        return check(words)
     if any(is_flag(word, ("--check", "--clear")) for word in words):
         os.execve(PROGRAMS / "motor", ["motor", *words], without_launcher(os.environ))
     options = [word for word in words if word not in ("--study", "--resume")]

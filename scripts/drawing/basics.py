@@ -139,9 +139,9 @@ def save_all(figures, folder):
 
 
 @contextlib.contextmanager
-def figures_folder(case_folder):
+def figures_folder(case_folder, name="figures"):
     """The folder of a case's figures, made if need be; what the disk refuses is told in one line."""
-    folder = os.path.join(case_folder, "figures")
+    folder = os.path.join(case_folder, name)
     try:
         os.makedirs(folder, exist_ok=True)
         yield folder

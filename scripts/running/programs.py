@@ -53,11 +53,11 @@ def words_of(errors, status):
     return lines[-1] if lines else f"ended with status {status}"
 
 
-def described(program, prm, *options, launcher=(), timeout=None):
-    """What a program has read from a parameter file, see --check=json in doc/files.md. @throws Refusal in its words, and
-    CaseError if it does not answer"""
+def described(program, prm, *options, form="json", launcher=(), timeout=None):
+    """What a program has read from a parameter file, or the sections in it, see --check=json and --check=sections in
+    doc/files.md. @throws Refusal in its words, and CaseError if it does not answer"""
     refuse_pipe(prm)
-    process = started(program, [*launcher, program, prm, *options, "--check=json"])
+    process = started(program, [*launcher, program, prm, *options, f"--check={form}"])
     try:
         said, errors = process.communicate(timeout=timeout)
     except subprocess.TimeoutExpired:
@@ -71,7 +71,7 @@ def described(program, prm, *options, launcher=(), timeout=None):
     try:
         return json.loads(said)
     except ValueError:  # of several processes at once, or of another program
-        raise CaseError(f"{program} --check=json has printed no JSON") from None
+        raise CaseError(f"{program} --check={form} has printed no JSON") from None
 
 
 def end(process):

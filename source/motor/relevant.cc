@@ -187,8 +187,9 @@ namespace ringmotor
 
   std::vector<std::string> files_named_by(const Parameters &parameters)
   {
+    Parameters copy = parameters; // which the names point into
     std::vector<std::string> files;
-    for (const auto &[entry, file] : Parameters(parameters).mesh_files())
+    for (const auto &[entry, file] : copy.mesh_files())
       if (!file->empty())
         files.push_back(*file);
     return files;

@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <ostream>
+
 namespace ringmotor
 {
   namespace
@@ -58,11 +60,11 @@ namespace ringmotor
     }
   } // namespace
 
-  void write_sections(const std::string &path, const Parameters &parameters)
+  void print_sections(std::ostream &out, const Parameters &parameters)
   {
     Json json = Json::object();
     ContactLine tops;
-    if (parameters.stator.mesh_file.empty())
+    if (parameters.stator.mesh_file.empty() && parameters.modes.body != Body::rotor)
     {
       const RevolvedBody stator = stator_body(parameters);
       tops                      = contact_line(stator);
@@ -73,6 +75,11 @@ namespace ringmotor
       const RevolvedBody rotor = rotor_body(parameters);
       json["rotor"] = to_json(rotor, tops.highest - contact_line(rotor).lowest, parameters);
     }
-    write_file(path, json.dump(1) + "\n");
+    out << json.dump(1) << std::endl;
+  }
+
+  void write_sections(const std::string &path, const Parameters &parameters)
+  {
+    write_file(path, [&](std::ostream &out) { print_sections(out, parameters); });
   }
 } // namespace ringmotor

@@ -133,7 +133,7 @@ namespace ringmotor
         return true;
       case 'k':
         line.check = true;
-        line.form  = form_of("--check", {"json", "lines"});
+        line.form  = form_of("--check", {"json", "lines", "sections"});
         return true;
       case 't':
         line.study = true;
@@ -200,8 +200,8 @@ namespace ringmotor
         << "\n# --check checks the parameters and computes nothing. For scripts, see doc/files.md: "
            "--check=json\n# prints what has been read; --check=lines reads lists of further "
            "entries, "
-           "one a line, and\n# prints the identities of these motors; --help=json prints what "
-           "follows.";
+           "one a line, and\n# prints the identities of these motors; --check=sections prints the "
+           "cross-sections;\n# --help=json prints what follows.";
     if (has_several(process))
       out << "\n# --from PROGRAM begins with " << names_after_the_first(process)
           << ", on what those before it have found in an earlier run."

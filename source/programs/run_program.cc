@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/output/files.h>
 #include <ringmotor/output/log.h>
+#include <ringmotor/output/sections_file.h>
 #include <ringmotor/parameters/entries.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/programs/blas_kernel.h>
@@ -95,15 +96,17 @@ namespace ringmotor
     {
       if (line.form == "json")
         return print_as_json(std::cout, plan);
-      for (const Program &program : plan.programs)
-        for (const std::string &remark :
-             program.remarks ? program.remarks(plan.parameters) : std::vector<std::string>())
-          std::cout << program.name << ": " << remark << std::endl;
+      if (line.form == "sections")
+        return print_sections(std::cout, plan.parameters);
       std::cout << process.name << ": the parameters are valid; results would be written to "
                 << (plan.programs.size() > 1
                         ? plan.parameters.output.directory + "/"
                         : results_folder(plan.programs.front().name, plan.parameters))
                 << std::endl;
+      for (const Program &program : plan.programs)
+        for (const std::string &remark :
+             program.remarks ? program.remarks(plan.parameters) : std::vector<std::string>())
+          std::cout << program.name << ": " << remark << std::endl;
     }
 
     void work(const CommandLine &line, const Process &process, Doing &doing)

@@ -143,10 +143,15 @@ class FromFileToPage(Installed):
             self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
             self.assertIn(said, done.stderr)
             self.assertFalse(case.exists())
-        done = self.ringmotor("--output", case, "--check")
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
-        self.assertIn(f"would be written to {case}", done.stdout)
-        self.assertFalse(case.exists())
+
+    def test_a_check_draws_the_motor_and_computes_nothing(self):
+        case = self.folder / "checked"
+        for entry, drawing in (("Output/Figures = false", []), ("Output/Figures = true", ["sections.png", "sections.svg"])):
+            done = self.ringmotor("--output", case, "--check", *settings(entry))
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertIn(f"would be written to {case}", done.stdout)
+            self.assertEqual(sorted(path.name for path in case.rglob("*")), drawing)
+            self.assertEqual(f"{case}/sections.png" in done.stdout, bool(drawing))
 
     def assert_whole_run(self, done, case, *files, said=r"\Z"):
         self.assertEqual(done.returncode, 0, done.stderr)

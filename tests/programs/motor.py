@@ -14,7 +14,7 @@ import tempfile
 import unittest
 
 sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
-from program import STATIC_ROTOR, on_ranks, rows_of, run, settings  # noqa: E402
+from program import ROOT, STATIC_ROTOR, on_ranks, rows_of, run, settings  # noqa: E402
 
 STATOR, CONTACT, LOSSES, MOTOR = (sys.argv.pop(1) for _ in range(4))
 QUIET = settings("Output/VTU = false", "Loading/Values = 0, 0.05")
@@ -125,7 +125,7 @@ class Motor(unittest.TestCase):
 
 
 class Questions(unittest.TestCase):
-    """--check=json, --check=lines and --help=json."""
+    """--check=json, --check=lines and --help=json; --check=sections is in stator.py."""
 
     def setUp(self):
         self.folder = pathlib.Path(tempfile.mkdtemp())
@@ -168,6 +168,10 @@ class Questions(unittest.TestCase):
         done = run(MOTOR, mesh, "--check=json")
         self.assertEqual((done.returncode, done.stdout, done.stderr.count("\n")), (1, "", 1))
         self.assertIn("for the modes of the stator alone, run the program stator", done.stderr)
+
+    def test_of_a_motor_from_sections(self):
+        files = [pathlib.Path(file).resolve() for file in self.answer(ROOT / "prm" / "disc60.prm")["files"]]
+        self.assertEqual(files, [ROOT / "meshes" / f"disc60_{body}.msh" for body in ("stator", "rotor")])
 
     def test_of_the_modes_of_a_rotor(self):
         said = self.answer(STATIC_ROTOR, *settings("Modes/Body = rotor"), "--output", "x")

@@ -130,6 +130,7 @@ class Sections(unittest.TestCase):
                        *settings("Accuracy/Mode = fixed", "Accuracy/Polynomial degree = 2", "Accuracy/Refinement = 0"))
             self.assertEqual(done.returncode, 0, done.stderr)
             bodies = json.loads((pathlib.Path(case) / "stator" / "sections.json").read_text())
+            self.assertEqual(self.checked("disc60"), bodies)
             self.assertEqual(bodies["stator"]["slots"], {"number": 90, "width": 0.0007, "angle": None})
             areas = {}
             for body in bodies.values():
@@ -149,6 +150,18 @@ class Sections(unittest.TestCase):
             done = run(ROOT / "scripts" / "figures.py", case)
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertGreater((pathlib.Path(case) / "figures" / "sections.svg").stat().st_size, 5000)
+
+    def test_are_known_before_anything_is_computed(self):
+        self.assertEqual(list(self.checked("canon_ring")), ["stator", "rotor"])
+        self.assertEqual(list(self.checked("disc60", *settings("Modes/Body = rotor"))), ["rotor"])
+        self.assertEqual(list(self.checked("soft_spring_mesh")), ["rotor"])  # the stator has no section
+
+    def checked(self, motor, *options):
+        with tempfile.TemporaryDirectory() as folder:
+            done = run(PROGRAM, ROOT / "prm" / f"{motor}.prm", "--output", f"{folder}/case", "--check=sections", *options)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertEqual(list(pathlib.Path(folder).iterdir()), [])
+            return json.loads(done.stdout)
 
 
 class Mistakes(unittest.TestCase):

@@ -18,7 +18,7 @@ namespace ringmotor
     std::optional<std::string> from;    ///< the program to begin with; none: the first one
     std::optional<std::string> done;    ///< file for the names of the programs that have run
     bool check = false, study = false, resume = false, clear = false, help = false, version = false;
-    /** Form of what `--check` or `--help` print: "json", "lines", or empty for people. */
+    /** Form of what `--check` or `--help` print: "json", "lines", "sections"; empty for people. */
     std::string form;
   };
 
