@@ -111,12 +111,12 @@ namespace ringmotor
                                              {"penalty", ContactFormulation::penalty}}),
               "How contact is enforced: by mortar integrals, or by springs at the nodes as in the "
               "paper.");
-    add_entry(prm, "Faces", faces,
-              selection<ContactFaces>({{"drawn", ContactFaces::drawn},
-                                       {"lapped", ContactFaces::lapped}}),
-              "The faces in contact at rest: as drawn in the sections (level without one), or "
-              "lapped, which is worn until they are parallel under the preload, spread evenly; a "
-              "rotor whose thin parts turn under the preload touches with an edge otherwise.");
+    add_entry(
+        prm, "Faces", faces,
+        selection<ContactFaces>({{"drawn", ContactFaces::drawn}, {"lapped", ContactFaces::lapped}}),
+        "The faces in contact at rest: as drawn in the sections (level without one), or "
+        "lapped, which is worn until they are parallel under the preload, spread evenly; a "
+        "rotor whose thin parts turn under the preload touches with an edge otherwise.");
     add_entry(prm, "Normal penalty", normal_penalty,
               number_or("none", plausible(positive_number(), 1e2, 1e15)),
               "Stiffness of the normal springs of the formulation \"penalty\". Units: N/m.");
