@@ -169,6 +169,39 @@ namespace ringmotor
     return all;
   }
 
+  namespace
+  {
+    /** Includes the largest effects that were left out as long as they take nearly all of the
+     * target together. */
+    void include_largest(std::vector<EffectRow> &rows, Parameters &parameters, const double target)
+    {
+      const auto can_be_included = [&](const EffectRow &row)
+      {
+        for (const auto &effect : all_effects())
+          if (effect->name == row.name)
+            return row.is_left_out() && effect->obstacle(parameters).empty();
+        return false;
+      };
+      while (true)
+      {
+        double sum         = 0.;
+        EffectRow *largest = nullptr;
+        for (EffectRow &row : rows)
+          if (row.is_left_out())
+          {
+            sum += std::abs(*row.indicator);
+            if (can_be_included(row) &&
+                (!largest || std::abs(*row.indicator) > std::abs(*largest->indicator)))
+              largest = &row;
+          }
+        if (sum <= AccuracyBudget::left_out(target) || !largest)
+          return;
+        parameters.effects[largest->name] = EffectChoice::on;
+        largest->choice                   = "on";
+      }
+    }
+  } // namespace
+
   std::vector<EffectRow> choose_effects(Parameters &parameters, const EffectStage stage,
                                         const Scene &scene, const double target)
   {
@@ -199,6 +232,7 @@ namespace ringmotor
       row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
       rows.push_back(std::move(row));
     }
+    include_largest(rows, parameters, target);
     return rows;
   }
 

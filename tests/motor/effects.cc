@@ -23,6 +23,7 @@
 
 #include <cmath>
 #include <complex>
+#include <map>
 
 using namespace ringmotor;
 using namespace ringmotor::tests;
@@ -294,6 +295,29 @@ TEST(StatorCompliance, IsMeasuredAtOperatingPointsAndCostly)
   parameters.effects["Stator compliance"] = EffectChoice::on;
   expect_refused(parameters, EffectStage::contact,
                  {"Effects/Stator compliance = on", "Time/Scheme = marching"});
+}
+
+TEST(Effects, AreIncludedWhereTogetherTheyLeaveNothingOfTheTarget)
+{
+  // Each is below its share of the target, all of them are not.
+  Parameters parameters                        = reference_motor();
+  parameters.materials.rotor_metal.loss_factor = 0.03;
+  for (const std::string name : {"Rotor inertia", "Stator compliance", "Damping"})
+    parameters.effects[name] = EffectChoice::automatic;
+  const std::map<std::string, double> size{{"Rotor inertia", 0.035}, {"Stator compliance", 0.055}};
+  const StatorWave wave = stator_wave(parameters);
+  const auto chosen     = [&](const double target)
+  {
+    Parameters chosen = parameters;
+    const Scene scene{chosen, &wave, [&](const Effect &effect) { return size.at(effect.name); }};
+    choose_effects(chosen, EffectStage::contact, scene, target);
+    return chosen.effects;
+  };
+  const auto tightly = chosen(0.12), loosely = chosen(0.2);
+  EXPECT_EQ(tightly["Stator compliance"], EffectChoice::on);
+  EXPECT_EQ(tightly["Rotor inertia"], EffectChoice::off);
+  EXPECT_EQ(tightly["Damping"], EffectChoice::off);
+  EXPECT_EQ(loosely["Stator compliance"], EffectChoice::off);
 }
 
 TEST(EffectRanks, ChangesPointsAlikeOnTwo)

@@ -15,7 +15,7 @@ namespace ringmotor
    * nodes of a tooth; the same for all teeth. A warp of the ring comes in addition. */
   struct RestGap
   {
-    std::vector<double> drawn;      ///< m, by the shape of the faces
+    std::vector<double> drawn;      ///< m, by the shape of the faces; empty: level
     std::vector<double> deflection; ///< m/N, by which the faces part where a preload that is spread
                                     ///< evenly presses them; its mean is zero
     bool is_lapped = false; ///< the faces are worn until they are parallel under their preload
@@ -23,7 +23,7 @@ namespace ringmotor
     /** m, at a node under a @p preload (N); up to a constant, which the rise of the rotor takes. */
     double at(const unsigned int node, const double preload) const
     {
-      return is_lapped ? -preload * deflection[node] : drawn[node];
+      return is_lapped ? -preload * deflection[node] : drawn.empty() ? 0. : drawn[node];
     }
     /** How far the faces are from parallel if a preload (N) presses them evenly: the difference of
      * the largest and the smallest distance, m. */
