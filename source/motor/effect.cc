@@ -250,7 +250,8 @@ namespace ringmotor
          {&motor.modes, &motor.coarse_modes, &motor.modes_of_other_harmonics})
       for (const std::vector<RingMode> &of_diameter : *modes)
         for (const RingMode &mode : of_diameter)
-          if (mode.part == part)
+          if (mode.part == part &&
+              (part != ModePart::tooth || mode.response == ModeResponse::vibrates))
           {
             row.dofs += modes == &motor.modes ? 1 : 0;
             row.bytes += mode.motion.size() * sizeof(mode.motion.front());

@@ -14,7 +14,9 @@ namespace ringmotor::effects
       StatorCompliance()
           : Effect({"Stator compliance",
                     "Elasticity and inertia of the stator below its teeth under contact forces: "
-                    "all of its modes but the one that drives the motor."},
+                    "all of its modes but the one that drives the motor. It multiplies the time of "
+                    "each operating point: off unless asked for, with on or auto.",
+                    EffectChoice::off},
                    EffectStage::contact)
       {
       }
