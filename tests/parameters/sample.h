@@ -41,7 +41,7 @@ namespace ringmotor::sample
          {"3",     "3000",   "3e9",     "4",       "0.31",    "4e9",    "1e-5",  "off",
           "on",    "true",   "false",   "solid",   "shell",   "stator", "rotor", "torque",
           "speed", "mortar", "penalty", "coulomb", "voltage", "steady", "auto",  "adaptive",
-          "fixed", "accept", "0:0.034", "d",       "stress",  "9e-9",   "text"})
+          "fixed", "accept", "lapped",  "0:0.034", "d",       "stress", "9e-9",  "text"})
       try
       {
         const std::string change = entry + " = " + value;
