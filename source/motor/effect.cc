@@ -55,6 +55,13 @@ namespace ringmotor
     }
   } // namespace
 
+  std::string Effect::obstacle_if_marched(const Parameters &parameters)
+  {
+    return is_marched(parameters) ? " is not available with Time/Scheme = marching or a warped "
+                                    "ring in this version; allowed: off"
+                                  : "";
+  }
+
   std::string Effect::given(const Parameters &parameters) const
   {
     const EffectChoice chosen = choice(parameters);

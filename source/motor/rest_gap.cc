@@ -32,9 +32,7 @@ namespace ringmotor
         std::complex<double> force = 0.;
         for (std::size_t a = 0; a < forces.size(); ++a)
           force += std::conj(mode.motion[a][0]) * forces[a];
-        const double sign = mode.response == ModeResponse::none ? -1.
-                            : mode.part == ModePart::stator     ? 1.
-                                                                : 0.;
+        const double sign = (mode.response == ModeResponse::none ? 0. : 1.) - mode.at_once();
         for (std::size_t a = 0; a < forces.size(); ++a)
           motion[a] += sign * (mode.motion[a][0] * force).real() /
                        (mode.angular_frequency * mode.angular_frequency);
@@ -107,10 +105,11 @@ namespace ringmotor
     text.precision(2);
     text << "under the preload, spread evenly, the faces in contact are " << 1e6 * uneven
          << " um from parallel";
-    if (!gap.is_lapped && uneven > parameters.wave.amplitude)
+    const bool touch_with_edge = !gap.is_lapped && uneven > parameters.wave.amplitude;
+    if (touch_with_edge)
       text << ", more than the amplitude of the wave, " << 1e6 * parameters.wave.amplitude
            << " um: they touch with an edge; motors are made with Contact/Faces = lapped, or with "
               "faces drawn to fit";
-    return (gap.is_lapped || uneven <= parameters.wave.amplitude ? "" : "warning: ") + text.str();
+    return (touch_with_edge ? "warning: " : "") + text.str();
   }
 } // namespace ringmotor

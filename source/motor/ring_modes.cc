@@ -60,7 +60,7 @@ namespace ringmotor
     {
       const HistoryWave around = wave(m);
       for (const ModesByShapes::Mode &mode : modes->by_diameter[around.k])
-        mode.add(mode.amplification(dynamics, around, dt) - mode.at_once(), waves[m]);
+        mode.add(mode.amplification(dynamics, around, dt) - mode.at_once, waves[m]);
       if (around.conjugate)
         for (Complex &entry : waves[m])
           entry = std::conj(entry);
@@ -159,7 +159,7 @@ namespace ringmotor
                       velocity = motion * dynamics.scheme.velocity(around.z, dt);
         // Forces at the middle of steps and motions in the steps.
         const Complex middle = 0.5 * (1. + 1. / around.z) * at_rest,
-                      moved  = (1. - 1. / around.z) * (motion - mode.at_once() * at_rest);
+                      moved  = (1. - 1. / around.z) * (motion - mode.at_once * at_rest);
         power.taken += weight * (std::conj(middle) * moved).real() / dt;
         if (mode.part != ModePart::rotor)
           continue;

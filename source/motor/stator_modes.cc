@@ -6,13 +6,13 @@
 #include <ringmotor/motor/motor_model.h>
 #include <ringmotor/motor/smooth_loads.h>
 #include <ringmotor/motor/stator_modes.h>
+#include <ringmotor/motor/tooth_modes.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/structure/response_modes.h>
 #include <ringmotor/structure/shared_work.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 namespace ringmotor
@@ -28,11 +28,6 @@ namespace ringmotor
       return level < RotorVibration::finest_level ? 2 : 3;
     }
 
-    SectorGrading grading_of(const unsigned int level)
-    {
-      return SectorGrading::level(level);
-    }
-
     SectorMesh with_parts(SectorMesh mesh, const Parameters &parameters)
     {
       add_to_stator(motor_model(parameters), mesh);
@@ -42,14 +37,6 @@ namespace ringmotor
     MaterialTable materials_of(const Parameters &parameters)
     {
       return material_table(parameters.materials, Body::stator, motor_model(parameters).ceramic);
-    }
-
-    bool has_clamped_faces(const SectorMesh &mesh)
-    {
-      for (const auto &face : mesh.triangulation->active_face_iterators())
-        if (face->at_boundary() && face->boundary_id() == ids::clamped)
-          return true;
-      return false;
     }
 
     /** Forces in both directions along the tops of the teeth and across them. */
@@ -136,16 +123,16 @@ namespace ringmotor
         for (const Mode &mode :
              of_stator.at(k, smooth_loads(body.sector, body.top, k, degrees_of_loads), frequencies))
         {
-          modes.push_back(on_top(body.sector, body.top, mode));
-          modes.back().part = ModePart::stator;
+          modes.push_back(mode_on_surface(body.sector, body.top, body.whole_top.origin, mode,
+                                          ModePart::stator));
           if (modes.back().angular_frequency > fastest)
             make_constant(modes.back(), lowest);
         }
         for (const Mode &mode : of_tooth.at(
                  0, smooth_loads(body.tooth, body.top_of_tooth, 0, degrees_of_loads), frequencies))
         {
-          modes.push_back(on_top(body.tooth, body.top_of_tooth, mode));
-          modes.back().part     = ModePart::tooth;
+          modes.push_back(mode_on_surface(body.tooth, body.top_of_tooth, body.whole_top.origin,
+                                          mode, ModePart::tooth));
           modes.back().response = ModeResponse::none;
         }
         return modes;
@@ -163,33 +150,29 @@ namespace ringmotor
             component *= factor;
       }
 
-      RingMode on_top(const CyclicSector &sector, const ContactSurface &top, const Mode &mode) const
-      {
-        RingMode on_top{std::sqrt(mode.eigenvalue),
-                        sector_motion(on_surface(sector, displacement_forms(top), mode),
-                                      body.whole_top.origin)};
-        for (std::array<Complex, 3> &motion : on_top.motion)
-          for (Complex &component : motion)
-            component *= std::sqrt(0.5); // two halves make a sector
-        return on_top;
-      }
-
       const StatorBody &body;
       ResponseModes of_stator, of_tooth;
     };
   } // namespace
 
   StatorBody::StatorBody(const Parameters &parameters, const unsigned int level)
-      : mesh(with_parts(make_sector(stator_body(parameters), SectorForm::half, grading_of(level),
-                                    MPI_COMM_SELF),
-                        parameters)),
-        tooth_mesh(with_parts(make_tooth(stator_body(parameters), grading_of(level), MPI_COMM_SELF),
-                              parameters)),
+      : StatorBody(stator_body(parameters), parameters, level)
+  {
+  }
+
+  StatorBody::StatorBody(const RevolvedBody &stator, const Parameters &parameters,
+                         const unsigned int level)
+      : mesh(with_parts(
+            make_sector(stator, SectorForm::half, SectorGrading::level(level), MPI_COMM_SELF),
+            parameters)),
+        tooth_mesh(
+            with_parts(make_tooth(stator, SectorGrading::level(level), MPI_COMM_SELF), parameters)),
         sector(mesh, materials_of(parameters), degree_of(level)),
         tooth(tooth_mesh, materials_of(parameters), degree_of(level)),
         top(solid_surface(sector, ids::tooth_top)),
         top_of_tooth(solid_surface(tooth, ids::tooth_top)),
-        whole_top(whole_surface(top, SectorForm::half)), is_clamped(has_clamped_faces(mesh))
+        whole_top(whole_surface(top, SectorForm::half)),
+        is_clamped(!stator.section.edges_named(ids::clamped).empty())
   {
   }
 
@@ -226,9 +209,7 @@ namespace ringmotor
   RingModes StatorModes::at(const ContactSurface &tooth_top, const MortarCoupling &mortar) const
   {
     RingModes at_points(modes.size());
-    std::vector<SurfaceWeights> weights;
-    for (const MortarCoupling::Node &node : mortar.nodes)
-      weights.push_back(interpolation(top.surface, tooth_top.nodes[node.tooth_node].place));
+    const std::vector<SurfaceWeights> weights = weights_on(top.surface, tooth_top, mortar);
     for (std::size_t k = 0; k < modes.size(); ++k)
       for (const RingMode &mode : modes[k])
         at_points[k].push_back(interpolated(mode, weights));

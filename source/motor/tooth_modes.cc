@@ -19,6 +19,29 @@ namespace ringmotor
     return discretisation;
   }
 
+  RingMode mode_on_surface(const CyclicSector &sector, const ContactSurface &surface,
+                           const std::vector<MirroredNode> &origin, const Mode &mode,
+                           const ModePart part)
+  {
+    RingMode whole{std::sqrt(mode.eigenvalue),
+                   sector_motion(on_surface(sector, displacement_forms(surface), mode), origin),
+                   part};
+    for (std::array<std::complex<double>, 3> &motion : whole.motion)
+      for (std::complex<double> &component : motion)
+        component *= std::sqrt(0.5); // two halves make a sector
+    return whole;
+  }
+
+  std::vector<SurfaceWeights> weights_on(const ContactSurface &surface,
+                                         const ContactSurface &tooth_top,
+                                         const MortarCoupling &mortar)
+  {
+    std::vector<SurfaceWeights> weights;
+    for (const MortarCoupling::Node &node : mortar.nodes)
+      weights.push_back(interpolation(surface, tooth_top.nodes[node.tooth_node].place));
+    return weights;
+  }
+
   std::vector<RingMode> tooth_modes(const Parameters &parameters, const unsigned int level,
                                     const double up_to, const ContactSurface &tooth_top,
                                     const MortarCoupling &mortar)
@@ -30,24 +53,14 @@ namespace ringmotor
       frequencies.push_back(share * up_to);
     const auto loads = smooth_loads(tooth.sector, tooth.top, 0, {1, 2});
 
-    std::vector<SurfaceWeights> weights;
-    for (const MortarCoupling::Node &node : mortar.nodes)
-      weights.push_back(
-          interpolation(tooth.whole_top.surface, tooth_top.nodes[node.tooth_node].place));
-    const std::vector<LinearForm> displacements = displacement_forms(tooth.top);
+    const std::vector<SurfaceWeights> weights =
+        weights_on(tooth.whole_top.surface, tooth_top, mortar);
     std::vector<RingMode> modes;
     for (const Mode &mode :
          without_fast_vectors(ResponseModes(tooth.sector).at(0, loads, frequencies), up_to))
-    {
-      RingMode on_top{
-          std::sqrt(mode.eigenvalue),
-          sector_motion(on_surface(tooth.sector, displacements, mode), tooth.whole_top.origin),
-          ModePart::tooth};
-      for (std::array<std::complex<double>, 3> &motion : on_top.motion)
-        for (std::complex<double> &component : motion)
-          component *= std::sqrt(0.5); // two halves make a tooth
-      modes.push_back(interpolated(on_top, weights));
-    }
+      modes.push_back(interpolated(
+          mode_on_surface(tooth.sector, tooth.top, tooth.whole_top.origin, mode, ModePart::tooth),
+          weights));
     return modes;
   }
 } // namespace ringmotor

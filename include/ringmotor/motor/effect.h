@@ -95,6 +95,9 @@ namespace ringmotor
     const EffectStage stage;
 
   protected:
+    /** The obstacle() of an effect that exists in the steady state only. */
+    static std::string obstacle_if_marched(const Parameters &parameters);
+
     /** An indicator that only a computation can give. */
     std::optional<double> measured_in(const Scene &scene) const
     {

@@ -45,7 +45,7 @@ namespace ringmotor
       for (std::size_t r = 0; r < all.size(); ++r)
       {
         const RingMode &of = *all[r].second;
-        Mode mode{of.angular_frequency, of.part, of.response, {}};
+        Mode mode{of.angular_frequency, of.part, of.response, of.at_once(), {}};
         for (unsigned int i = 0; i < shapes.n(); ++i)
           mode.shares.emplace_back(factors.weights(i, 2 * r), factors.weights(i, 2 * r + 1));
         by_diameter[all[r].first].push_back(std::move(mode));
@@ -57,6 +57,7 @@ namespace ringmotor
       double frequency; ///< rad/s
       ModePart part;
       ModeResponse response;
+      double at_once;              ///< see RingMode
       std::vector<Complex> shares; ///< of the shapes in motion / omega
 
       /** 1/s */
@@ -65,8 +66,6 @@ namespace ringmotor
         return part == ModePart::rotor ? dynamics.loss_factor * frequency : 0.;
       }
 
-      /** The share of its static motion that the static compliance of the motor contains. */
-      double at_once() const { return part == ModePart::stator ? 0. : 1.; }
       /** The same share of what SteadyInertia::motion() leaves to the static motion. */
       double of_teeth_at_once() const { return part == ModePart::tooth ? 1. : 0.; }
 

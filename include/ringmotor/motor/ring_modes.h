@@ -45,6 +45,8 @@ namespace ringmotor
     ModeResponse response = ModeResponse::vibrates;
 
     bool of_rotor() const { return part == ModePart::rotor; }
+    /** The share of its static motion that the static compliance of the motor contains. */
+    double at_once() const { return part == ModePart::stator ? 0. : 1.; }
 
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)

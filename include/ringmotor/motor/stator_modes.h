@@ -27,6 +27,9 @@ namespace ringmotor
     const ContactSurface top, top_of_tooth;
     const SectorSurface whole_top;
     const bool is_clamped; ///< somewhere on the base
+
+  private:
+    StatorBody(const RevolvedBody &stator, const Parameters &parameters, const unsigned int level);
   };
 
   /**

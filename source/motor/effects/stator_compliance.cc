@@ -23,9 +23,7 @@ namespace ringmotor::effects
 
       std::string obstacle(const Parameters &parameters) const override
       {
-        return is_marched(parameters) ? " is not available with Time/Scheme = marching or a warped "
-                                        "ring in this version; allowed: off"
-                                      : "";
+        return obstacle_if_marched(parameters);
       }
 
       void enter(const Parameters &, MotorModel &model) const override
