@@ -53,7 +53,7 @@ namespace ringmotor
 
   Estimate LossBudget::stator() const
   {
-    return stator_metal + piezoceramic;
+    return stator_metal + piezoceramic + stator_vibration;
   }
 
   Estimate LossBudget::total() const
@@ -114,12 +114,13 @@ namespace ringmotor
     const Estimate ratio = budget.amplitude / wave.amplitude;
     const auto lost      = [&](const double loss_factor, const Estimate &energy)
     { return 2. * wave.angular_frequency * loss_factor * (ratio * ratio) * energy; };
-    budget.output       = estimate("torque") * estimate("speed");
-    budget.friction     = estimate("friction_loss");
-    budget.stator_metal = lost(materials.stator_metal.loss_factor, wave.metal);
-    budget.piezoceramic = lost(materials.piezoceramic.loss_factor, wave.piezoceramic);
-    budget.rotor        = of_rotor * estimate("rotor_power_per_loss_factor");
-    budget.support      = lost(felt.felt_loss_factor.value_or(0.), wave.felt);
+    budget.output           = estimate("torque") * estimate("speed");
+    budget.friction         = estimate("friction_loss");
+    budget.stator_metal     = lost(materials.stator_metal.loss_factor, wave.metal);
+    budget.piezoceramic     = lost(materials.piezoceramic.loss_factor, wave.piezoceramic);
+    budget.stator_vibration = estimate("stator_vibration_loss");
+    budget.rotor            = of_rotor * estimate("rotor_power_per_loss_factor");
+    budget.support          = lost(felt.felt_loss_factor.value_or(0.), wave.felt);
     return budget;
   }
 } // namespace ringmotor

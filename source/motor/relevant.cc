@@ -69,6 +69,14 @@ namespace ringmotor
       kept.adhesive.loss_factor = given.adhesive.loss_factor;
     }
 
+    /** Restores those of the stator's materials. */
+    void keep_loss_of_stator(Parameters &parameters, const Materials &given)
+    {
+      for (Material Materials::*material :
+           {&Materials::stator_metal, &Materials::piezoceramic, &Materials::target_plate})
+        (parameters.materials.*material).loss_factor = (given.*material).loss_factor;
+    }
+
     /** Resets the entries that only the programs contact and losses read. */
     void forget_after_the_wave(Parameters &parameters)
     {
@@ -127,12 +135,15 @@ namespace ringmotor
     relevant.accuracy.mode                 = defaults.accuracy.mode;
     relevant.accuracy.interface_refinement = defaults.accuracy.interface_refinement;
     relevant.accuracy.rotor_modes          = defaults.accuracy.rotor_modes;
-    if (!motor_model(relevant).stator_gives_way)
+    const bool stator_gives_way            = motor_model(relevant).stator_gives_way;
+    if (!stator_gives_way)
       relevant.support = defaults.support;
     relevant.electrodes = defaults.electrodes;
     forget_what_never_matters(relevant);
     if (needs_modes)
       keep_loss_of_rotor(relevant, materials);
+    if (stator_gives_way)
+      keep_loss_of_stator(relevant, materials);
     return relevant;
   }
 

@@ -161,12 +161,14 @@ namespace ringmotor
         const Complex middle = 0.5 * (1. + 1. / around.z) * at_rest,
                       moved  = (1. - 1. / around.z) * (motion - mode.at_once * at_rest);
         power.taken += weight * (std::conj(middle) * moved).real() / dt;
-        if (mode.part != ModePart::rotor)
-          continue;
-        if (!mode.has_inertia(dynamics))
-          power.damped_by_factor += weight / dt * std::abs(around.z.imag()) * std::norm(motion);
-        else
-          power.damped_by_factor += weight / mode.frequency * std::norm(velocity);
+        const double damped_by_factor =
+            mode.has_inertia(dynamics)
+                ? weight / mode.frequency * std::norm(velocity)
+                : weight / dt * std::abs(around.z.imag()) * std::norm(motion);
+        if (mode.part == ModePart::rotor)
+          power.damped_by_factor += damped_by_factor;
+        else if (mode.part == ModePart::stator)
+          power.lost_in_stator += mode.loss_factor(dynamics) * damped_by_factor;
       }
     }
     return power;

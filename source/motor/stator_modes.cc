@@ -8,6 +8,7 @@
 #include <ringmotor/motor/stator_modes.h>
 #include <ringmotor/motor/tooth_modes.h>
 #include <ringmotor/parameters/errors.h>
+#include <ringmotor/structure/motion_products.h>
 #include <ringmotor/structure/response_modes.h>
 #include <ringmotor/structure/shared_work.h>
 
@@ -108,8 +109,8 @@ namespace ringmotor
     class StatorModeSolver
     {
     public:
-      explicit StatorModeSolver(const StatorBody &body)
-          : body(body), of_stator(body.sector), of_tooth(body.tooth)
+      StatorModeSolver(const StatorBody &body, const MaterialTable &materials)
+          : body(body), materials(materials), of_stator(body.sector), of_tooth(body.tooth)
       {
       }
 
@@ -125,6 +126,7 @@ namespace ringmotor
         {
           modes.push_back(mode_on_surface(body.sector, body.top, body.whole_top.origin, mode,
                                           ModePart::stator));
+          modes.back().loss_factor = loss_factor(mode);
           if (modes.back().angular_frequency > fastest)
             make_constant(modes.back(), lowest);
         }
@@ -150,7 +152,22 @@ namespace ringmotor
             component *= factor;
       }
 
+      /** That of the materials, weighted by their strain energies in a mode. */
+      double loss_factor(const Mode &mode) const
+      {
+        double lost = 0., stored = 0.;
+        for (const auto &[part, energy] :
+             motion_products(body.sector, {&mode.motion}).front().stiffness)
+          if (const auto material = materials.find(part); material != materials.end())
+          {
+            lost += energy * material->second.loss_factor;
+            stored += energy;
+          }
+        return stored > 0. ? lost / stored : 0.;
+      }
+
       const StatorBody &body;
+      const MaterialTable materials;
       ResponseModes of_stator, of_tooth;
     };
   } // namespace
@@ -186,7 +203,7 @@ namespace ringmotor
     auto harmonics = harmonics_by_diameter(parameters.motor, n_harmonics);
     if (body.is_clamped)
       harmonics[0]; // the mean forces
-    StatorModeSolver solver(body);
+    StatorModeSolver solver(body, materials_of(parameters));
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
     unsigned int next_rank     = 0;
     for (const auto &[k, of_diameter] : harmonics)

@@ -28,6 +28,26 @@ namespace ringmotor
         text << "at " << 30. / M_PI * load.speed << " rpm";
       return text.str();
     }
+
+    /** Dynamics between two others. @param share of the way from one to the other */
+    RingDynamics between(const RingDynamics &one, const RingDynamics &other, const double share)
+    {
+      const auto mixed = [share](const double from, const double to)
+      { return (1. - share) * from + share * to; };
+      RingDynamics dynamics = other;
+      dynamics.scheme       = {mixed(one.scheme.alpha, other.scheme.alpha),
+                               mixed(one.scheme.gamma, other.scheme.gamma),
+                               mixed(one.scheme.beta, other.scheme.beta)};
+      dynamics.share        = mixed(one.share, other.share);
+      // Halving damping changes the state more than taking away the last tenth of it.
+      constexpr double negligible = 1e-3;
+      dynamics.added_loss_factor =
+          (one.added_loss_factor + negligible) * std::pow((other.added_loss_factor + negligible) /
+                                                              (one.added_loss_factor + negligible),
+                                                          share) -
+          negligible;
+      return dynamics;
+    }
   } // namespace
 
   std::vector<FrictionMemory> next_memory(const StepState &solution,
@@ -153,33 +173,61 @@ namespace ringmotor
     if (!load.torque && !dynamics)
       return pressed;
     const StepState start = start_at(find(with_speed, pressed, nullptr));
-    return dynamics ? by_damping(with_speed, start) : start;
+    if (!dynamics)
+      return start;
+    RingDynamics at_rest = motor.dynamics;
+    at_rest.share        = 0.;
+    return by_damping(with_speed, start, at_rest);
   }
 
-  StepState SteadyDriver::by_damping(const RotorLoad &load, StepState from) const
+  StepState SteadyDriver::by_damping(const RotorLoad &load, StepState from,
+                                     const RingDynamics &of_start) const
   {
-    std::vector<RingDynamics> stages;
-    const RingDynamics &last        = motor.dynamics;
-    const InertiaScheme dissipative = InertiaScheme::newmark(1.);
-    for (const double loss_factor : {0.3, 0.1, 0.03, 0.003})
-      if (loss_factor > 1.5 * last.loss_factor)
-        stages.push_back({loss_factor, dissipative, last.is_hysteretic});
-    stages.push_back({last.loss_factor, dissipative, last.is_hysteretic});
-    // To schemes with little dissipation in two stages: with one, Newton's method does not
-    // converge.
-    stages.push_back({last.loss_factor, mean(dissipative, last.scheme), last.is_hysteretic});
-    for (const RingDynamics &stage : stages)
-      from = start_at(find(load, from, std::make_shared<const SteadyDynamics>(motor, step, stage)));
+    constexpr double strongly = 0.3;
+    RingDynamics dissipative  = motor.dynamics;
+    dissipative.scheme        = InertiaScheme::newmark(1.);
+    RingDynamics damped       = dissipative;
+    damped.added_loss_factor  = strongly;
+    from                      = follow(load, std::move(from), of_start, damped);
+    from                      = follow(load, std::move(from), damped, dissipative);
+    return follow(load, std::move(from), dissipative, motor.dynamics);
+  }
+
+  StepState SteadyDriver::follow(const RotorLoad &load, StepState from, const RingDynamics &begin,
+                                 const RingDynamics &end) const
+  {
+    constexpr double shortest = 1. / 8.;
+    const auto by             = [&](const RingDynamics &there, const Fallback fallback)
+    {
+      return start_at(
+          find(load, from, std::make_shared<const SteadyDynamics>(motor, step, there), fallback));
+    };
+    double done = 0., length = 1.;
+    while (done < 1.)
+      try
+      {
+        const double next = std::min(1., done + length);
+        from              = by(between(begin, end, next), Fallback::none);
+        done              = next;
+        length *= 2.;
+      }
+      catch (const ComputationError &)
+      {
+        length *= 0.5;
+        if (length < shortest)
+          return by(end, Fallback::proximal_points);
+      }
     return from;
   }
 
   OperatingState SteadyDriver::find_through(const RotorLoad &load, StepState start,
                                             const unsigned int n_stages) const
   {
+    constexpr double least = 1e-3;
     for (unsigned int stage = n_stages; stage > 0; --stage)
     {
-      RingDynamics damped = motor.dynamics;
-      damped.loss_factor *= std::pow(3., stage);
+      RingDynamics damped      = motor.dynamics;
+      damped.added_loss_factor = (std::pow(3., stage) - 1.) * std::max(least, damped.loss_factor);
       start =
           start_at(find(load, start, std::make_shared<const SteadyDynamics>(motor, step, damped),
                         Fallback::none));
@@ -228,8 +276,15 @@ namespace ringmotor
             tried = error.what();
         }
     }
-    return with_history(find(load, by_damping(load, *next)),
-                        "with strong damping that is reduced in stages");
+    try
+    {
+      return with_history(find(load, by_damping(load, *next, motor.dynamics)),
+                          "with strong damping that is reduced in stages");
+    }
+    catch (const ComputationError &)
+    {
+      return with_history(find(load, from_rest(load)), "from the state without inertia");
+    }
   }
 
   OperatingState SteadyDriver::at(const RotorLoad &load, const Way first_way)

@@ -31,10 +31,11 @@ namespace ringmotor
       const RingContact &contact      = *state.contact;
       const ContactSolution &solution = state.solution;
       OperatingPoint point;
-      point.speed         = contact.speed(solution.state);
-      point.torque        = contact.torque(solution.state);
-      point.modal_power   = state.modal_power.taken;
-      point.modal_damping = state.modal_power.damped_by_factor;
+      point.speed          = contact.speed(solution.state);
+      point.torque         = contact.torque(solution.state);
+      point.modal_power    = state.modal_power.taken;
+      point.modal_damping  = state.modal_power.damped_by_factor;
+      point.stator_damping = state.modal_power.lost_in_stator;
       // Converts sums over the points of all time samples to powers of the whole ring.
       const double per_second =
           contact.n_repeats() / (contact.n_time_samples() * contact.time_step());

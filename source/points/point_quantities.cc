@@ -30,6 +30,7 @@ namespace ringmotor
         {"output_work", units::power, &Point::output_work},
         {"stored_power", units::power, &Point::stored_power},
         {"modal_power", units::power, &Point::modal_power},
+        {"stator_vibration_loss", units::power, &Point::stator_damping, "stator_vibration_loss"},
         {"closing_work", units::power, &Point::closing_work},
         {"detuning", units::one, &Point::detuning},
         {"amplitude", units::amplitude, &Point::amplitude, "amplitude"},

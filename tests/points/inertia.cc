@@ -169,6 +169,37 @@ TEST(MassesOnSprings, PressAsTheyAreAccelerated)
   }
 }
 
+TEST(MassesOnSprings, OfTheStatorLoseByLossFactorsOfTheirOwn)
+{
+  // In the static compliance is only a spring in series; each mode has its own loss factor.
+  Friction none;
+  none.law                 = FrictionLaw("coulomb");
+  none.dynamic_coefficient = 0.;
+  constexpr double mass = 1e-4, wave_frequency = 2. * M_PI * 30e3, loss_factor = 0.02;
+  for (const double ratio : {0.5, 1., 1.3})
+  {
+    CondensedMotor motor = masses_on_springs(mass, wave_frequency / ratio, /*loss_factor =*/0.);
+    for (std::vector<RingMode> &modes : motor.modes)
+      for (RingMode &mode : modes)
+      {
+        mode.part        = ModePart::stator;
+        mode.loss_factor = loss_factor;
+      }
+    SteadyDriver driver(motor, none, {12, 1});
+    const OperatingState state = driver.at({4000., {}, 1.});
+    const Complex of_mass =
+        exact_response(wave_frequency / ratio, loss_factor, wave_frequency) / mass;
+    const Complex force = 1e-6 / (1. / motor.constants.normal + of_mass);
+    const double power  = -20. * 0.5 * wave_frequency * std::norm(force) * of_mass.imag();
+    EXPECT_NEAR(state.modal_power.lost_in_stator, power, 2e-2 * power) << ratio;
+    EXPECT_EQ(state.modal_power.damped_by_factor, 0.) << ratio;
+    // It is a loss of the stator, which takes it from the wave.
+    const OperatingPoint point = evaluate(state);
+    EXPECT_NEAR(point.taken_from_wave(0.), state.modal_power.lost_in_stator, 1e-6 * power) << ratio;
+    EXPECT_LT(point.power_imbalance(), 1e-9);
+  }
+}
+
 TEST(MassesOnSprings, LagByTheirLossFactorWithoutInertia)
 {
   Friction none;

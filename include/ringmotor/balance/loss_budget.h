@@ -31,19 +31,21 @@ namespace ringmotor
   /**
    * The power balance of an operating point, in W. Hysteretic damping: a part with the strain
    * energy E in a travelling wave of angular frequency omega loses 2 eta omega E, with the loss
-   * factor eta. The stator's share is that of its wave; its deformation by contact forces is
-   * neglected, as in the paper.
+   * factor eta. The stator's share is that of its wave and of the modes that the contact excites;
+   * without Effect "Stator compliance" its deformation by contact forces is neglected, as in the
+   * paper.
    */
   struct LossBudget
   {
     Estimate amplitude;                  ///< m, of the wave
     Estimate output;                     ///< torque times speed
     Estimate friction;                   ///< eq. (7) of the paper
-    Estimate stator_metal, piezoceramic; ///< inside the stator
+    Estimate stator_metal, piezoceramic; ///< inside the stator, in its wave
+    Estimate stator_vibration;           ///< inside the stator, in all its other modes
     Estimate rotor;                      ///< inside the rotor
     Estimate support;                    ///< inside the felt
 
-    Estimate stator() const; ///< metal and piezoceramic
+    Estimate stator() const; ///< all inside it
     Estimate total() const;  ///< all but the output
     Estimate input() const;  ///< output and losses
     /** Output over output and total loss; 0 for a motor that is driven from outside. */

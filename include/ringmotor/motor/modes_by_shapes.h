@@ -45,7 +45,7 @@ namespace ringmotor
       for (std::size_t r = 0; r < all.size(); ++r)
       {
         const RingMode &of = *all[r].second;
-        Mode mode{of.angular_frequency, of.part, of.response, of.at_once(), {}};
+        Mode mode{of.angular_frequency, of.part, of.response, of.loss_factor, of.at_once(), {}};
         for (unsigned int i = 0; i < shapes.n(); ++i)
           mode.shares.emplace_back(factors.weights(i, 2 * r), factors.weights(i, 2 * r + 1));
         by_diameter[all[r].first].push_back(std::move(mode));
@@ -57,13 +57,20 @@ namespace ringmotor
       double frequency; ///< rad/s
       ModePart part;
       ModeResponse response;
+      double own_loss_factor;
       double at_once;              ///< see RingMode
       std::vector<Complex> shares; ///< of the shapes in motion / omega
+
+      double loss_factor(const RingDynamics &dynamics) const
+      {
+        return own_loss_factor + dynamics.added_loss_factor +
+               (part == ModePart::rotor ? dynamics.loss_factor : 0.);
+      }
 
       /** 1/s */
       double damping(const RingDynamics &dynamics) const
       {
-        return part == ModePart::rotor ? dynamics.loss_factor * frequency : 0.;
+        return loss_factor(dynamics) * frequency;
       }
 
       /** The same share of what SteadyInertia::motion() leaves to the static motion. */
@@ -88,10 +95,16 @@ namespace ringmotor
       Complex amplification(const RingDynamics &dynamics, const HistoryWave &wave,
                             const double dt) const
       {
+        return at_once + dynamics.share * (whole_amplification(dynamics, wave, dt) - at_once);
+      }
+
+      Complex whole_amplification(const RingDynamics &dynamics, const HistoryWave &wave,
+                                  const double dt) const
+      {
         if (response != ModeResponse::vibrates)
           return response == ModeResponse::none ? 0. : 1.;
         if (!has_inertia(dynamics))
-          return 1. / Complex(1., wave.direction * dynamics.loss_factor);
+          return 1. / Complex(1., wave.direction * loss_factor(dynamics));
         return frequency * frequency *
                dynamics.scheme.response(wave.z, dt, frequency, damping(dynamics));
       }

@@ -41,8 +41,11 @@ namespace ringmotor
     /** Of each node of sector 0, times exp(-i k j alpha) for sector j, 1/sqrt(kg): the static
      * compliance for such waves of forces is the sum of motion motion^H / omega^2 of all modes. */
     std::vector<std::array<std::complex<double>, 3>> motion;
-    ModePart part         = ModePart::rotor; ///< only modes of the rotor are damped
+    ModePart part         = ModePart::rotor;
     ModeResponse response = ModeResponse::vibrates;
+    /** Of its own, beside that of RingDynamics: of the stator that of its materials, weighted by
+     * the energies of the mode. */
+    double loss_factor = 0.;
 
     bool of_rotor() const { return part == ModePart::rotor; }
     /** The share of its static motion that the static compliance of the motor contains. */
@@ -51,7 +54,7 @@ namespace ringmotor
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &angular_frequency &motion &part &response;
+      archive &angular_frequency &motion &part &response &loss_factor;
     }
   };
 
@@ -72,11 +75,17 @@ namespace ringmotor
     double loss_factor = 0.;
     InertiaScheme scheme;
     bool is_hysteretic = false; ///< rotor without inertia
+    /** Added to the loss factor of every mode in states on the way to another one. */
+    double added_loss_factor = 0.;
+    /** Of all that modes add to the static compliance; less than one only in states on the way to
+     * another one. */
+    double share = 1.;
 
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &loss_factor &scheme.alpha &scheme.gamma &scheme.beta &is_hysteretic;
+      archive &loss_factor &added_loss_factor &scheme.alpha &scheme.gamma &scheme
+          .beta &is_hysteretic &share;
     }
   };
 
@@ -84,8 +93,9 @@ namespace ringmotor
   struct ModalPower
   {
     double taken = 0.; ///< beyond that stored by their static motions: kinetic energy and losses
-    double damped_by_factor = 0.; ///< lost by damping, divided by the loss factor; in a steady
-                                  ///< state the rest of the power is lost by the scheme
+    double damped_by_factor = 0.; ///< lost by damping of the rotor, divided by its loss factor; in
+                                  ///< a steady state the rest of the power is lost by the scheme
+    double lost_in_stator = 0.;   ///< by damping of the stator's modes
   };
 
   class ModesByShapes;

@@ -79,9 +79,14 @@ namespace ringmotor
     /** From #next or #other; with inertia through as few such stages as lead to the state, because
      * there may be several, and strong damping may lead to another one; at last by_damping(). */
     OperatingState find_or_damp(const RotorLoad &load, const Way first_way) const;
-    /** From another state, possibly without inertia, through states with inertia and decreasing
-     * damping. */
-    StepState by_damping(const RotorLoad &load, StepState start) const;
+    /** From another state, which has the dynamics @p of_start, through states with inertia and
+     * decreasing damping. */
+    StepState by_damping(const RotorLoad &load, StepState start,
+                         const RingDynamics &of_start) const;
+    /** From a state with the dynamics @p begin to that with @p end: by Newton's method alone, in
+     * as few steps between them as it can; if even short ones fail, by proximal points. */
+    StepState follow(const RotorLoad &load, StepState start, const RingDynamics &begin,
+                     const RingDynamics &end) const;
     /** A start near the state under a law that decreases with the distance slipped: the last of a
      * sequence of states, in each of which the friction coefficients follow from memory and slip in
      * the previous one. Adds the number of systems solved to @p n_iterations. */

@@ -14,14 +14,16 @@ namespace ringmotor
     /** The power balance, in W. The work in a step is that of the means of the forces at its two
      * ends: elastic forces then return all the energy that they store. */
     double tangential_loss = 0., radial_loss = 0.; ///< of friction, by sliding along and across
-    double input_power   = 0.; ///< of the feet, by the stator's forced motion on contact forces
-    double output_work   = 0.; ///< output_power(), step by step with such means of the torque
-    double stored_power  = 0.; ///< growth rate of stored energy, see RingContact::stored_energy()
-    double modal_power   = 0.; ///< taken by the rotor's inertia and damping
-    double modal_damping = 0.; ///< what its damping by a loss factor takes, over that factor
-    double gross_power   = 0.; ///< exchanged by feet and forces: the input power, each node's part
-                               ///< taken positive
-    double closing_work = 0.;  ///< of pressure on gaps closing or opening in a step; numerical
+    double input_power  = 0.; ///< of the feet, by the stator's forced motion on contact forces
+    double output_work  = 0.; ///< output_power(), step by step with such means of the torque
+    double stored_power = 0.; ///< growth rate of stored energy, see RingContact::stored_energy()
+    double modal_power  = 0.; ///< taken by inertia and damping of the bodies
+    double modal_damping =
+        0.; ///< what the rotor's damping by a loss factor takes, over that factor
+    double stator_damping = 0.; ///< what that of the stator's modes beside the wave takes
+    double gross_power    = 0.; ///< exchanged by feet and forces: the input power, each node's part
+                                ///< taken positive
+    double closing_work = 0.;   ///< of pressure on gaps closing or opening in a step; numerical
 
     double amplitude = 0.; ///< m, of the wave, see StatorWave::amplitude
     /** The relative shift of the frequency of the stator's wave by the contact, see
@@ -36,7 +38,7 @@ namespace ringmotor
      * rotor's damping took in the model. */
     double taken_from_wave(const double rotor_loss) const
     {
-      return input_power - modal_power + rotor_loss;
+      return input_power - modal_power + rotor_loss + stator_damping;
     }
     double friction_loss() const { return tangential_loss + radial_loss; }
     /** Of the friction loss, by sliding across; 0 without loss. */
