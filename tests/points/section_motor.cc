@@ -8,10 +8,12 @@
 #include "mesh/section_text.h"
 #include "support/motor_model.h"
 
+#include <ringmotor/condensation/interface_compliance.h>
 #include <ringmotor/mesh/check_contact.h>
 #include <ringmotor/mesh/contact_line.h>
 #include <ringmotor/mesh/ids.h>
 #include <ringmotor/motor/condensed_motor.h>
+#include <ringmotor/motor/contact_bodies.h>
 #include <ringmotor/motor/rotor_loss.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/points/point_finder.h>
@@ -125,6 +127,45 @@ TEST(SectionMotor, TellsWhereItsBodiesTouch)
     EXPECT_EQ(on_felt.front().inner, motor.stator.base_inner_radius);
     EXPECT_EQ(on_felt.front().outer, motor.stator.base_outer_radius);
   }
+}
+
+TEST(SectionMotor, HasTheShellOfItsDimensions)
+{
+  const auto distance = [](const dealii::FullMatrix<double> &a, dealii::FullMatrix<double> b)
+  {
+    b.add(-1., a);
+    return b.frobenius_norm() / a.frobenius_norm();
+  };
+  const Scratch scratch;
+  Parameters motor            = reference_motor();
+  motor.rotor.flange_element  = ElementKind::shell;
+  Parameters drawn            = with_sections(motor, scratch);
+  drawn.rotor.shell_thickness = motor.rotor.flange_thickness;
+  EXPECT_NO_THROW(check_bodies_in_contact(drawn));
+  for (const unsigned int level : {0u, 2u})
+  {
+    const ContactDiscretisation mesh = ContactDiscretisation::level(level);
+    const RotorBody one(motor, mesh), other(drawn, mesh);
+    EXPECT_EQ(one.mesh.n_cells(), other.mesh.n_cells());
+    ASSERT_EQ(one.lip.nodes.size(), other.lip.nodes.size());
+    EXPECT_EQ(one.sector.n_dofs(), other.sector.n_dofs());
+    const Condensation of_one = one.condensed(), of_other = other.condensed();
+    const InterfaceCompliance a(of_one), b(of_other);
+    for (const unsigned int k : {0u, 1u, 2u, 7u})
+    {
+      EXPECT_LT(distance(a.compliance(k, one.held(k)), b.compliance(k, other.held(k))), 1e-9)
+          << level << " " << k;
+    }
+  }
+  // A thinner shell gives way more.
+  const ContactDiscretisation mesh = ContactDiscretisation::level(0);
+  const RotorBody one(drawn, mesh);
+  *drawn.rotor.shell_thickness *= 0.99;
+  const RotorBody other(drawn, mesh);
+  const Condensation of_one = one.condensed(), of_other = other.condensed();
+  EXPECT_GT(distance(InterfaceCompliance(of_one).compliance(7, {}),
+                     InterfaceCompliance(of_other).compliance(7, {})),
+            1e-3);
 }
 
 TEST(SectionMotor, LosesInAllPartsOfItsRotor)
