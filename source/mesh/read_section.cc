@@ -5,6 +5,7 @@
 #include <ringmotor/mesh/places.h>
 #include <ringmotor/mesh/read_section.h>
 #include <ringmotor/mesh/shell_line.h>
+#include <ringmotor/mesh/split_elements.h>
 
 #include <algorithm>
 #include <cmath>
@@ -123,7 +124,8 @@ namespace ringmotor
       void check_kinds() const
       {
         const std::string advice = "mesh the surfaces with quadrilaterals (Gmsh: Transfinite "
-                                   "Surface \"*\"; Recombine Surface \"*\";) of first order";
+                                   "Surface \"*\"; Recombine Surface \"*\";) of first or second "
+                                   "order";
         bool has_cells           = false;
         for (const Element &element : mesh.elements)
         {
@@ -131,8 +133,9 @@ namespace ringmotor
           if (element.kind == GmshMesh::triangle)
             refuse("it has triangles, one at " + in_words(middle(element.nodes)), advice);
           if (element.kind != GmshMesh::quadrilateral && element.kind != GmshMesh::line)
-            refuse(element.nodes.empty() ? "it has elements of second order or of unknown kind"
-                                         : "it has volumes: a section lies in a plane",
+            refuse(element.nodes.empty()
+                       ? "it has elements of Gmsh's kind " + std::to_string(element.kind)
+                       : "it has volumes: a section lies in a plane",
                    element.nodes.empty() ? advice : "mesh in two dimensions: gmsh -2");
         }
         if (!has_cells)
@@ -296,9 +299,9 @@ namespace ringmotor
 
   Section read_section(const std::string &file, const SectionOf body)
   {
-    const GmshMesh mesh = 
+    const GmshMesh mesh = with_split_elements(
         read_gmsh({file, body == SectionOf::stator ? "Stator/Section file" : "Rotor/Section file",
-                   "quadrilaterals of first order (meshes/README.md)"});
+                   "quadrilaterals of first or second order (meshes/README.md)"}));
     return SectionReader(mesh, body).read();
   }
 } // namespace ringmotor

@@ -50,7 +50,8 @@ namespace ringmotor::tests
     /** Writes it to a file of the folder and returns its path. */
     std::string write(const Scratch &scratch, const std::string &name = "section.msh") const
     {
-      const auto dimension = [](const Element &element) { return element.kind == 1 ? 1 : 2; };
+      const auto dimension = [](const Element &element)
+      { return element.kind == 1 || element.kind == 8 ? 1 : 2; };
       std::map<std::pair<int, std::string>, int> ids;
       for (const Element &element : elements)
         if (!element.name.empty())
