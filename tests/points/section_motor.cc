@@ -168,6 +168,50 @@ TEST(SectionMotor, HasTheShellOfItsDimensions)
             1e-3);
 }
 
+namespace
+{
+  /** The disc with a lining on a layer of adhesive below its ring. */
+  SectionText bonded_rotor()
+  {
+    SectionText text;
+    for (const double z : {0., 0.5e-3, 0.55e-3, 3e-3})
+      for (const double r : {26e-3, 29e-3})
+        text.points.emplace_back(r, z);
+    text.elements = {{3, "lining", {0, 1, 3, 2}}, {3, "adhesive", {2, 3, 5, 4}},
+                     {3, "rotor", {4, 5, 7, 6}},  {1, "contact", {0, 1}},
+                     {1, "pressed", {6, 7}},      {1, "driven", {4, 6}}};
+    return text;
+  }
+} // namespace
+
+TEST(SectionMotor, LosesByPart)
+{
+  const Scratch scratch;
+  Parameters motor;
+  motor.motor                      = {"", 9, 90};
+  motor.rotor.section_file         = bonded_rotor().write(scratch);
+  motor.rotor.radial_bar_stiffness = 0.;
+  motor.materials.rotor_metal      = {68.9e9, 0.33, 2700., 1e-3};
+  motor.materials.lining           = {2e9, 0.35, 1500., 3e-2};
+  motor.materials.adhesive         = {3e9, 0.35, 1200., 2e-2};
+  const RotorLossFactor loss       = rotor_loss_by_part(motor);
+  EXPECT_TRUE(loss.has_lining && loss.has_adhesive);
+  EXPECT_EQ(loss.sum(), rotor_loss_factor(motor));
+  // Shares of the energy, which add up to one.
+  EXPECT_NEAR(loss.metal / 1e-3 + loss.lining / 3e-2 + loss.adhesive / 2e-2, 1., 1e-12);
+  EXPECT_GT(loss.lining, loss.adhesive); // ten times thicker, not stiffer
+  EXPECT_GT(loss.adhesive, 0.);
+  EXPECT_GT(loss.metal, 0.);
+  motor.materials.lining.loss_factor = 4.5e-2;
+  const RotorLossFactor other        = rotor_loss_by_part(motor);
+  EXPECT_NEAR(other.lining / loss.lining, 1.5, 1e-12);
+  EXPECT_NEAR(other.adhesive / loss.adhesive, 1., 1e-12);
+  EXPECT_NEAR(other.metal / loss.metal, 1., 1e-12);
+  const RotorLossFactor of_metal = rotor_loss_by_part(reference_motor());
+  EXPECT_FALSE(of_metal.has_lining || of_metal.has_adhesive);
+  EXPECT_EQ(of_metal.sum(), reference_motor().materials.rotor_metal.loss_factor);
+}
+
 TEST(SectionMotor, LosesInAllPartsOfItsRotor)
 {
   Parameters motor;

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <ringmotor/mesh/contact_line.h>
+#include <ringmotor/motor/rotor_loss.h>
 #include <ringmotor/parameters/parameters.h>
 #include <ringmotor/pictures/sector_field.h>
 #include <ringmotor/points/curve_point.h>
 #include <ringmotor/results/quantity.h>
+
+#include <optional>
 
 namespace ringmotor
 {
@@ -36,12 +39,13 @@ namespace ringmotor
    */
   struct LossBudget
   {
-    Estimate amplitude;                  ///< m, of the wave
-    Estimate output;                     ///< torque times speed
-    Estimate friction;                   ///< eq. (7) of the paper
-    Estimate stator_metal, piezoceramic; ///< inside the stator
-    Estimate rotor;                      ///< inside the rotor
-    Estimate support;                    ///< inside the felt
+    Estimate amplitude;                                    ///< m, of the wave
+    Estimate output;                                       ///< torque times speed
+    Estimate friction;                                     ///< eq. (7) of the paper
+    Estimate stator_metal, piezoceramic;                   ///< inside the stator
+    Estimate rotor;                                        ///< inside the rotor
+    std::optional<Estimate> rotor_metal, lining, adhesive; ///< its parts, if it has several
+    Estimate support;                                      ///< inside the felt
 
     Estimate stator() const; ///< metal and piezoceramic
     Estimate total() const;  ///< all but the output
@@ -60,7 +64,7 @@ namespace ringmotor
   std::vector<std::vector<double>> loss_density(const SectorField &wave,
                                                 const Materials &materials);
 
-  /** @param of_rotor its loss factor, see rotor_loss_factor() */
   LossBudget loss_budget(const CurvePoint &point, const WaveEnergies &wave,
-                         const Materials &materials, const double of_rotor, const Support &felt);
+                         const Materials &materials, const RotorLossFactor &of_rotor,
+                         const Support &felt);
 } // namespace ringmotor
