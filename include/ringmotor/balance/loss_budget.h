@@ -39,13 +39,14 @@ namespace ringmotor
    */
   struct LossBudget
   {
-    Estimate amplitude;                                    ///< m, of the wave
-    Estimate output;                                       ///< torque times speed
-    Estimate friction;                                     ///< eq. (7) of the paper
-    Estimate stator_metal, piezoceramic;                   ///< inside the stator
-    Estimate rotor;                                        ///< inside the rotor
-    std::optional<Estimate> rotor_metal, lining, adhesive; ///< its parts, if it has several
-    Estimate support;                                      ///< inside the felt
+    Estimate amplitude;                  ///< m, of the wave
+    Estimate output;                     ///< torque times speed
+    Estimate friction;                   ///< eq. (7) of the paper
+    Estimate stator_metal, piezoceramic; ///< inside the stator
+    Estimate rotor;                      ///< inside the rotor
+    Estimate support;                    ///< inside the felt
+    /** Parts of #rotor, those that there are if it has several. */
+    std::optional<Estimate> rotor_metal{}, lining{}, adhesive{};
 
     Estimate stator() const; ///< metal and piezoceramic
     Estimate total() const;  ///< all but the output
