@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Figures of the losses and the efficiency of a motor against its torque."""
 import numpy as np
-from drawing.basics import BLUE, GREEN, GREY, ORANGE, PURPLE, start_figure
+from drawing.basics import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, start_figure
 from drawing.curve_figures import draw_points, draw_steps, finish_axes, is_fall, sorted_columns
 
 BLACK = "#000000"
@@ -10,9 +10,11 @@ CURVES = (("total_loss_mW", "total", BLACK, "o", "-"),
           ("internal_loss_mW", "inside stator and rotor", BLUE, "s", "--"),
           ("friction_loss_mW", "friction", ORANGE, "^", "-"),
           ("support_loss_mW", "support", GREEN, "D", ":"))
-INTERNAL = ("internal_loss_stator_metal", "internal_loss_piezoceramic", "internal_loss_rotor")
+INTERNAL = ("internal_loss_stator_metal", "internal_loss_piezoceramic", "internal_loss_stator_vibration",
+            "internal_loss_rotor")
 LAYERS = (("output_power", "output", BLUE), ("friction_loss", "friction", ORANGE),
           ("internal_loss_stator_metal", "stator metal", GREY), ("internal_loss_piezoceramic", "piezoceramic", PURPLE),
+          ("internal_loss_stator_vibration", "other modes of the stator", SKY),
           ("internal_loss_rotor", "rotor", BLACK), ("support_loss", "support", GREEN))
 
 
@@ -90,6 +92,8 @@ def draw_energy(losses, contact):
     torque, highest = columns["torque_mNm"], columns["input_power_mW"].max()
     below = np.zeros_like(torque)
     for name, label, color in LAYERS:
+        if name == "internal_loss_stator_vibration" and not columns[name + "_mW"].any():
+            continue  # Effects/Stator compliance is off
         below = draw_layer(axes, columns, below, name, color)
         error = columns[name + "_error_mW"]
         shown = np.flatnonzero(error > VISIBLE * highest)

@@ -6,8 +6,8 @@ import os
 from results.case import Case, Results, failures, has_results, read_table
 from results.contact_case import ContactCase
 
-PARTS = ("friction_loss", "internal_loss_stator_metal", "internal_loss_piezoceramic", "internal_loss_rotor",
-         "support_loss")
+PARTS = ("friction_loss", "internal_loss_stator_metal", "internal_loss_piezoceramic",
+         "internal_loss_stator_vibration", "internal_loss_rotor", "support_loss")
 LOAD = ["torque_mNm", "speed_rpm"]
 NUMBERS = {"losses.csv": LOAD + [f"{name}{end}" for name in (*PARTS, "total_loss") for end in ("_mW", "_error_mW")],
            "efficiency.csv": LOAD + ["input_power_mW", "output_power_mW", "output_power_error_mW", "efficiency",

@@ -33,7 +33,7 @@ CIRCUIT_QUANTITIES = (  # name and unit of a column of circuits.csv, what to cal
     ("Rm", "_ohm", "Rm", "ohm"),
     ("Q", "", "Q", ""),
 )
-LOSS_NAMES = dict(zip(PARTS, ("friction", "stator metal", "piezoceramic", "rotor", "support")))
+LOSS_NAMES = dict(zip(PARTS, ("friction", "stator metal", "piezoceramic", "other modes of the stator", "rotor", "support")))
 LOSS_FACTORS = {"Materials/Stator metal/Loss factor": "stator metal", "Materials/Piezoceramic/Loss factor": "piezoceramic",
                 "Materials/Rotor metal/Loss factor": "rotor", "Support/Felt loss factor": "felt of the support"}
 FILES = {
@@ -216,7 +216,8 @@ class Page:
 
     def loss_table(self):
         columns = [("torque", "mN m", torque)]
-        columns += [(said, "mW", lambda point, name=name: power(point, name)) for name, said in LOSS_NAMES.items()]
+        columns += [(said, "mW", lambda point, name=name: power(point, name)) for name, said in LOSS_NAMES.items()
+                    if name != "internal_loss_stator_vibration" or any(point[name + "_mW"] for point in self.losses.points)]
         columns += [("total", "mW", lambda point: power(point, "total_loss"))]
         given = {entry: self.losses.parameters[entry] for entry in LOSS_FACTORS}
         factors = ", ".join(f"{LOSS_FACTORS[entry]} {float(text):g}" for entry, text in given.items() if text != "none")

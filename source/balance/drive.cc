@@ -69,12 +69,12 @@ namespace ringmotor
           " %), which Wave/Drive = voltage does not compute; allowed: a distance of a quarter of "
           "a wavelength, as 0.25 or 0.75, or Wave/Drive = amplitude");
     CurvePoint at_rest; // with the wave alone
-    at_rest.result.amplitude = driven.amplitude;
-    const double of_rotor    = rotor_loss_factor(parameters);
+    at_rest.result.amplitude       = driven.amplitude;
+    const RotorLossFactor of_rotor = rotor_loss_by_part(parameters);
     const LossBudget losses =
         loss_budget(at_rest, energies, parameters.materials, of_rotor, parameters.support);
     VoltageDrive drive = voltage_drive(driven, losses, driven.amplitude, *parameters.wave.voltage);
-    drive.rotor_loss_factor = of_rotor;
+    drive.rotor_loss_factor = of_rotor.sum();
     drive.force_factor.errors[causes::circuits] += // it is the mean of both phases
         0.5 * difference_of_phases(driven) * std::abs(drive.force_factor.value);
     wave.drive = drive;

@@ -74,13 +74,20 @@ namespace ringmotor
 
   std::vector<Quantity> LossBudget::losses() const
   {
-    return {{"friction_loss", units::power, friction},
-            {"internal_loss_stator_metal", units::power, stator_metal},
-            {"internal_loss_piezoceramic", units::power, piezoceramic},
-            {"internal_loss_stator", units::power, stator()},
-            {"internal_loss_rotor", units::power, rotor},
-            {"support_loss", units::power, support},
-            {"total_loss", units::power, total()}};
+    std::vector<Quantity> all{{"friction_loss", units::power, friction},
+                              {"internal_loss_stator_metal", units::power, stator_metal},
+                              {"internal_loss_piezoceramic", units::power, piezoceramic},
+                              {"internal_loss_stator_vibration", units::power, stator_vibration},
+                              {"internal_loss_stator", units::power, stator()}};
+    for (const auto &[name, loss] : {std::make_pair("internal_loss_rotor_metal", &rotor_metal),
+                                     {"internal_loss_lining", &lining},
+                                     {"internal_loss_adhesive", &adhesive}})
+      if (*loss)
+        all.emplace_back(name, units::power, **loss);
+    all.emplace_back("internal_loss_rotor", units::power, rotor);
+    all.emplace_back("support_loss", units::power, support);
+    all.emplace_back("total_loss", units::power, total());
+    return all;
   }
 
   std::vector<Quantity> LossBudget::powers() const
@@ -104,7 +111,8 @@ namespace ringmotor
   }
 
   LossBudget loss_budget(const CurvePoint &point, const WaveEnergies &wave,
-                         const Materials &materials, const double of_rotor, const Support &felt)
+                         const Materials &materials, const RotorLossFactor &of_rotor,
+                         const Support &felt)
   {
     const auto estimate = [&](const std::string &quantity)
     { return quantity_named(quantity).estimate(point); };
@@ -114,13 +122,20 @@ namespace ringmotor
     const Estimate ratio = budget.amplitude / wave.amplitude;
     const auto lost      = [&](const double loss_factor, const Estimate &energy)
     { return 2. * wave.angular_frequency * loss_factor * (ratio * ratio) * energy; };
-    budget.output           = estimate("torque") * estimate("speed");
-    budget.friction         = estimate("friction_loss");
-    budget.stator_metal     = lost(materials.stator_metal.loss_factor, wave.metal);
-    budget.piezoceramic     = lost(materials.piezoceramic.loss_factor, wave.piezoceramic);
-    budget.stator_vibration = estimate("stator_vibration_loss");
-    budget.rotor            = of_rotor * estimate("rotor_power_per_loss_factor");
-    budget.support          = lost(felt.felt_loss_factor.value_or(0.), wave.felt);
+    budget.output                  = estimate("torque") * estimate("speed");
+    budget.friction                = estimate("friction_loss");
+    budget.stator_metal            = lost(materials.stator_metal.loss_factor, wave.metal);
+    budget.piezoceramic            = lost(materials.piezoceramic.loss_factor, wave.piezoceramic);
+    budget.stator_vibration        = estimate("stator_vibration_loss");
+    const Estimate per_loss_factor = estimate("rotor_power_per_loss_factor");
+    budget.rotor                   = of_rotor.sum() * per_loss_factor;
+    if (of_rotor.has_lining || of_rotor.has_adhesive)
+      budget.rotor_metal = of_rotor.metal * per_loss_factor;
+    if (of_rotor.has_lining)
+      budget.lining = of_rotor.lining * per_loss_factor;
+    if (of_rotor.has_adhesive)
+      budget.adhesive = of_rotor.adhesive * per_loss_factor;
+    budget.support = lost(felt.felt_loss_factor.value_or(0.), wave.felt);
     return budget;
   }
 } // namespace ringmotor

@@ -5,6 +5,7 @@
 #include <ringmotor/mesh/ids.h>
 #include <ringmotor/mesh/mesh_file.h>
 #include <ringmotor/mesh/places.h>
+#include <ringmotor/mesh/shell_line.h>
 #include <ringmotor/parameters/check_geometry.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/parameters/parameters.h>
@@ -71,7 +72,7 @@ namespace ringmotor
                         ? "name the lower face of lip or lining: Physical Curve(\"contact\")"
                         : "contact needs teeth: name their metal, Physical Surface(\"tooth\"), and "
                           "their tops, Physical Curve(\"contact\")");
-      if (!is_one_line(section.edges_named(body.contact)))
+      if (section.shell.n_in_contact == 0 && !is_one_line(section.edges_named(body.contact)))
         body.refuse("the curve 'contact' is in pieces", "name one line from end to end");
       if (body.line.highest - body.line.lowest > places::file_rounding * body.line.radii.outer)
         body.refuse("the curve 'contact' reaches from z = " + in_millimetres(body.line.lowest) +
@@ -170,8 +171,9 @@ namespace ringmotor
     {
       if (rotor.file.empty() && stator.file.empty()) // see check_clearance()
         return;
-      const Penetration penetration(stator.body.section, rotor.body.section,
-                                    rise_to_contact(rotor.body, stator.body));
+      const Penetration penetration(
+          stator.body.section, with_cells_for_shell(rotor.body.section, rotor.body.shell_thickness),
+          rise_to_contact(rotor.body, stator.body));
       if (const auto place = penetration.place())
         throw UserError("the rotor cuts into the stator, at " + in_words(*place) +
                         " (with the rotor on the tooth tops): " + rotor.in_words() + ", and " +

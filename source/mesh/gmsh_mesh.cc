@@ -21,10 +21,17 @@ namespace ringmotor
     /** How many nodes an element of a kind has; 0: a kind that is not read. */
     std::size_t n_nodes_of(const long kind)
     {
-      static const std::map<long, std::size_t> n_nodes{
-          {GmshMesh::point, 1},         {GmshMesh::line, 2},        {GmshMesh::triangle, 3},
-          {GmshMesh::quadrilateral, 4}, {GmshMesh::tetrahedron, 4}, {GmshMesh::hexahedron, 8},
-          {GmshMesh::prism, 6},         {GmshMesh::pyramid, 5}};
+      static const std::map<long, std::size_t> n_nodes{{GmshMesh::point, 1},
+                                                       {GmshMesh::line, 2},
+                                                       {GmshMesh::triangle, 3},
+                                                       {GmshMesh::quadrilateral, 4},
+                                                       {GmshMesh::tetrahedron, 4},
+                                                       {GmshMesh::hexahedron, 8},
+                                                       {GmshMesh::prism, 6},
+                                                       {GmshMesh::pyramid, 5},
+                                                       {GmshMesh::line_of_3, 3},
+                                                       {GmshMesh::quadrilateral_of_9, 9},
+                                                       {GmshMesh::quadrilateral_of_8, 8}};
       const auto found = n_nodes.find(kind);
       return found == n_nodes.end() ? 0 : found->second;
     }
@@ -285,7 +292,8 @@ namespace ringmotor
           const long n_tags = lines.count(2);
           if (n_tags > 3 && lines.count(5) > 0 && kind == GmshMesh::hexahedron)
             partitions_seen.insert(lines.number<long>(6));
-          const long dimension = kind == GmshMesh::hexahedron ? 3 : kind == GmshMesh::line ? 1 : 2;
+          const bool is_line   = kind == GmshMesh::line || kind == GmshMesh::line_of_3;
+          const long dimension = kind == GmshMesh::hexahedron ? 3 : is_line ? 1 : 2;
           add_element(kind, 3 + n_tags, {n_tags > 0 ? id(dimension, 3) : 0});
         }
         lines.next();

@@ -4,6 +4,8 @@
 #include <ringmotor/mesh/ids.h>
 #include <ringmotor/mesh/places.h>
 #include <ringmotor/mesh/read_section.h>
+#include <ringmotor/mesh/shell_line.h>
+#include <ringmotor/mesh/split_elements.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,6 +39,8 @@ namespace ringmotor
                                  : std::vector{ids::lip, ids::ring_top, ids::ring_bore,
                                                ids::radial_bars, ids::clamped})
         names.emplace_back(name_of_edge(edge), edge);
+      if (body == SectionOf::rotor)
+        names.emplace_back("shell", ids::shell_root);
       return names;
     }
 
@@ -68,8 +72,12 @@ namespace ringmotor
         at_edges = section.cells_at_edges();
         for (const Element &element : mesh.elements)
           if (element.kind == GmshMesh::line)
+            add_to_shell(element);
+        for (const Element &element : mesh.elements)
+          if (element.kind == GmshMesh::line)
             add_name(element);
         check_parts();
+        add_shell();
         check_contact();
         if (body == SectionOf::stator)
           check_teeth(section, mesh.file);
@@ -116,7 +124,8 @@ namespace ringmotor
       void check_kinds() const
       {
         const std::string advice = "mesh the surfaces with quadrilaterals (Gmsh: Transfinite "
-                                   "Surface \"*\"; Recombine Surface \"*\";) of first order";
+                                   "Surface \"*\"; Recombine Surface \"*\";) of first or second "
+                                   "order";
         bool has_cells           = false;
         for (const Element &element : mesh.elements)
         {
@@ -124,12 +133,24 @@ namespace ringmotor
           if (element.kind == GmshMesh::triangle)
             refuse("it has triangles, one at " + in_words(middle(element.nodes)), advice);
           if (element.kind != GmshMesh::quadrilateral && element.kind != GmshMesh::line)
-            refuse(element.nodes.empty() ? "it has elements of second order or of unknown kind"
-                                         : "it has volumes: a section lies in a plane",
+            refuse(element.nodes.empty()
+                       ? "it has elements of Gmsh's kind " + std::to_string(element.kind)
+                       : "it has volumes: a section lies in a plane",
                    element.nodes.empty() ? advice : "mesh in two dimensions: gmsh -2");
         }
         if (!has_cells)
           refuse("it has no quadrilaterals", advice);
+      }
+
+      Point<2> place(const unsigned int node) const
+      {
+        const Point<3> &x = mesh.nodes[node];
+        const Point<2> in_plane(x[0], x[1]);
+        if (std::abs(x[2]) > places::file_rounding * in_plane.norm())
+          refuse("a point has the third coordinate " + in_metres(x[2]) + ", at " +
+                     in_words(in_plane),
+                 "draw the section in the plane of x = r and y = z, with a third coordinate of 0");
+        return in_plane;
       }
 
       unsigned int point(const unsigned int node)
@@ -137,14 +158,8 @@ namespace ringmotor
         unsigned int &point = point_of_node[node];
         if (point == numbers::invalid_unsigned_int)
         {
-          const Point<3> &x = mesh.nodes[node];
-          if (std::abs(x[2]) > places::file_rounding * std::hypot(x[0], x[1]))
-            refuse(
-                "a point has the third coordinate " + in_metres(x[2]) + ", at " +
-                    in_words(Point<2>(x[0], x[1])),
-                "draw the section in the plane of x = r and y = z, with a third coordinate of 0");
           point = section.points.size();
-          section.points.emplace_back(x[0], x[1]);
+          section.points.push_back(place(node));
         }
         return point;
       }
@@ -174,11 +189,39 @@ namespace ringmotor
         section.cells.push_back(cell);
       }
 
+      /** Whether a line belongs to the curve `shell`, whatever other names it has. */
+      bool is_of_shell(const Element &element) const
+      {
+        return shell.count(Section::edge(element.nodes[0], element.nodes[1])) > 0;
+      }
+
+      void add_to_shell(const Element &element)
+      {
+        if (element.id == 0 || id_of(element, 1, edges, "curve") != ids::shell_root)
+          return;
+        const Section::Edge edge =
+            Section::edge(point_of_node[element.nodes[0]], point_of_node[element.nodes[1]]);
+        if (at_edges.count(edge) > 0)
+          refuse("the curve 'shell' is an edge of a surface, at " + in_words(middle(element.nodes)),
+                 "draw it beside the surfaces, from a free end to an edge of them");
+        shell[Section::edge(element.nodes[0], element.nodes[1])] = false;
+      }
+
       void add_name(const Element &element)
       {
         if (element.id == 0)
           return;
         const unsigned int name = id_of(element, 1, edges, "curve");
+        if (is_of_shell(element))
+        {
+          if (name != ids::lip && name != ids::shell_root)
+            refuse("the curve 'shell' has the name '" + mesh.name_of(1, element) + "', too, at " +
+                       in_words(middle(element.nodes)),
+                   "allowed besides shell: contact");
+          if (name == ids::lip)
+            shell.at(Section::edge(element.nodes[0], element.nodes[1])) = true;
+          return;
+        }
         const Section::Edge edge =
             Section::edge(point_of_node[element.nodes[0]], point_of_node[element.nodes[1]]);
         const std::string what = "the curve '" + mesh.name_of(1, element) + "', at " +
@@ -200,6 +243,24 @@ namespace ringmotor
                                    "Surface(\"base\")");
         if (body == SectionOf::rotor && !section.has_part(ids::rotor))
           refuse("it has no rotor", "name the metal of the rotor: Physical Surface(\"rotor\")");
+      }
+
+      void add_shell()
+      {
+        if (shell.empty())
+          return;
+        std::vector<ShellPiece> pieces;
+        std::vector<Point<2>> places(mesh.nodes.size());
+        for (const auto &[nodes, in_contact] : shell)
+        {
+          pieces.push_back({nodes, in_contact});
+          for (const unsigned int node : {nodes.first, nodes.second})
+            places[node] = place(node);
+        }
+        section.shell = shell_line(pieces, places, section, mesh.file);
+        if (section.shell.n_in_contact > 0 && !section.edges_named(ids::lip).empty())
+          refuse("the curve 'contact' lies on the shell and on surfaces",
+                 "let one of them touch the teeth");
       }
 
       /** The contact line must face the other body. */
@@ -232,14 +293,15 @@ namespace ringmotor
       std::vector<unsigned int> point_of_node;
       Section section;
       std::map<Section::Edge, std::vector<unsigned int>> at_edges;
+      std::map<Section::Edge, bool> shell; ///< whether its lines, by nodes, are in contact
     };
   } // namespace
 
   Section read_section(const std::string &file, const SectionOf body)
   {
-    const GmshMesh mesh =
+    const GmshMesh mesh = with_split_elements(
         read_gmsh({file, body == SectionOf::stator ? "Stator/Section file" : "Rotor/Section file",
-                   "quadrilaterals of first order (meshes/README.md)"});
+                   "quadrilaterals of first or second order (meshes/README.md)"}));
     return SectionReader(mesh, body).read();
   }
 } // namespace ringmotor

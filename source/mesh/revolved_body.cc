@@ -3,6 +3,7 @@
 #include <ringmotor/mesh/read_section.h>
 #include <ringmotor/mesh/revolved.h>
 #include <ringmotor/mesh/revolved_body.h>
+#include <ringmotor/mesh/shell_line.h>
 #include <ringmotor/parameters/check_geometry.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/parameters/parameters.h>
@@ -97,6 +98,37 @@ namespace ringmotor
                         ", but Rotor/Section file has no curve 'bars'; name it, Physical "
                         "Curve(\"bars\"), or give 0");
       return 0.;
+    }
+
+    /** Ties the shell of a section to its body, if it has one. @throws UserError for a shell
+     * without thickness or the other way round, one that is not thin, and as name_shell_root() */
+    void add_shell(RevolvedBody &body, const Parameters &parameters)
+    {
+      const std::string entry                = "Rotor/Shell thickness";
+      const std::optional<double> &thickness = parameters.rotor.shell_thickness;
+      const std::vector<Point<2>> &line      = body.section.shell.points;
+      if (line.empty() && thickness)
+        throw UserError(ringmotor::entry(entry, *thickness) +
+                        ", but Rotor/Section file has no curve 'shell'; name it, Physical "
+                        "Curve(\"shell\"), or give none");
+      if (line.empty())
+        return;
+      if (!thickness)
+        throw UserError("Rotor/Section file has the curve 'shell', but " + entry +
+                        " is none; give the thickness of that shell in m");
+      double length = 0.;
+      for (unsigned int i = 0; i + 1 < line.size(); ++i)
+        length += line[i].distance(line[i + 1]);
+      if (*thickness > most_shell_thickness * length)
+        throw UserError(
+            ringmotor::entry(entry, *thickness) +
+            " is not thin compared to the length of the curve 'shell'; allowed: up to " +
+            ringmotor::entry("30 % of it, here " + entry, most_shell_thickness * length) +
+            ", or surfaces instead of the curve");
+      body.shell_thickness = *thickness;
+      name_shell_root(body.section, *thickness,
+                      {parameters.rotor.section_file, "Rotor/Section file", ""});
+      body.thinnest = thinnest_with_shell(body.section, *thickness);
     }
 
     /** The same with the shape of its contact line as a profile. */
@@ -235,6 +267,7 @@ namespace ringmotor
     check_materials(parameters, section, "Rotor/Section file");
     RevolvedBody body{section, {parameters.motor.n_teeth}};
     body.bar_stiffness = bar_stiffness(parameters, section);
+    add_shell(body, parameters);
     return with_level_face(std::move(body), ids::lip);
   }
 

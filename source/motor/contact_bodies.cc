@@ -143,8 +143,8 @@ namespace ringmotor
       : mesh(make_rotor_sector(rotor, SectorForm::half, discretisation.rotor, MPI_COMM_SELF,
                                discretisation.lip)),
         sector(mesh, material_table(materials, Body::rotor), discretisation.degree),
-        lip(rotor.section.shell.points.empty() ? solid_surface(sector, ids::lip)
-                                               : shell_surface(sector, ids::lip_shell)),
+        lip(rotor.section.shell.n_in_contact == 0 ? solid_surface(sector, ids::lip)
+                                                  : shell_surface(sector, ids::lip_shell)),
         whole_lip(whole_surface(lip, mesh.form)), has_bars(rotor.bar_stiffness > 0.)
   {
   }

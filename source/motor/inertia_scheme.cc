@@ -22,10 +22,11 @@ namespace ringmotor
     return {alpha, 0.5 - alpha, 0.25 * std::pow(1. - alpha, 2)};
   }
 
-  InertiaScheme mean(const InertiaScheme &one, const InertiaScheme &other)
+  InertiaScheme between(const InertiaScheme &one, const InertiaScheme &other, const double share)
   {
-    return {(one.alpha + other.alpha) / 2., (one.gamma + other.gamma) / 2.,
-            (one.beta + other.beta) / 2.};
+    return {(1. - share) * one.alpha + share * other.alpha,
+            (1. - share) * one.gamma + share * other.gamma,
+            (1. - share) * one.beta + share * other.beta};
   }
 
   InertiaScheme InertiaScheme::dissipating_otherwise() const

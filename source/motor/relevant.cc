@@ -106,7 +106,10 @@ namespace ringmotor
       reset_loss_factors(parameters);
       parameters.wave.response_torques.clear();
       if (parameters.rotor.section_file.empty())
+      {
         forget_layers(parameters);
+        parameters.rotor.shell_thickness = defaults.rotor.shell_thickness;
+      }
       if (parameters.stator.section_file.empty())
         parameters.stator.slot_angle = defaults.stator.slot_angle;
       if (parameters.wave.drive == Drive::amplitude)

@@ -32,13 +32,9 @@ namespace ringmotor
     /** Dynamics between two others. @param share of the way from one to the other */
     RingDynamics between(const RingDynamics &one, const RingDynamics &other, const double share)
     {
-      const auto mixed = [share](const double from, const double to)
-      { return (1. - share) * from + share * to; };
       RingDynamics dynamics = other;
-      dynamics.scheme       = {mixed(one.scheme.alpha, other.scheme.alpha),
-                               mixed(one.scheme.gamma, other.scheme.gamma),
-                               mixed(one.scheme.beta, other.scheme.beta)};
-      dynamics.share        = mixed(one.share, other.share);
+      dynamics.scheme       = between(one.scheme, other.scheme, share);
+      dynamics.share        = (1. - share) * one.share + share * other.share;
       // Halving damping changes the state more than taking away the last tenth of it.
       constexpr double negligible = 1e-3;
       dynamics.added_loss_factor =

@@ -48,12 +48,11 @@ namespace ringmotor
     void check_shell(const std::string &element, const std::string &name, const double thickness,
                      const double width)
     {
-      constexpr double thickest = 0.3;
-      if (thickness > thickest * width)
+      if (thickness > most_shell_thickness * width)
         throw UserError(
             entry(name, thickness) + " is not thin compared to the width of the part, " +
             entry("as " + element + " = shell requires; allowed: up to 30 % of it, here " + name,
-                  thickest * width) +
+                  most_shell_thickness * width) +
             ", or " + element + " = solid");
     }
 
@@ -119,6 +118,10 @@ namespace ringmotor
                       " is not available in this version; leave it out");
     if (!rotor.section_file.empty())
       return;
+    if (rotor.shell_thickness)
+      throw UserError(entry("Rotor/Shell thickness", *rotor.shell_thickness) +
+                      " is for a rotor with a section file; allowed with dimensions: none, and "
+                      "Rotor/Flange thickness");
     check_order("Lip inner radius", rotor.lip_inner_radius, "Lip outer radius",
                 rotor.lip_outer_radius);
     check_order("Lip outer radius", rotor.lip_outer_radius, "Ring inner radius",

@@ -120,9 +120,14 @@ namespace ringmotor
               "Height of the band below that edge over which the forces of the bars are "
               "distributed; displacements under a line force would diverge. Units: m.",
               Presence::required);
+    add_entry(
+        prm, "Shell thickness", shell_thickness,
+        number_or("none", plausible(positive_number(), 1e-5, 0.05)),
+        "Thickness of the shell whose line is the curve 'shell' of a section file. Units: m.");
     add_entry(prm, "Section file", section_file, file_or_none(),
               "Gmsh file (.msh) of the cross-section of the rotor, see meshes/README.md, which "
-              "replaces the dimensions above. A relative path is searched in the folder of this "
+              "replaces the dimensions above except Shell thickness. A relative path is searched "
+              "in the folder of this "
               "parameter file first, then in the current directory.");
     add_entry(prm, "Mesh file", mesh_file, file_or_none(),
               "Reserved for a Gmsh file (.msh) of one sector of the rotor; this version refuses "

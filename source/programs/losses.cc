@@ -77,7 +77,7 @@ namespace ringmotor
         body = modes.body();
       const StatorWave of_now = read_stator_wave(modes, parameters);
       const auto driven       = driven_wave(modes);
-      const double of_rotor   = rotor_loss_factor(parameters);
+      const auto of_rotor     = rotor_loss_by_part(parameters);
       for (const CurvePoint &point : read_contact_points(
                parameters.output.directory + "/contact/contact.h5", parameters, of_now))
       {

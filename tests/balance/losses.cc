@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <complex>
+#include <map>
 
 using namespace ringmotor;
 using namespace ringmotor::tests;
@@ -159,7 +160,7 @@ TEST(LossBudget, AddsUpWithItsErrors)
   Support felt;
   felt.felt_loss_factor = 0.3;
   const WaveEnergies wave{1e5, 2e-6, {1e-3, 1e-6, causes::wave}, 2e-4, 1e-6};
-  const LossBudget budget = loss_budget(point, wave, materials, 5e-3, felt);
+  const LossBudget budget = loss_budget(point, wave, materials, RotorLossFactor{5e-3}, felt);
   EXPECT_NEAR(budget.output.value, 0.4, 1e-12);
   EXPECT_NEAR(budget.output.error(), 0.05 * 0.16, 1e-12);
   EXPECT_NEAR(budget.friction.value, 0.1, 1e-12);
@@ -182,4 +183,39 @@ TEST(LossBudget, AddsUpWithItsErrors)
   EXPECT_NEAR(budget.total().errors.at(causes::wave), 2. * 1e5 * 1e-3 * 4. * 1e-6, 1e-12);
   EXPECT_NEAR(budget.total().errors.at(causes::time_step), 0.01 + 5e-3 * 0.1 + 1.36 * 2. * 0.0025,
               1e-12);
+}
+
+TEST(LossBudget, HasTheRotorsPartsThatThereAre)
+{
+  CurvePoint point;
+  point.rotor_power      = 2.;
+  point.result.amplitude = 1e-6;
+  point.errors           = {{causes::meshes, PointError{{{"rotor_power_per_loss_factor", 0.1}}}}};
+  const WaveEnergies wave{1e5, 1e-6, 1e-3, 2e-4, 1e-6};
+  const auto losses = [&](const RotorLossFactor &of_rotor)
+  {
+    std::map<std::string, Estimate> named;
+    for (const Quantity &loss : loss_budget(point, wave, {}, of_rotor, {}).losses())
+      named.emplace(loss.name, loss.estimate);
+    return named;
+  };
+  auto of = losses({1e-3, 4e-3, 2e-3, true, true});
+  EXPECT_NEAR(of.at("internal_loss_rotor_metal").value, 2e-3, 1e-15);
+  EXPECT_NEAR(of.at("internal_loss_lining").value, 8e-3, 1e-15);
+  EXPECT_NEAR(of.at("internal_loss_adhesive").value, 4e-3, 1e-15);
+  EXPECT_NEAR(of.at("internal_loss_rotor").value, 14e-3, 1e-15);
+  EXPECT_NEAR(of.at("internal_loss_rotor").error(),
+              of.at("internal_loss_rotor_metal").error() + of.at("internal_loss_lining").error() +
+                  of.at("internal_loss_adhesive").error(),
+              1e-15);
+  const double total = of.at("total_loss").value;
+  of                 = losses({7e-3});
+  EXPECT_EQ(of.count("internal_loss_rotor_metal"), 0u);
+  EXPECT_EQ(of.count("internal_loss_lining"), 0u);
+  EXPECT_EQ(of.count("internal_loss_adhesive"), 0u);
+  EXPECT_NEAR(of.at("internal_loss_rotor").value, 14e-3, 1e-15);
+  EXPECT_NEAR(of.at("total_loss").value, total, 1e-12); // the parts do not count twice
+  of = losses({3e-3, 4e-3, 0., true, false});
+  EXPECT_EQ(of.count("internal_loss_lining"), 1u);
+  EXPECT_EQ(of.count("internal_loss_adhesive"), 0u);
 }

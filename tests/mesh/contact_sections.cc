@@ -39,6 +39,27 @@ namespace
     return text;
   }
 
+  /** A ring beside the stator with a stub, and a shell inwards from there:
+   *
+   *                6--7
+   *    8--9--- 10= 4--5     the stub between 10 = (0, 1, 2, 3) and 4
+   *                2--3
+   */
+  SectionText shell_rotor()
+  {
+    SectionText text;
+    text.points   = {{27.75e-3, -0.25e-3}, {27.75e-3, 0.25e-3}, {28e-3, -0.25e-3}, {28e-3, 0.25e-3},
+                     {28e-3, -1e-3},       {32e-3, -1e-3},      {32e-3, -0.25e-3}, {32e-3, 0.25e-3},
+                     {28e-3, 3e-3},        {32e-3, 3e-3},       {22e-3, 0.},       {24e-3, 0.},
+                     {27.75e-3, 0.},       {26e-3, 0.}};
+    text.elements = {{3, "rotor", {0, 2, 3, 1}}, {3, "rotor", {4, 5, 6, 2}},
+                     {3, "rotor", {2, 6, 7, 3}}, {3, "rotor", {3, 7, 9, 8}},
+                     {1, "pressed", {8, 9}},     {1, "driven", {3, 8}},
+                     {1, "contact", {11, 10}},   {1, "shell", {10, 11}},
+                     {1, "shell", {13, 11}},     {1, "shell", {12, 13}}};
+    return text;
+  }
+
   struct Sections
   {
     SectionText stator = three_columns(), rotor = ::rotor();
@@ -135,6 +156,114 @@ TEST(ContactSections, NeedNearlyLevelLinesThatOverlap)
         of.rotor.points[5] = {13e-3, 2e-3};
       },
       {"the rotor cuts into the stator, at r = ", "touch along these lines only"});
+}
+
+namespace
+{
+  /** With the rotor of a shell of 0.5 mm. */
+  std::function<void(Sections &)> with_shell(const std::function<void(Sections &)> &change)
+  {
+    return [change](Sections &of)
+    {
+      of.rotor                            = shell_rotor();
+      of.parameters.rotor.shell_thickness = 0.5e-3;
+      change(of);
+    };
+  }
+} // namespace
+
+TEST(ContactSections, MayHaveAShell)
+{
+  EXPECT_EQ(message_with(with_shell([](Sections &) {})), "nothing thrown");
+  // A point of the surfaces in the middle of the edge that the shell is tied to.
+  EXPECT_EQ(message_with(with_shell(
+                [](Sections &of)
+                {
+                  of.rotor.points.insert(of.rotor.points.end(), {{28e-3, 0.}, {32e-3, 0.}});
+                  of.rotor.elements[0].points = {0, 2, 14, 12};
+                  of.rotor.elements[2].points = {2, 6, 15, 14};
+                  of.rotor.elements.push_back({3, "rotor", {12, 14, 3, 1}});
+                  of.rotor.elements.push_back({3, "rotor", {14, 15, 7, 3}});
+                })),
+            "nothing thrown");
+  const Section section = read(shell_rotor(), SectionOf::rotor);
+  EXPECT_EQ(section.points.size(), 10u); // those of the cells
+  ASSERT_EQ(section.shell.points.size(), 3u);
+  EXPECT_EQ(section.shell.n_in_contact, 1u);
+  EXPECT_NEAR(section.shell.points[0][0], 22e-3, 1e-15);
+  EXPECT_NEAR(section.shell.points[1][0], 24e-3, 1e-15);
+  EXPECT_NEAR(section.shell.points[2][0], 27.75e-3, 1e-15);
+}
+
+TEST(ContactSections, NeedAShellWithAThickness)
+{
+  expect_refusal(with_shell([](Sections &of) { of.parameters.rotor.shell_thickness = {}; }),
+                 {"Rotor/Section file has the curve 'shell'", "Rotor/Shell thickness is none"});
+  expect_refusal([](Sections &of) { of.parameters.rotor.shell_thickness = 0.5e-3; },
+                 {"Rotor/Shell thickness = 0.0005 m", "no curve 'shell'", "or give none"});
+  expect_refusal(with_shell([](Sections &of) { of.parameters.rotor.shell_thickness = 2e-3; }),
+                 {"Rotor/Shell thickness = 0.002 m is not thin", "30 % of it"});
+  expect_refusal(with_shell([](Sections &of) { of.parameters.rotor.shell_thickness = 0.6e-3; }),
+                 {"the curve 'shell' ends at r = 27.75 mm, z = 0 mm",
+                  "Rotor/Shell thickness = 0.6 mm", "at right angles"});
+}
+
+TEST(ContactSections, NeedAShellThatIsTiedToTheBody)
+{
+  expect_refusal(
+      with_shell([](Sections &of) { of.rotor.points[12][0] = 27.7e-3; }),
+      {"the ends r = 22 mm, z = 0 mm and r = 27.7 mm, z = 0 mm", "is tied to the body at neither"});
+  expect_refusal(
+      with_shell([](Sections &of) { of.rotor.elements.erase(of.rotor.elements.begin() + 8); }),
+      {"the curve 'shell' is in pieces"});
+  expect_refusal(with_shell(
+                     [](Sections &of) {
+                       of.rotor.elements.push_back({1, "shell", {13, 4}});
+                     }),
+                 {"the curve 'shell' is in pieces, or branches"});
+  expect_refusal(with_shell(
+                     [](Sections &of) {
+                       of.rotor.elements.push_back({1, "shell", {2, 4}});
+                     }),
+                 {"the curve 'shell' is an edge of a surface"});
+  expect_refusal(with_shell(
+                     [](Sections &of) {
+                       of.rotor.elements.push_back({1, "driven", {0, 1}});
+                     }),
+                 {"has the name 'driven'"});
+  expect_refusal(with_shell(
+                     [](Sections &of) {
+                       of.rotor.elements.push_back({1, "pressed", {11, 10}});
+                     }),
+                 {"the curve 'shell' has the name 'pressed', too", "besides shell: contact"});
+  expect_refusal(with_shell(
+                     [](Sections &of) {
+                       of.rotor.elements[6].points = {13, 11};
+                     }),
+                 {"does not begin at its free end"});
+  expect_refusal(with_shell([](Sections &of) { of.rotor.points[10][1] = 1e-5; }),
+                 {"the curve 'contact' on the shell is not level"});
+  expect_refusal(with_shell([](Sections &of) { of.rotor.points[10][0] = 25e-3; }),
+                 {"does not lead outwards"});
+  expect_refusal(with_shell([](Sections &of) { erase(of.rotor, "contact"); }),
+                 {"it has no curve 'contact'"});
+  expect_refusal(with_shell(
+                     [](Sections &of) {
+                       of.rotor.elements.push_back({1, "contact", {4, 5}});
+                     }),
+                 {"'contact' lies on the shell and on surfaces"});
+  // The shell, which is level with the tooth tops where it touches, dips into a tooth outside.
+  expect_refusal(with_shell(
+                     [](Sections &of)
+                     {
+                       of.rotor.points[10][0] = 12e-3;
+                       of.rotor.points[11][0] = 14e-3;
+                       of.rotor.points[13]    = {20e-3, -0.5e-3};
+        of.rotor.points.emplace_back(26e-3, 0.);
+        of.rotor.elements.back().points = {12, 14};
+        of.rotor.elements.push_back({1, "shell", {14, 13}});
+                     }),
+                 {"the rotor cuts into the stator"});
 }
 
 TEST(ContactSections, BoundTheAmplitude)

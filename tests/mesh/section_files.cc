@@ -9,7 +9,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
+#include <map>
 
 using namespace ringmotor;
 using namespace ringmotor::tests;
@@ -17,6 +19,70 @@ using dealii::Point;
 
 namespace
 {
+  /** Middles of the sides of quadrilaterals, points that these share. */
+  class Middles
+  {
+  public:
+    Middles(SectionText &text, const std::function<Point<2>(const Point<2> &)> &bend)
+        : text(text), bend(bend)
+    {
+    }
+
+    int between(const int a, const int b)
+    {
+      const auto [entry, is_new] =
+          known.emplace(std::minmax(a, b), static_cast<int>(text.points.size()));
+      if (is_new)
+        text.points.push_back(bend(Point<2>(0.5 * (text.points[a] + text.points[b]))));
+      return entry->second;
+    }
+
+  private:
+    SectionText &text;
+    const std::function<Point<2>(const Point<2> &)> bend;
+    std::map<std::pair<int, int>, int> known;
+  };
+
+  /** The same section with elements of second order (8 or 9 nodes), whose middles @p bend moves,
+   * and with the parts of these elements. */
+  struct SecondOrder
+  {
+    SectionText whole, parts;
+
+    SecondOrder(const SectionText &first, const int n_nodes,
+                const std::function<Point<2>(const Point<2> &)> &bend)
+    {
+      whole.points = first.points;
+      Middles middles(whole, bend);
+      for (const SectionText::Element &element : first.elements)
+      {
+        const std::vector<int> &c = element.points;
+        std::vector<int> all      = c;
+        for (std::size_t i = 0; i < (c.size() == 2 ? 1 : 4); ++i)
+          all.push_back(middles.between(c[i], c[(i + 1) % c.size()]));
+        if (c.size() == 2)
+        {
+          parts.elements.push_back({1, element.name, {all[0], all[2]}});
+          parts.elements.push_back({1, element.name, {all[2], all[1]}});
+          whole.elements.push_back({8, element.name, all});
+          continue;
+        }
+        Point<2> centre;
+        for (unsigned int i = 0; i < 4; ++i)
+          centre += 0.5 * whole.points[all[4 + i]] - 0.25 * whole.points[all[i]];
+        whole.points.push_back(centre);
+        all.push_back(whole.points.size() - 1);
+        for (unsigned int i = 0; i < 4; ++i)
+          parts.elements.push_back(
+              {3, element.name, {all[i], all[4 + i], all[8], all[4 + (i + 3) % 4]}});
+        if (n_nodes == 8)
+          all.pop_back();
+        whole.elements.push_back({n_nodes == 8 ? 16 : 10, element.name, all});
+      }
+      parts.points = whole.points;
+    }
+  };
+
   void expect_refusal(const SectionText &text, const std::vector<std::string> &words,
                       const SectionOf body = SectionOf::stator)
   {
@@ -31,6 +97,57 @@ namespace
       EXPECT_NE(message.find(word), std::string::npos) << '"' << word << "\" not in: " << message;
   }
 } // namespace
+
+TEST(SectionFile, SplitsElementsOfSecondOrder)
+{
+  const auto straight = [](const Point<2> &x) { return x; };
+  const auto bent     = [](const Point<2> &x) // the lower face only
+  { return x[1] < 1e-9 ? Point<2>(x[0], x[1] - 0.4e-3) : x; };
+  for (const int n_nodes : {8, 9})
+    for (const auto &bend : {std::function<Point<2>(const Point<2> &)>(straight), {bent}})
+    {
+      SectionText drawn = three_columns();
+      drawn.elements.push_back({1, "felt", {0, 1}});
+      const SecondOrder order(drawn, n_nodes, bend);
+      const Section whole = read(order.whole), parts = read(order.parts);
+      ASSERT_EQ(whole.cells.size(), 24u);
+      ASSERT_EQ(parts.cells.size(), 24u);
+      ASSERT_EQ(whole.points.size(), parts.points.size());
+      for (unsigned int i = 0; i < whole.points.size(); ++i)
+        EXPECT_LT(whole.points[i].distance(parts.points[i]), 1e-17); // 17 digits in the file
+      for (unsigned int i = 0; i < whole.cells.size(); ++i)
+      {
+        EXPECT_EQ(whole.cells[i].corners, parts.cells[i].corners);
+        EXPECT_EQ(whole.cells[i].part, parts.cells[i].part);
+      }
+      EXPECT_EQ(whole.names, parts.names);
+      EXPECT_EQ(whole.names.size(), 8u); // three edges in contact, one on the felt, in two parts
+    }
+}
+
+TEST(SectionFile, KeepsTheMiddlesOfCurvedEdges)
+{
+  // The lower face of the first cell, r from 10 to 15 mm, z from 0 to 2 mm, sags by 0.4 mm: so does
+  // its middle, and the centre of the cell of 8 nodes by half of that.
+  const SecondOrder order(three_columns(), 8,
+                          [](const Point<2> &x)
+                          { return x[1] < 1e-9 ? Point<2>(x[0], x[1] - 0.4e-3) : x; });
+  const Section section = read(order.whole);
+  for (const Point<2> &expected : {Point<2>(12.5e-3, -0.4e-3), Point<2>(12.5e-3, 0.8e-3)})
+    EXPECT_TRUE(std::any_of(section.points.begin(), section.points.end(),
+                            [&](const Point<2> &x) { return x.distance(expected) < 1e-12; }))
+        << expected;
+  double area = 0.; // of the base, to the polygons through the nodes
+  for (const Section::Cell &cell : section.cells)
+    if (cell.part == 1)
+    {
+      const auto &c                = cell.corners;
+      const dealii::Tensor<1, 2> a = section.points[c[2]] - section.points[c[0]],
+                                 b = section.points[c[3]] - section.points[c[1]];
+      area += 0.5 * (a[0] * b[1] - a[1] * b[0]);
+    }
+  EXPECT_NEAR(area, 15e-3 * 2e-3 + 3. * 0.5 * 5e-3 * 0.4e-3, 1e-15);
+}
 
 TEST(SectionFile, RefusesBodiesThatAreNotOne)
 {
@@ -97,10 +214,11 @@ TEST(SectionFile, RefusesMistakes)
       },
       {"triangles", "Recombine Surface"});
   refuse(
-      [](SectionText &text) {
-        text.elements[3] = {16, "tooth", {6, 7, 9, 8, 6, 7, 9, 8}};
+      [](SectionText &text)
+      {
+        text.elements[3] = {9, "tooth", {6, 7, 9, 8, 6, 7}}; // a triangle of second order
       },
-      {"second order"});
+      {"Gmsh's kind 9", "first or second order"});
   refuse([](SectionText &text)
          { text.elements.erase(text.elements.begin(), text.elements.begin() + 5); },
          {"no quadrilaterals"});

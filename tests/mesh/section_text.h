@@ -37,15 +37,25 @@ namespace ringmotor::tests
         if (const auto known = names.find({1, name}); known != names.end())
           elements.push_back(
               {1, known->second, {static_cast<int>(edge.first), static_cast<int>(edge.second)}});
+      const int first = points.size();
+      points.insert(points.end(), section.shell.points.begin(), section.shell.points.end());
+      for (int i = first; i + 1 < static_cast<int>(points.size()); ++i)
+      {
+        elements.push_back({1, "shell", {i, i + 1}});
+        if (i - first < static_cast<int>(section.shell.n_in_contact))
+          elements.push_back({1, "contact", {i, i + 1}});
+      }
     }
 
     /** Writes it to a file of the folder and returns its path. */
     std::string write(const Scratch &scratch, const std::string &name = "section.msh") const
     {
+      const auto dimension = [](const Element &element)
+      { return element.kind == 1 || element.kind == 8 ? 1 : 2; };
       std::map<std::pair<int, std::string>, int> ids;
       for (const Element &element : elements)
         if (!element.name.empty())
-          ids.emplace(std::make_pair(element.kind == 1 ? 1 : 2, element.name), ids.size() + 1);
+          ids.emplace(std::make_pair(dimension(element), element.name), ids.size() + 1);
       std::ofstream file(scratch.path(name));
       file.precision(17);
       file << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n" << ids.size() << "\n";
@@ -58,7 +68,7 @@ namespace ringmotor::tests
       for (unsigned int i = 0; i < elements.size(); ++i)
       {
         const Element &element = elements[i];
-        const int id = element.name.empty() ? 0 : ids.at({element.kind == 1 ? 1 : 2, element.name});
+        const int id = element.name.empty() ? 0 : ids.at({dimension(element), element.name});
         file << i + 1 << ' ' << element.kind << " 2 " << id << ' ' << i + 1;
         for (const int point : element.points)
           file << ' ' << point + 1;

@@ -49,8 +49,8 @@ namespace
       "Support/Felt loss factor", "Support/Felt inner radius", "Support/Felt outer radius",
       "Uncertainty/Loss factors", "Uncertainty/Friction", "Uncertainty/Young moduli",
       // of motors from sections
-      "Stator/Slot angle", "Materials/Lining/Young modulus", "Materials/Lining/Poisson ratio",
-      "Materials/Lining/Density", "Materials/Lining/Loss factor",
+      "Stator/Slot angle", "Rotor/Shell thickness", "Materials/Lining/Young modulus",
+      "Materials/Lining/Poisson ratio", "Materials/Lining/Density", "Materials/Lining/Loss factor",
       "Materials/Adhesive/Young modulus", "Materials/Adhesive/Poisson ratio",
       "Materials/Adhesive/Density", "Materials/Adhesive/Loss factor",
       // entries of effects that are off

@@ -333,6 +333,8 @@ TEST(WrongInput, ThinPartsThatAreThick)
                {"Rotor/Flange thickness = 0.002 m", "Rotor/Flange element", "30 %", "solid"});
   expect_clash({"Stator/Piezoceramic element = shell", "Stator/Piezoceramic thickness = 3e-3"},
                {"Stator/Piezoceramic thickness = 0.003 m", "Stator/Piezoceramic element", "30 %"});
+  expect_clash({"Modes/Body = rotor", "Rotor/Shell thickness = 5e-4"},
+               {"Rotor/Shell thickness = 0.0005 m", "section file", "Rotor/Flange thickness"});
 }
 
 TEST(WrongInput, RotorsWithoutRoom)

@@ -8,10 +8,12 @@
 #include "mesh/section_text.h"
 #include "support/motor_model.h"
 
+#include <ringmotor/condensation/interface_compliance.h>
 #include <ringmotor/mesh/check_contact.h>
 #include <ringmotor/mesh/contact_line.h>
 #include <ringmotor/mesh/ids.h>
 #include <ringmotor/motor/condensed_motor.h>
+#include <ringmotor/motor/contact_bodies.h>
 #include <ringmotor/motor/rotor_loss.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/points/point_finder.h>
@@ -125,6 +127,89 @@ TEST(SectionMotor, TellsWhereItsBodiesTouch)
     EXPECT_EQ(on_felt.front().inner, motor.stator.base_inner_radius);
     EXPECT_EQ(on_felt.front().outer, motor.stator.base_outer_radius);
   }
+}
+
+TEST(SectionMotor, HasTheShellOfItsDimensions)
+{
+  const auto distance = [](const dealii::FullMatrix<double> &a, dealii::FullMatrix<double> b)
+  {
+    b.add(-1., a);
+    return b.frobenius_norm() / a.frobenius_norm();
+  };
+  const Scratch scratch;
+  Parameters motor            = reference_motor();
+  motor.rotor.flange_element  = ElementKind::shell;
+  Parameters drawn            = with_sections(motor, scratch);
+  drawn.rotor.shell_thickness = motor.rotor.flange_thickness;
+  EXPECT_NO_THROW(check_bodies_in_contact(drawn));
+  for (const unsigned int level : {0u, 2u})
+  {
+    const ContactDiscretisation mesh = ContactDiscretisation::level(level);
+    const RotorBody one(motor, mesh), other(drawn, mesh);
+    EXPECT_EQ(one.mesh.n_cells(), other.mesh.n_cells());
+    ASSERT_EQ(one.lip.nodes.size(), other.lip.nodes.size());
+    EXPECT_EQ(one.sector.n_dofs(), other.sector.n_dofs());
+    const Condensation of_one = one.condensed(), of_other = other.condensed();
+    const InterfaceCompliance a(of_one), b(of_other);
+    for (const unsigned int k : {0u, 1u, 2u, 7u})
+    {
+      EXPECT_LT(distance(a.compliance(k, one.held(k)), b.compliance(k, other.held(k))), 1e-9)
+          << level << " " << k;
+    }
+  }
+  // A thinner shell gives way more.
+  const ContactDiscretisation mesh = ContactDiscretisation::level(0);
+  const RotorBody one(drawn, mesh);
+  *drawn.rotor.shell_thickness *= 0.99;
+  const RotorBody other(drawn, mesh);
+  const Condensation of_one = one.condensed(), of_other = other.condensed();
+  EXPECT_GT(distance(InterfaceCompliance(of_one).compliance(7, {}),
+                     InterfaceCompliance(of_other).compliance(7, {})),
+            1e-3);
+}
+
+namespace
+{
+  /** The disc with a lining on a layer of adhesive below its ring. */
+  SectionText bonded_rotor()
+  {
+    SectionText text;
+    for (const double z : {0., 0.5e-3, 0.55e-3, 3e-3})
+      for (const double r : {26e-3, 29e-3})
+        text.points.emplace_back(r, z);
+    text.elements = {{3, "lining", {0, 1, 3, 2}}, {3, "adhesive", {2, 3, 5, 4}},
+                     {3, "rotor", {4, 5, 7, 6}},  {1, "contact", {0, 1}},
+                     {1, "pressed", {6, 7}},      {1, "driven", {4, 6}}};
+    return text;
+  }
+} // namespace
+
+TEST(SectionMotor, LosesByPart)
+{
+  const Scratch scratch;
+  Parameters motor;
+  motor.motor                      = {"", 9, 90};
+  motor.rotor.section_file         = bonded_rotor().write(scratch);
+  motor.rotor.radial_bar_stiffness = 0.;
+  motor.materials.rotor_metal      = {68.9e9, 0.33, 2700., 1e-3};
+  motor.materials.lining           = {2e9, 0.35, 1500., 3e-2};
+  motor.materials.adhesive         = {3e9, 0.35, 1200., 2e-2};
+  const RotorLossFactor loss       = rotor_loss_by_part(motor);
+  EXPECT_TRUE(loss.has_lining && loss.has_adhesive);
+  EXPECT_EQ(loss.sum(), rotor_loss_factor(motor));
+  // Shares of the energy, which add up to one.
+  EXPECT_NEAR(loss.metal / 1e-3 + loss.lining / 3e-2 + loss.adhesive / 2e-2, 1., 1e-12);
+  EXPECT_GT(loss.lining, loss.adhesive); // ten times thicker, not stiffer
+  EXPECT_GT(loss.adhesive, 0.);
+  EXPECT_GT(loss.metal, 0.);
+  motor.materials.lining.loss_factor = 4.5e-2;
+  const RotorLossFactor other        = rotor_loss_by_part(motor);
+  EXPECT_NEAR(other.lining / loss.lining, 1.5, 1e-12);
+  EXPECT_NEAR(other.adhesive / loss.adhesive, 1., 1e-12);
+  EXPECT_NEAR(other.metal / loss.metal, 1., 1e-12);
+  const RotorLossFactor of_metal = rotor_loss_by_part(reference_motor());
+  EXPECT_FALSE(of_metal.has_lining || of_metal.has_adhesive);
+  EXPECT_EQ(of_metal.sum(), reference_motor().materials.rotor_metal.loss_factor);
 }
 
 TEST(SectionMotor, LosesInAllPartsOfItsRotor)

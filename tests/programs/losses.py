@@ -21,8 +21,8 @@ sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
 from program import STATIC_ROTOR, WithWave, rows_of, run, settings, vtu_array  # noqa: E402
 
 STATOR, CONTACT, LOSSES = sys.argv.pop(1), sys.argv.pop(1), sys.argv.pop(1)
-PARTS = ("friction_loss", "internal_loss_stator_metal", "internal_loss_piezoceramic", "internal_loss_rotor",
-         "support_loss")
+PARTS = ("friction_loss", "internal_loss_stator_metal", "internal_loss_piezoceramic",
+         "internal_loss_stator_vibration", "internal_loss_rotor", "support_loss")
 
 
 def numbers(path):
@@ -64,7 +64,7 @@ class Losses(unittest.TestCase):
         for quantity in summary["quantities"]:
             self.assertAlmostEqual(sum(quantity["error_causes"].values()), quantity["error"], delta=1e-9)
             self.assertGreater(quantity["seconds"], 0)
-            only_wave = "stator" in quantity["name"] or quantity["name"] in ("internal_loss_piezoceramic", "support_loss")
+            only_wave = "internal_loss_stator" in quantity["name"] or quantity["name"] in ("internal_loss_piezoceramic", "support_loss")
             if quantity["error"] > 0:  # there is no output without load
                 self.assertEqual(quantity["error_causes"]["time step"] == 0, only_wave, quantity["name"])
         curve = [{key: float(value) for key, value in row.items() if key != "control"}

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <ringmotor/mesh/contact_line.h>
+#include <ringmotor/motor/rotor_loss.h>
 #include <ringmotor/parameters/parameters.h>
 #include <ringmotor/pictures/sector_field.h>
 #include <ringmotor/points/curve_point.h>
 #include <ringmotor/results/quantity.h>
+
+#include <optional>
 
 namespace ringmotor
 {
@@ -44,6 +47,8 @@ namespace ringmotor
     Estimate stator_vibration;           ///< inside the stator, in all its other modes
     Estimate rotor;                      ///< inside the rotor
     Estimate support;                    ///< inside the felt
+    /** Parts of #rotor, those that there are if it has several. */
+    std::optional<Estimate> rotor_metal{}, lining{}, adhesive{};
 
     Estimate stator() const; ///< all inside it
     Estimate total() const;  ///< all but the output
@@ -62,7 +67,7 @@ namespace ringmotor
   std::vector<std::vector<double>> loss_density(const SectorField &wave,
                                                 const Materials &materials);
 
-  /** @param of_rotor its loss factor, see rotor_loss_factor() */
   LossBudget loss_budget(const CurvePoint &point, const WaveEnergies &wave,
-                         const Materials &materials, const double of_rotor, const Support &felt);
+                         const Materials &materials, const RotorLossFactor &of_rotor,
+                         const Support &felt);
 } // namespace ringmotor

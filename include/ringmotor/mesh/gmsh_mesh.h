@@ -24,7 +24,11 @@ namespace ringmotor
       hexahedron    = 5,
       prism         = 6,
       pyramid       = 7,
-      point         = 15
+      point         = 15,
+      // Of second order; nodes of an element are its corners, the middles of its sides, its centre.
+      line_of_3          = 8,
+      quadrilateral_of_9 = 10,
+      quadrilateral_of_8 = 16
     };
 
     struct Element

@@ -39,7 +39,9 @@ namespace ringmotor
    * plane of the tooth tops. */
   RevolvedBody rotor_body(const RotorGeometry &rotor, const unsigned int n_teeth);
 
-  /** The rotor of `Rotor/Section file`, or of the dimensions. @throws UserError as above */
+  /** The rotor of `Rotor/Section file`, or of the dimensions. @throws UserError as above, for bars
+   * without stiffness and shells without thickness or the other way round, and for shells that are
+   * not tied to the body, see shell_line() and name_shell_root() */
   RevolvedBody rotor_body(const Parameters &parameters);
 
   /** Reads the sections that the parameters name. @throws UserError as above, and for an amplitude

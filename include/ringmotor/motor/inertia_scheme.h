@@ -53,9 +53,9 @@ namespace ringmotor
     double response_in_step(const double dt, const double frequency, const double damping) const;
   };
 
-  /** The scheme with the mean of all constants, whose dissipation lies between the two;
-   * unconditionally stable if both are. */
-  InertiaScheme mean(const InertiaScheme &one, const InertiaScheme &other);
+  /** The scheme whose constants lie between those of two others, and its dissipation as well;
+   * unconditionally stable if both are. @param share of the way from @p one to @p other */
+  InertiaScheme between(const InertiaScheme &one, const InertiaScheme &other, const double share);
 
   /** The state of a mode at one time. */
   struct ModalState

@@ -28,6 +28,9 @@ namespace ringmotor
   /** Shells and target plates have to be thin. */
   void check_thin_parts(const StatorGeometry &stator);
 
+  /** Shells must be thin: up to this share of the width of the part. */
+  constexpr double most_shell_thickness = 0.3;
+
   /** Lip, flange and ring must be in the right order. */
   void check_rotor(const RotorGeometry &rotor);
 

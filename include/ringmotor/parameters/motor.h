@@ -77,8 +77,9 @@ namespace ringmotor
     ElementKind flange_element  = ElementKind::shell;
     double lip_inner_radius     = 33.2e-3;
     double lip_outer_radius     = 34.2e-3;
-    double radial_bar_stiffness = 1.e9;   ///< N/m per m of circumference; 0 means no bars
-    double radial_bar_height    = 0.5e-3; ///< of the band that the bars hold, below the upper edge
+    double radial_bar_stiffness = 1.e9;    ///< N/m per m of circumference; 0 means no bars
+    double radial_bar_height    = 0.5e-3;  ///< of the band that the bars hold, below the upper edge
+    std::optional<double> shell_thickness; ///< of the curve `shell` of #section_file
     std::string section_file; ///< Gmsh file of the cross-section, as #mesh_file; empty: none
     std::string mesh_file;    ///< Gmsh file of one sector, absolute path after reading; empty: none
 
