@@ -50,10 +50,7 @@ namespace ringmotor
         }
       return load;
     }
-  } // namespace
 
-  namespace
-  {
     /** The elastic energies of the parts under pressures that travel with the wave, relative to
      * each other. */
     std::map<types::material_id, double> energies_of_parts(const Parameters &parameters)
