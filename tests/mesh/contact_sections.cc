@@ -259,9 +259,9 @@ TEST(ContactSections, NeedAShellThatIsTiedToTheBody)
                        of.rotor.points[10][0] = 12e-3;
                        of.rotor.points[11][0] = 14e-3;
                        of.rotor.points[13]    = {20e-3, -0.5e-3};
-        of.rotor.points.emplace_back(26e-3, 0.);
-        of.rotor.elements.back().points = {12, 14};
-        of.rotor.elements.push_back({1, "shell", {14, 13}});
+                       of.rotor.points.emplace_back(26e-3, 0.);
+                       of.rotor.elements.back().points = {12, 14};
+                       of.rotor.elements.push_back({1, "shell", {14, 13}});
                      }),
                  {"the rotor cuts into the stator"});
 }
