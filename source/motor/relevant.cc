@@ -97,7 +97,7 @@ namespace ringmotor
       parameters.output = defaults.output;
       reset_loss_factors(parameters);
       parameters.wave.response_torques.clear();
-      if (parameters.rotor.section_file.empty())
+      if (parameters.rotor.has_dimensions())
         forget_layers(parameters);
       if (parameters.stator.section_file.empty())
         parameters.stator.slot_angle = defaults.stator.slot_angle;

@@ -114,10 +114,7 @@ namespace ringmotor
 
   void check_rotor(const RotorGeometry &rotor)
   {
-    if (!rotor.mesh_file.empty())
-      throw UserError("Rotor/Mesh file = " + in_quotes(rotor.mesh_file) +
-                      " is not available in this version; leave it out");
-    if (!rotor.section_file.empty())
+    if (!rotor.has_dimensions())
       return;
     check_order("Lip inner radius", rotor.lip_inner_radius, "Lip outer radius",
                 rotor.lip_outer_radius);

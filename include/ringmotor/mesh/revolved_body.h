@@ -41,8 +41,4 @@ namespace ringmotor
 
   /** The rotor of `Rotor/Section file`, or of the dimensions. @throws UserError as above */
   RevolvedBody rotor_body(const Parameters &parameters);
-
-  /** Reads the sections that the parameters name. @throws UserError as above, and for an amplitude
-   * of the wave that is not small compared to the stator's height */
-  void check_bodies(const Parameters &parameters);
 } // namespace ringmotor
