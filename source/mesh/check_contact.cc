@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/mesh/body_shape.h>
 #include <ringmotor/mesh/check_contact.h>
 #include <ringmotor/mesh/check_section.h>
-#include <ringmotor/mesh/contact_line.h>
 #include <ringmotor/mesh/ids.h>
 #include <ringmotor/mesh/mesh_file.h>
 #include <ringmotor/mesh/places.h>
@@ -9,12 +9,10 @@
 #include <ringmotor/parameters/check_geometry.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/parameters/parameters.h>
-#include <ringmotor/parameters/prm_file.h>
 #include <ringmotor/parameters/required.h>
 
 #include <algorithm>
-#include <limits>
-#include <set>
+#include <optional>
 #include <sstream>
 
 namespace ringmotor
@@ -23,81 +21,85 @@ namespace ringmotor
 
   namespace
   {
-    /** A body with its contact line and how messages name them. */
+    /** A body with its contact line and how messages name it. */
     struct BodyInContact
     {
-      RevolvedBody body;
-      std::string file_entry, file; ///< empty: of dimensions
-      std::string inner, outer;     ///< entries of the contact line's radii
-      types::boundary_id contact;
-      ContactLine line = contact_line(body);
+      const BodyShape &shape;
+      std::string inner, outer; ///< entries of the contact line's radii
+      ContactLine line = shape.contact_line();
 
-      [[noreturn]] void refuse(const std::string &found, const std::string &what_to_do) const
-      {
-        MeshFile{file, file_entry, ""}.refuse(found, what_to_do);
-      }
+      const BodyOrigin &origin() const { return shape.origin; }
 
       /** Where it can touch. */
       std::string in_words() const
       {
-        return file.empty()
+        return origin().has_dimensions()
                    ? entry(inner, line.radii.inner) + " to " + entry(outer, line.radii.outer)
-                   : "the curve 'contact' of " + file_entry + " = " + in_quotes(file) +
+                   : "the " + origin().face() + " 'contact' of " + origin().text() +
                          " from r = " + in_millimetres(line.radii.inner) + " to " +
                          in_millimetres(line.radii.outer);
       }
+
+      void expect_face(const types::boundary_id name, const std::string &what) const
+      {
+        if (!shape.has_face(name))
+          origin().refuse("it has no " + origin().face() + " '" + name_of_edge(name) + "'",
+                          "name " + what + ": " + origin().naming_of_face(name_of_edge(name)));
+      }
     };
 
-    BodyInContact stator_of(const Parameters &parameters)
+    /** Half of one sector, which is condensed with the symmetry of its mirror plane. */
+    void check_form(const BodyShape &body)
     {
-      return {stator_body(parameters),   "Stator/Section file",     parameters.stator.section_file,
-              "Stator/Tip inner radius", "Stator/Tip outer radius", ids::tooth_top};
+      if (body.form() == SectorForm::whole)
+        body.origin.refuse("it is a whole sector, between two cuts",
+                           "contact needs the half of it between a mirror plane, theta = 0, and a "
+                           "cut; the modes of the stator alone need none, see the program stator");
     }
 
-    BodyInContact rotor_of(const Parameters &parameters)
+    /** One level face, which dimensions always give. */
+    void check_stator(const BodyInContact &stator, const StatorShape &shape)
     {
-      return {rotor_body(parameters),   "Rotor/Section file",     parameters.rotor.section_file,
-              "Rotor/Lip inner radius", "Rotor/Lip outer radius", ids::lip};
+      if (stator.origin().has_dimensions())
+        return;
+      check_form(shape);
+      const bool has_contact = !stator.line.radii.is_empty();
+      if (!has_contact || !shape.has_slots())
+        stator.origin().refuse(has_contact ? "there is no slot between its teeth"
+                                           : "it has no " + stator.origin().face() + " 'contact'",
+                               "contact needs teeth: name their metal, " +
+                                   stator.origin().naming_of_part("tooth") + ", and their tops, " +
+                                   stator.origin().naming_of_face("contact"));
     }
 
-    /** One level line, which dimensions always give. */
     void check_line(const BodyInContact &body)
     {
-      if (body.file.empty())
+      if (body.origin().has_dimensions())
         return;
-      const Section &section = body.body.section;
-      if (body.line.radii.is_empty())
-        body.refuse("it has no curve 'contact'",
-                    body.contact == ids::lip
-                        ? "name the lower face of lip or lining: Physical Curve(\"contact\")"
-                        : "contact needs teeth: name their metal, Physical Surface(\"tooth\"), and "
-                          "their tops, Physical Curve(\"contact\")");
-      if (section.shell.n_in_contact == 0 && !is_one_line(section.edges_named(body.contact)))
-        body.refuse("the curve 'contact' is in pieces", "name one line from end to end");
+      if (!body.shape.has_whole_contact())
+        body.origin().refuse("the " + body.origin().face() + " 'contact' is in pieces",
+                             "name one face from end to end");
       if (body.line.highest - body.line.lowest > places::file_rounding * body.line.radii.outer)
-        body.refuse("the curve 'contact' reaches from z = " + in_millimetres(body.line.lowest) +
-                        " to " + in_millimetres(body.line.highest),
-                    "name the part of it that is level, crowned or conical up to a tenth of its "
-                    "width");
+        body.origin().refuse("the " + body.origin().face() +
+                                 " 'contact' reaches from z = " + in_millimetres(body.line.lowest) +
+                                 " to " + in_millimetres(body.line.highest),
+                             "name the part of it that is level, crowned or conical up to a tenth "
+                             "of its width");
     }
 
-    /** The edges that a rotor from a file must have, and those that it must not have. */
-    void check_loads(const BodyInContact &rotor)
+    /** The faces that a rotor from a file must have, and those that it must not have. */
+    void check_rotor_of_file(const BodyInContact &rotor)
     {
-      const auto has = [&](const types::boundary_id name)
-      { return !rotor.body.section.edges_named(name).empty(); };
-      if (rotor.file.empty())
+      if (rotor.origin().has_dimensions())
         return;
-      if (!has(ids::ring_top))
-        rotor.refuse("it has no curve 'pressed'", "name the face on which the preload acts: "
-                                                  "Physical Curve(\"pressed\")");
-      if (!has(ids::ring_bore))
-        rotor.refuse("it has no curve 'driven'", "name the face on which the load torque acts: "
-                                                 "Physical Curve(\"driven\")");
-      if (has(ids::clamped))
-        rotor.refuse("it has the curve 'clamped'",
-                     "leave it out for the program contact, where the rotor rises and turns; name "
-                     "what centres it 'bars'");
+      check_form(rotor.shape);
+      rotor.expect_face(ids::lip, "the lower face of lip or lining");
+      rotor.expect_face(ids::ring_top, "the face on which the preload acts");
+      rotor.expect_face(ids::ring_bore, "the face on which the load torque acts");
+      if (rotor.shape.has_face(ids::clamped))
+        rotor.origin().refuse("it has the " + rotor.origin().face() + " 'clamped'",
+                              "leave it out for the program contact, where the rotor rises and "
+                              "turns; name what centres it 'bars'");
     }
 
     void check_overlap(const BodyInContact &stator, const BodyInContact &rotor)
@@ -112,12 +114,15 @@ namespace ringmotor
     class Penetration
     {
     public:
-      Penetration(const Section &stator, Section rotor, const double rise)
-          : stator(stator), rotor(std::move(rotor))
+      Penetration(Meridian of_stator, Meridian of_rotor, const double rise)
+          : stator(std::move(of_stator)), rotor(std::move(of_rotor))
       {
-        for (Point<2> &x : this->rotor.points)
+        for (Point<2> &x : rotor.outline)
           x[1] += rise;
-        for (const Point<2> &x : stator.points)
+        for (std::vector<Point<2>> &cell : rotor.cells)
+          for (Point<2> &x : cell)
+            x[1] += rise;
+        for (const Point<2> &x : stator.outline)
           close = std::max(close, 2. * places::file_rounding * x[0]);
       }
 
@@ -126,54 +131,36 @@ namespace ringmotor
       {
         for (const auto &[one, other] :
              {std::make_pair(&rotor, &stator), std::make_pair(&stator, &rotor)})
-          for (const Point<2> &x : outline(*one))
-            for (const Section::Cell &cell : other->cells)
-              if (is_inside(x, cell, *other))
+          for (const Point<2> &x : one->outline)
+            for (const std::vector<Point<2>> &cell : other->cells)
+              if (is_inside(x, cell))
                 return x;
         return {};
       }
 
     private:
-      /** Points on the outer edges, close enough to find what cuts in between. */
-      static std::vector<Point<2>> outline(const Section &section)
+      bool is_inside(const Point<2> &x, const std::vector<Point<2>> &cell) const
       {
-        constexpr unsigned int n = 16;
-        std::vector<Point<2>> points;
-        for (const auto &[edge, cells] : section.cells_at_edges())
-          for (unsigned int i = 0; i <= n && cells.size() == 1; ++i)
-          {
-            const double share = static_cast<double>(i) / n;
-            points.push_back(section.points[edge.first] +
-                             share * (section.points[edge.second] - section.points[edge.first]));
-          }
-        return points;
-      }
-
-      bool is_inside(const Point<2> &x, const Section::Cell &cell, const Section &section) const
-      {
-        for (unsigned int i = 0; i < 4; ++i)
+        for (std::size_t i = 0; i < cell.size(); ++i)
         {
-          const Point<2> &from     = section.points[cell.corners[i]];
-          const Tensor<1, 2> along = section.points[cell.corners[(i + 1) % 4]] - from,
-                             to    = x - from;
+          const Point<2> &from     = cell[i];
+          const Tensor<1, 2> along = cell[(i + 1) % cell.size()] - from, to = x - from;
           if (along[0] * to[1] - along[1] * to[0] <= close * along.norm())
             return false;
         }
         return true;
       }
 
-      const Section &stator;
-      Section rotor;
+      Meridian stator, rotor;
       double close = 0.; ///< m
     };
 
     void check_penetration(const BodyInContact &stator, const BodyInContact &rotor)
     {
-      if (rotor.file.empty() && stator.file.empty()) // see check_clearance()
-        return;
-      const Penetration penetration(
-          stator.body.section, with_cells_for_shell(rotor.body.section, rotor.body.shell_thickness),
-          rise_to_contact(rotor.body, stator.body));
+      if (rotor.origin().has_dimensions() && stator.origin().has_dimensions())
+        return; // see check_clearance()
+      const Penetration penetration(stator.shape.meridian(), rotor.shape.meridian(),
+                                    rise_to_contact(rotor.shape, stator.shape));
       if (const auto place = penetration.place())
         throw UserError("the rotor cuts into the stator, at " + in_words(*place) +
                         " (with the rotor on the tooth tops): " + rotor.in_words() + ", and " +
@@ -200,40 +187,48 @@ namespace ringmotor
     }
 
     /** The rotor's damping is that of all its parts. */
-    void check_loss_factor(const Parameters &parameters, const BodyInContact &body,
+    void check_loss_factor(const Parameters &parameters, const BodyShape &body,
                            const types::material_id part, const std::string &material)
     {
-      if (body.body.section.has_part(part))
-        check_given(parameters, body.file_entry + " has the part '" + name_of_part(part) + "'",
+      if (body.has_part(part))
+        check_given(parameters, body.origin.entry + " has the part '" + name_of_part(part) + "'",
                     {"Materials/" + material + "/Loss factor"});
+    }
+
+    void check_pair(const Parameters &parameters, const StatorShape &of_stator,
+                    const RotorShape &of_rotor)
+    {
+      const BodyInContact stator{of_stator, "Stator/Tip inner radius", "Stator/Tip outer radius"},
+          rotor{of_rotor, "Rotor/Lip inner radius", "Rotor/Lip outer radius"};
+      check_stator(stator, of_stator);
+      check_line(stator);
+      check_rotor_of_file(rotor);
+      check_line(rotor);
+      check_overlap(stator, rotor);
+      check_penetration(stator, rotor);
+      check_history(parameters, stator.line.radii.common(rotor.line.radii));
+      check_loss_factor(parameters, of_rotor, ids::lining, "Lining");
+      check_loss_factor(parameters, of_rotor, ids::adhesive, "Adhesive");
     }
   } // namespace
 
   void check_bodies_in_contact(const Parameters &parameters)
   {
-    const BodyInContact stator = stator_of(parameters), rotor = rotor_of(parameters);
     check_bodies(parameters);
-    check_line(stator);
-    check_line(rotor);
-    check_loads(rotor);
-    check_overlap(stator, rotor);
-    check_penetration(stator, rotor);
-    check_history(parameters, stator.line.radii.common(rotor.line.radii));
-    check_loss_factor(parameters, rotor, ids::lining, "Lining");
-    check_loss_factor(parameters, rotor, ids::adhesive, "Adhesive");
+    check_pair(parameters, *stator_shape(parameters), *rotor_shape(parameters));
   }
 
   namespace
   {
     /** The felt, where it is given, against the stator above it. */
-    std::vector<std::string> warnings_of_felt(const Support &felt, const RevolvedBody &stator)
+    std::vector<std::string> warnings_of_felt(const Support &felt, const StatorShape &stator)
     {
       if (!felt.has_felt())
         return {};
-      const std::vector<RadialRange> ranges = radii_on_felt(stator);
+      const std::vector<RadialRange> ranges = stator.on_felt();
       if (ranges.empty())
-        return {"the section Support has a felt, but Stator/Section file has no curve 'felt' that "
-                "lies on it: its loss is zero"};
+        return {"the section Support has a felt, but " + stator.origin.entry + " has no " +
+                stator.origin.face() + " 'felt' that lies on it: its loss is zero"};
       const RadialRange body{ranges.front().inner, ranges.back().outer},
           given{felt.felt_inner_radius.value_or(body.inner),
                 felt.felt_outer_radius.value_or(body.outer)};
@@ -254,11 +249,11 @@ namespace ringmotor
   std::vector<std::string> check_bodies_for_losses(const Parameters &parameters)
   {
     check_bodies_in_contact(parameters);
-    const RevolvedBody stator = stator_body(parameters);
-    if (stator.section.has_part(ids::piezoceramic) || stator.skin_thickness > 0.)
+    const auto stator = stator_shape(parameters);
+    if (stator->has_part(ids::piezoceramic))
       check_given(parameters,
                   "losses needs the loss factor of each material, 0 for one without loss",
                   {"Materials/Piezoceramic/Loss factor"});
-    return warnings_of_felt(parameters.support, stator);
+    return warnings_of_felt(parameters.support, *stator);
   }
 } // namespace ringmotor

@@ -238,13 +238,12 @@ namespace ringmotor
     }
   } // namespace
 
-  void check_sector(const SectorMesh &mesh, const MeshFile &file)
+  void check_cuts(const SectorMesh &mesh, const MeshFile &file)
   {
     const SectorCheck check(mesh, file);
     if (mesh.form == SectorForm::half)
       check.half();
     else
       check.whole();
-    check_tooth(mesh, file);
   }
 } // namespace ringmotor

@@ -63,9 +63,17 @@ namespace ringmotor
     return line;
   }
 
-  double rise_to_contact(const RevolvedBody &rotor, const RevolvedBody &stator)
+  std::vector<RadialRange> joined(std::vector<RadialRange> ranges)
   {
-    return contact_line(stator).highest - contact_line(rotor).lowest;
+    std::sort(ranges.begin(), ranges.end(),
+              [](const RadialRange &a, const RadialRange &b) { return a.inner < b.inner; });
+    std::vector<RadialRange> joined;
+    for (const RadialRange &range : ranges)
+      if (!joined.empty() && range.inner <= joined.back().outer * (1. + places::rounding))
+        joined.back().outer = std::max(joined.back().outer, range.outer);
+      else
+        joined.push_back(range);
+    return joined;
   }
 
   std::vector<RadialRange> radii_on_felt(const RevolvedBody &stator)
@@ -74,14 +82,6 @@ namespace ringmotor
     for (const types::boundary_id name : {ids::bottom, ids::skin})
       for (const Section::Edge &edge : stator.section.edges_named(name))
         all.push_back(radii_of(stator.section, edge));
-    std::sort(all.begin(), all.end(),
-              [](const RadialRange &a, const RadialRange &b) { return a.inner < b.inner; });
-    std::vector<RadialRange> joined;
-    for (const RadialRange &range : all)
-      if (!joined.empty() && range.inner <= joined.back().outer * (1. + places::rounding))
-        joined.back().outer = std::max(joined.back().outer, range.outer);
-      else
-        joined.push_back(range);
-    return joined;
+    return joined(std::move(all));
   }
 } // namespace ringmotor

@@ -47,9 +47,12 @@ namespace ringmotor
           place.push_back(cylindrical(vertex));
       }
 
-      /** Moves all that are nearly at the lowest or highest place of these vertices there. */
+      /** Moves all that are nearly at the lowest or highest place of these vertices, if there are
+       * any, there. */
       void level(const Vertices &vertices, const unsigned int coordinate)
       {
+        if (vertices.empty())
+          return;
         const auto [low, high] =
             std::minmax_element(vertices.begin(), vertices.end(),
                                 [&](const unsigned int a, const unsigned int b)
@@ -94,14 +97,14 @@ namespace ringmotor
                                                  cell->neighbor(face)->material_id() == ids::base;
                                         });
       places.level(vertices_on(mesh, ids::tooth_top), r);
+      places.level(vertices_on(mesh, ids::lip), r);
+      places.level(vertices_on(mesh, ids::lip), z);
       places.level(foot, r);
       places.level(foot, z);
       places.level(all, z);
+      places.level(ceramic, z);
       if (!ceramic.empty())
-      {
-        places.level(ceramic, z);
         places.move_to(0., z);
-      }
     }
 
     void move_to_planes(const SectorMesh &mesh, Places &places)

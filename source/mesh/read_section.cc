@@ -20,10 +20,10 @@ namespace ringmotor
   {
     using Names = std::vector<std::pair<std::string, unsigned int>>;
 
-    Names parts_of(const SectionOf body)
+    Names parts_of(const BodyOf body)
     {
       Names names;
-      for (const auto part : body == SectionOf::stator
+      for (const auto part : body == BodyOf::stator
                                  ? std::vector{ids::base, ids::tooth, ids::piezoceramic}
                                  : std::vector{ids::rotor, ids::lining, ids::adhesive})
         names.emplace_back(name_of_part(part), part);
@@ -31,10 +31,10 @@ namespace ringmotor
     }
 
     /** The contact first. */
-    Names edges_of(const SectionOf body)
+    Names edges_of(const BodyOf body)
     {
       Names names;
-      for (const auto edge : body == SectionOf::stator
+      for (const auto edge : body == BodyOf::stator
                                  ? std::vector{ids::tooth_top, ids::clamped, ids::bottom}
                                  : std::vector{ids::lip, ids::ring_top, ids::ring_bore,
                                                ids::radial_bars, ids::clamped})
@@ -56,7 +56,7 @@ namespace ringmotor
     class SectionReader
     {
     public:
-      SectionReader(const GmshMesh &mesh, const SectionOf body)
+      SectionReader(const GmshMesh &mesh, const BodyOf body)
           : mesh(mesh), parts(parts_of(body)), edges(edges_of(body)), body(body),
             point_of_node(mesh.nodes.size(), numbers::invalid_unsigned_int)
       {
@@ -79,7 +79,7 @@ namespace ringmotor
         check_parts();
         add_shell();
         check_contact();
-        if (body == SectionOf::stator)
+        if (body == BodyOf::stator)
           check_teeth(section, mesh.file);
         return std::move(section);
       }
@@ -238,10 +238,10 @@ namespace ringmotor
 
       void check_parts() const
       {
-        if (body == SectionOf::stator && !section.has_part(ids::base))
+        if (body == BodyOf::stator && !section.has_part(ids::base))
           refuse("it has no base", "name the metal that the slots do not reach: Physical "
                                    "Surface(\"base\")");
-        if (body == SectionOf::rotor && !section.has_part(ids::rotor))
+        if (body == BodyOf::rotor && !section.has_part(ids::rotor))
           refuse("it has no rotor", "name the metal of the rotor: Physical Surface(\"rotor\")");
       }
 
@@ -267,7 +267,7 @@ namespace ringmotor
       void check_contact() const
       {
         const unsigned int contact = edges.front().second;
-        const double up            = body == SectionOf::stator ? 1. : -1.;
+        const double up            = body == BodyOf::stator ? 1. : -1.;
         for (const Section::Edge &edge : section.edges_named(contact))
         {
           const Section::Cell &cell = section.cells[at_edges.at(edge).front()];
@@ -276,12 +276,11 @@ namespace ringmotor
           if (up * (place - section.middle(cell))[1] <= 0. ||
               std::abs(along[1]) > std::abs(along[0]))
             refuse("the curve 'contact' does not face the " +
-                       std::string(body == SectionOf::stator ? "rotor" : "stator") + ", at " +
+                       std::string(body == BodyOf::stator ? "rotor" : "stator") + ", at " +
                        in_words(place),
-                   body == SectionOf::stator
-                       ? "name the tops of the teeth, which face +z"
-                       : "name the lower face of lip or lining, which faces -z");
-          if (body == SectionOf::stator && cell.part != ids::tooth)
+                   body == BodyOf::stator ? "name the tops of the teeth, which face +z"
+                                          : "name the lower face of lip or lining, which faces -z");
+          if (body == BodyOf::stator && cell.part != ids::tooth)
             refuse("the curve 'contact' lies on the base, at " + in_words(place),
                    "name the tops of the part 'tooth'");
         }
@@ -289,7 +288,7 @@ namespace ringmotor
 
       const GmshMesh &mesh;
       const Names parts, edges;
-      const SectionOf body;
+      const BodyOf body;
       std::vector<unsigned int> point_of_node;
       Section section;
       std::map<Section::Edge, std::vector<unsigned int>> at_edges;
@@ -297,10 +296,10 @@ namespace ringmotor
     };
   } // namespace
 
-  Section read_section(const std::string &file, const SectionOf body)
+  Section read_section(const std::string &file, const BodyOf body)
   {
     const GmshMesh mesh = with_split_elements(
-        read_gmsh({file, body == SectionOf::stator ? "Stator/Section file" : "Rotor/Section file",
+        read_gmsh({file, body == BodyOf::stator ? "Stator/Section file" : "Rotor/Section file",
                    "quadrilaterals of first or second order (meshes/README.md)"}));
     return SectionReader(mesh, body).read();
   }

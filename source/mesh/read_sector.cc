@@ -4,6 +4,7 @@
 #include <ringmotor/mesh/ids.h>
 #include <ringmotor/mesh/places.h>
 #include <ringmotor/mesh/read_sector.h>
+#include <ringmotor/mesh/sector_ids.h>
 
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
@@ -33,72 +34,10 @@ namespace ringmotor
                                   : "Gmsh's kind " + std::to_string(kind);
     }
 
-    /** The cells of a file, and the surfaces that it marks. */
-    class MeshOfFile
+    /** @throws UserError for other elements than hexahedra and their faces */
+    void check_kinds(const GmshMesh &mesh, const BodyOf body)
     {
-    public:
-      /** @throws UserError if elements or their ids are not those of a sector */
-      explicit MeshOfFile(const GmshMesh &mesh);
-
-      void create(Triangulation<3> &triangulation);
-      /** Gives faces their ids. @throws UserError for surfaces that are not outer ones */
-      void mark(Triangulation<3> &triangulation) const;
-
-    private:
-      using Element = GmshMesh::Element;
-      using Nodes   = std::vector<unsigned int>;
-
-      void check_kinds() const;
-      void check_ids() const;
-      void add_cell(const Element &element);
-      void expect_volume(const CellData<3> &cell) const;
-      std::string near(const Nodes &nodes) const;
-      /** Gmsh may mark what lies between partitions. */
-      std::string or_without_partitions() const
-      {
-        return mesh.has_partitions ? "; or save the mesh without partitions" : "";
-      }
-
-      const GmshMesh &mesh;
-      std::vector<CellData<3>> cells;
-      std::vector<Point<3>> vertices;
-      std::vector<unsigned int> vertex_of_node;
-      std::map<Nodes, long> ids_of_cells;            ///< by ascending nodes
-      std::map<Nodes, unsigned int> n_cells_at_face; ///< by ascending nodes
-    };
-
-    bool is_volume(const GmshMesh::Element &element)
-    {
-      return element.kind == GmshMesh::hexahedron;
-    }
-
-    bool is_marked_surface(const GmshMesh::Element &element)
-    {
-      return element.kind == GmshMesh::quadrilateral && element.id != ids::free;
-    }
-
-    MeshOfFile::MeshOfFile(const GmshMesh &mesh)
-        : mesh(mesh), vertex_of_node(mesh.nodes.size(), numbers::invalid_unsigned_int)
-    {
-      check_kinds();
-      check_ids();
-      for (const Element &element : mesh.elements)
-        if (is_volume(element))
-          add_cell(element);
-    }
-
-    /** ", near ..." */
-    std::string MeshOfFile::near(const Nodes &nodes) const
-    {
-      Point<3> center;
-      for (const unsigned int node : nodes)
-        center += 1. / nodes.size() * mesh.nodes[node];
-      return ", near " + in_words(cylindrical(center));
-    }
-
-    void MeshOfFile::check_kinds() const
-    {
-      for (const Element &element : mesh.elements)
+      for (const GmshMesh::Element &element : mesh.elements)
       {
         if (element.kind == GmshMesh::line)
           continue;
@@ -112,34 +51,50 @@ namespace ringmotor
       }
       if (std::none_of(mesh.elements.begin(), mesh.elements.end(), is_volume))
         mesh.file.refuse("it has no volume elements",
-                         "mark the volumes as physical volumes 1 (base), 2 (tooth), 3 "
-                         "(piezoceramic) and mesh in three dimensions");
+                         (body == BodyOf::stator ? "mark the volumes as physical volumes "
+                                                 : "give the volumes physical ") +
+                             volumes_of(body) + " and mesh in three dimensions");
     }
 
-    void MeshOfFile::check_ids() const
+    /** The cells of a file, and the surfaces that it marks. */
+    class MeshOfFile
     {
-      const std::set<long> of_volumes{ids::base, ids::tooth, ids::piezoceramic},
-          of_surfaces{ids::mirror, ids::cut, ids::cut_low, ids::cut_high, ids::tooth_top};
-      if (std::none_of(mesh.elements.begin(), mesh.elements.end(),
-                       [](const Element &element)
-                       { return is_volume(element) && element.id != 0; }))
-        mesh.file.refuse("its volumes have no physical ids",
-                         "mark them as physical volumes 1 (base), 2 (tooth) and 3 (piezoceramic), "
-                         "and surfaces as meshes/README.md says; do not set Mesh.SaveAll, with "
-                         "which Gmsh's format 2.2 loses the ids");
-      for (const Element &element : mesh.elements)
+    public:
+      /** @param mesh with our own ids @throws UserError for cells that cannot be those of a body */
+      MeshOfFile(const GmshMesh &mesh, const BodyOf body);
+
+      void create(Triangulation<3> &triangulation);
+      /** Gives faces their ids. @throws UserError for surfaces that are not outer ones */
+      void mark(Triangulation<3> &triangulation) const;
+
+    private:
+      using Element = GmshMesh::Element;
+      using Nodes   = std::vector<unsigned int>;
+
+      void add_cell(const Element &element);
+      void expect_volume(const CellData<3> &cell) const;
+      std::string near(const Nodes &nodes) const { return near_nodes(mesh, nodes); }
+      /** Gmsh may mark what lies between partitions. */
+      std::string or_without_partitions() const
       {
-        if (is_volume(element) && of_volumes.count(element.id) == 0)
-          mesh.file.refuse("a volume has the physical id " + std::to_string(element.id) +
-                               (element.id == 0 ? ", which is none" : "") + near(element.nodes),
-                           "allowed are 1 (base), 2 (tooth) and 3 (piezoceramic)");
-        if (is_marked_surface(element) && of_surfaces.count(element.id) == 0)
-          mesh.file.refuse("a surface has the physical id " + std::to_string(element.id) +
-                               near(element.nodes),
-                           "allowed are 11 (mirror plane), 12 (cut), 13 and 14 (cuts), 15 (tooth "
-                           "top), or none" +
-                               or_without_partitions());
+        return mesh.has_partitions ? "; or save the mesh without partitions" : "";
       }
+
+      const GmshMesh &mesh;
+      const BodyOf body;
+      std::vector<CellData<3>> cells;
+      std::vector<Point<3>> vertices;
+      std::vector<unsigned int> vertex_of_node;
+      std::map<Nodes, long> ids_of_cells;            ///< by ascending nodes
+      std::map<Nodes, unsigned int> n_cells_at_face; ///< by ascending nodes
+    };
+
+    MeshOfFile::MeshOfFile(const GmshMesh &mesh, const BodyOf body)
+        : mesh(mesh), body(body), vertex_of_node(mesh.nodes.size(), numbers::invalid_unsigned_int)
+    {
+      for (const Element &element : mesh.elements)
+        if (is_volume(element))
+          add_cell(element);
     }
 
     std::vector<unsigned int> sorted(std::vector<unsigned int> nodes)
@@ -243,11 +198,10 @@ namespace ringmotor
             of_face.push_back(vertex_of_node[node]);
           const auto face = faces.find(sorted(of_face));
           if (face == faces.end())
-            mesh.file.refuse(
-                "a surface with the physical id " + id + near(element.nodes) +
-                    ", is not one of the marked volumes",
-                "mark the volume behind it as 1 (base), 2 (tooth) or 3 (piezoceramic), or not "
-                "its surface");
+            mesh.file.refuse("a surface with the physical id " + id + near(element.nodes) +
+                                 ", is not one of the marked volumes",
+                             "mark the volume behind it, " + volumes_of(body) +
+                                 ", or not its surface");
           if (!face->second->at_boundary())
             mesh.file.refuse("a physical surface lies inside the body (physical id " + id + ")" +
                                  near(element.nodes),
@@ -279,39 +233,16 @@ namespace ringmotor
     }
   } // namespace
 
-  namespace
-  {
-    /** Replaces the physical ids that have one of our names by our own. */
-    void take_names(GmshMesh &mesh)
-    {
-      static const std::map<std::pair<long, std::string>, long> ids_of_names{
-          {{3, "base"}, ids::base},
-          {{3, "tooth"}, ids::tooth},
-          {{3, "piezoceramic"}, ids::piezoceramic},
-          {{2, "mirror"}, ids::mirror},
-          {{2, "cut"}, ids::cut},
-          {{2, "cut low"}, ids::cut_low},
-          {{2, "cut high"}, ids::cut_high},
-          {{2, "contact"}, ids::tooth_top}};
-      for (GmshMesh::Element &element : mesh.elements)
-      {
-        const long dimension = element.kind == GmshMesh::line ? 1 : is_volume(element) ? 3 : 2;
-        if (const auto known = ids_of_names.find({dimension, mesh.name_of(dimension, element)});
-            known != ids_of_names.end())
-          element.id = known->second;
-      }
-    }
-  } // namespace
-
   SectorMesh read_sector(const std::string &file, const unsigned int n_sectors,
-                         MPI_Comm communicator)
+                         MPI_Comm communicator, const BodyOf of)
   {
-    GmshMesh gmsh =
-        read_gmsh({file, "Stator/Mesh file", "hexahedra of first order (meshes/README.md)"});
-    take_names(gmsh);
+    GmshMesh gmsh = read_gmsh({file, of == BodyOf::stator ? "Stator/Mesh file" : "Rotor/Mesh file",
+                               "hexahedra of first order (meshes/README.md)"});
+    check_kinds(gmsh, of);
+    take_ids(gmsh, of);
     SectorMesh mesh{empty_triangulation<3>(communicator), SectorForm::half, n_sectors};
     Triangulation<3> &triangulation = *mesh.triangulation;
-    MeshOfFile body(gmsh);
+    MeshOfFile body(gmsh, of);
     body.create(triangulation);
     triangulation.set_all_manifold_ids(0);
     triangulation.set_manifold(0, CylindricalManifold<3>(2));
@@ -319,7 +250,11 @@ namespace ringmotor
     body.mark(triangulation);
     check_connections(triangulation, gmsh.file);
     mesh.form = form_of(gmsh.file, triangulation);
-    check_sector(mesh, gmsh.file);
+    check_cuts(mesh, gmsh.file);
+    if (of == BodyOf::stator)
+      check_tooth(mesh, gmsh.file);
+    else
+      check_lip(mesh, gmsh.file);
     move_to_exact_places(mesh);
     return mesh;
   }

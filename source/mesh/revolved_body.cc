@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/mesh/check_parts.h>
 #include <ringmotor/mesh/ids.h>
 #include <ringmotor/mesh/read_section.h>
 #include <ringmotor/mesh/revolved.h>
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <tuple>
 #include <vector>
@@ -56,48 +58,9 @@ namespace ringmotor
 
   namespace
   {
-    /** @throws UserError for a part without material */
-    void check_materials(const Parameters &parameters, const Section &section,
-                         const std::string &entry)
+    std::function<bool(types::material_id)> has_part_of(const Section &section)
     {
-      for (const auto &[part, material] : {std::make_pair(ids::piezoceramic, "Piezoceramic"),
-                                           {ids::lining, "Lining"},
-                                           {ids::adhesive, "Adhesive"}})
-        if (section.has_part(part))
-          for (const char *const constant : {"Young modulus", "Poisson ratio", "Density"})
-            check_given(parameters, entry + " has the part '" + name_of_part(part) + "'",
-                        {std::string("Materials/") + material + "/" + constant});
-    }
-
-    /** @throws UserError if a felt touches nothing */
-    void check_felt(const Parameters &parameters, const Section &section)
-    {
-      if (parameters.support.has_felt() && section.edges_named(ids::bottom).empty() &&
-          parameters.effects["Felt support"] != EffectChoice::off)
-        throw UserError("the section Support has a felt, but Stator/Section file has no curve "
-                        "'felt' that lies on it; name it, Physical Curve(\"felt\"), or set "
-                        "Effects/Felt support = off");
-    }
-
-    /** N/m^3, of bars over the height of the edges that they hold. @throws UserError for bars
-     * without stiffness or the other way round */
-    double bar_stiffness(const Parameters &parameters, const Section &section)
-    {
-      const std::string entry = "Rotor/Radial bar stiffness";
-      const double stiffness  = parameters.rotor.radial_bar_stiffness;
-      double height           = 0.;
-      for (const Section::Edge &edge : section.edges_named(ids::radial_bars))
-        height += section.length(edge);
-      if (height > 0.)
-      {
-        check_given(parameters, "Rotor/Section file has the curve 'bars'", {entry});
-        return stiffness / height;
-      }
-      if (missing_entries(parameters, {entry}).empty() && stiffness > 0.)
-        throw UserError(entry + " = " + short_text(stiffness) +
-                        ", but Rotor/Section file has no curve 'bars'; name it, Physical "
-                        "Curve(\"bars\"), or give 0");
-      return 0.;
+      return [&section](const types::material_id part) { return section.has_part(part); };
     }
 
     /** Ties the shell of a section to its body, if it has one. @throws UserError for a shell
@@ -167,9 +130,10 @@ namespace ringmotor
     const StatorGeometry &stator = parameters.stator;
     if (stator.section_file.empty())
       return stator_body(stator, parameters.motor.n_teeth);
-    const Section section = read_section(stator.section_file, SectionOf::stator);
-    check_materials(parameters, section, "Stator/Section file");
-    check_felt(parameters, section);
+    const Section section   = read_section(stator.section_file, BodyOf::stator);
+    const BodyOrigin origin = origin_of(parameters, BodyOf::stator);
+    check_materials(parameters, origin, has_part_of(section));
+    check_felt(parameters, origin, !section.edges_named(ids::bottom).empty());
     const Slots slots =
         slots_of(section, parameters.motor.n_teeth, stator.slot_width, stator.slot_angle);
     check_slots(parameters, slots);
@@ -263,25 +227,15 @@ namespace ringmotor
   {
     if (parameters.rotor.section_file.empty())
       return rotor_body(parameters.rotor, parameters.motor.n_teeth);
-    const Section section = read_section(parameters.rotor.section_file, SectionOf::rotor);
-    check_materials(parameters, section, "Rotor/Section file");
+    const Section section   = read_section(parameters.rotor.section_file, BodyOf::rotor);
+    const BodyOrigin origin = origin_of(parameters, BodyOf::rotor);
+    check_materials(parameters, origin, has_part_of(section));
+    double height = 0.;
+    for (const Section::Edge &edge : section.edges_named(ids::radial_bars))
+      height += section.length(edge);
     RevolvedBody body{section, {parameters.motor.n_teeth}};
-    body.bar_stiffness = bar_stiffness(parameters, section);
+    body.bar_stiffness = bar_stiffness(parameters, origin, height);
     add_shell(body, parameters);
     return with_level_face(std::move(body), ids::lip);
-  }
-
-  void check_bodies(const Parameters &parameters)
-  {
-    if (!parameters.stator.section_file.empty())
-    {
-      const Section section = stator_body(parameters).section;
-      const auto [low, high] =
-          std::minmax_element(section.points.begin(), section.points.end(),
-                              [](const Point<2> &a, const Point<2> &b) { return a[1] < b[1]; });
-      check_amplitude(parameters.wave, "the height of Stator/Section file", (*high - *low)[1]);
-    }
-    if (!parameters.rotor.section_file.empty())
-      rotor_body(parameters);
   }
 } // namespace ringmotor

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/contact/surface_compliance.h>
-#include <ringmotor/mesh/body_sector.h>
-#include <ringmotor/mesh/contact_line.h>
+#include <ringmotor/mesh/body_shape.h>
 #include <ringmotor/mesh/ids.h>
-#include <ringmotor/mesh/rotor_sector.h>
 #include <ringmotor/motor/body_parts.h>
 #include <ringmotor/motor/contact_bodies.h>
 #include <ringmotor/structure/motion_products.h>
@@ -34,9 +32,9 @@ namespace ringmotor
     SectorMesh tooth_mesh(const Parameters &parameters, const ContactDiscretisation &discretisation,
                           const bool is_clamped)
     {
-      const RadialRange lip = contact_line(rotor_body(parameters)).radii;
-      SectorMesh mesh       = make_contact_tooth(stator_body(parameters), lip.inner, lip.outer,
-                                                 discretisation.tooth, MPI_COMM_SELF);
+      SectorMesh mesh = stator_shape(parameters)
+                            ->contact_tooth(rotor_shape(parameters)->contact_line().radii,
+                                            discretisation.tooth, MPI_COMM_SELF);
       if (is_clamped)
         for (const auto &face : mesh.triangulation->active_face_iterators())
           if (face->at_boundary() && face->boundary_id() == ids::tooth_foot)
@@ -133,19 +131,27 @@ namespace ringmotor
     return values;
   }
 
-  RotorBody::RotorBody(const Parameters &parameters, const ContactDiscretisation &discretisation)
-      : RotorBody(rotor_body(parameters), parameters.materials, discretisation)
+  namespace
   {
-  }
+    /** Whether the lip is a shell, whose cells are then a part of their own. */
+    bool touches_with_shell(const SectorMesh &mesh)
+    {
+      if (mesh.shell)
+        for (const auto &cell : mesh.shell->active_cell_iterators())
+          if (cell->material_id() == ids::lip_shell)
+            return true;
+      return false;
+    }
+  } // namespace
 
-  RotorBody::RotorBody(const RevolvedBody &rotor, const Materials &materials,
-                       const ContactDiscretisation &discretisation)
-      : mesh(make_rotor_sector(rotor, SectorForm::half, discretisation.rotor, MPI_COMM_SELF,
-                               discretisation.lip)),
-        sector(mesh, material_table(materials, Body::rotor), discretisation.degree),
-        lip(rotor.section.shell.n_in_contact == 0 ? solid_surface(sector, ids::lip)
-                                                  : shell_surface(sector, ids::lip_shell)),
-        whole_lip(whole_surface(lip, mesh.form)), has_bars(rotor.bar_stiffness > 0.)
+  RotorBody::RotorBody(const Parameters &parameters, const ContactDiscretisation &discretisation)
+      : mesh(rotor_shape(parameters)
+                 ->contact_sector(discretisation.rotor, discretisation.lip, MPI_COMM_SELF)),
+        sector(mesh, material_table(parameters.materials, Body::rotor), discretisation.degree),
+        lip(touches_with_shell(mesh) ? shell_surface(sector, ids::lip_shell)
+                                     : solid_surface(sector, ids::lip)),
+        whole_lip(whole_surface(lip, mesh.form)),
+        has_bars(mesh.foundations.count(ids::radial_bars) > 0)
   {
   }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/mesh/body_shape.h>
 #include <ringmotor/mesh/ids.h>
-#include <ringmotor/mesh/places.h>
-#include <ringmotor/mesh/read_sector.h>
-#include <ringmotor/mesh/revolved_body.h>
 #include <ringmotor/motor/electrode_layout.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/parameters/parameters.h>
@@ -34,29 +32,12 @@ namespace ringmotor
 
   double mean_radius_of_ceramic(const Parameters &parameters)
   {
-    std::vector<double> radii;
-    if (const std::string &file = parameters.stator.mesh_file; !file.empty())
-    {
-      const SectorMesh mesh = read_sector(file, parameters.motor.n_teeth, MPI_COMM_SELF);
-      for (const auto &cell : mesh.triangulation->active_cell_iterators())
-        for (const unsigned int i : cell->vertex_indices())
-          if (cell->material_id() == ids::piezoceramic)
-            radii.push_back(cylindrical(cell->vertex(i))[0]);
-    }
-    else
-    {
-      const Section section = stator_body(parameters).section;
-      for (const Section::Cell &cell : section.cells)
-        for (const unsigned int corner : cell.corners)
-          if (cell.part == ids::piezoceramic)
-            radii.push_back(section.points[corner][0]);
-    }
-    if (radii.empty())
+    const RadialRange radii = stator_shape(parameters)->radii_of(ids::piezoceramic);
+    if (radii.is_empty())
       throw UserError("Effects/Piezoelectric coupling needs a ceramic, but " +
                       parameters.stator.file_entry() +
                       " has no part 'piezoceramic'; allowed: off, or a file with it");
-    const auto [inner, outer] = std::minmax_element(radii.begin(), radii.end());
-    return 0.5 * (*inner + *outer);
+    return 0.5 * (radii.inner + radii.outer);
   }
 
   ElectrodeLayout::ElectrodeLayout(const Electrodes &electrodes, const Motor &motor,

@@ -105,7 +105,7 @@ namespace ringmotor
       parameters.output = defaults.output;
       reset_loss_factors(parameters);
       parameters.wave.response_torques.clear();
-      if (parameters.rotor.section_file.empty())
+      if (parameters.rotor.has_dimensions())
       {
         forget_layers(parameters);
         parameters.rotor.shell_thickness = defaults.rotor.shell_thickness;

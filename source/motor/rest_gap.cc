@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <ringmotor/mesh/revolved_body.h>
+#include <ringmotor/mesh/body_shape.h>
 #include <ringmotor/motor/condensed_motor.h>
 #include <ringmotor/motor/rest_gap.h>
 #include <ringmotor/parameters/parameters.h>
@@ -55,8 +55,8 @@ namespace ringmotor
   RestGap rest_gap(const Parameters &parameters, const CondensedMotor &motor)
   {
     const std::size_t n_nodes  = motor.nodes.size();
-    const FaceProfile of_rotor = rotor_body(parameters).face,
-                      of_teeth = stator_body(parameters).face;
+    const FaceProfile of_rotor = rotor_shape(parameters)->profile(),
+                      of_teeth = stator_shape(parameters)->profile();
     RestGap gap;
     gap.is_lapped = parameters.contact.faces == ContactFaces::lapped;
     std::vector<double> shares; // of the area of a tooth

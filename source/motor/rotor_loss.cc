@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/mesh/body_shape.h>
 #include <ringmotor/mesh/ids.h>
-#include <ringmotor/mesh/revolved_body.h>
 #include <ringmotor/motor/body_parts.h>
 #include <ringmotor/motor/contact_bodies.h>
 #include <ringmotor/motor/rotor_loss.h>
@@ -21,10 +21,10 @@ namespace ringmotor
     /** The materials of a rotor's parts, by part. */
     MaterialTable materials_of_parts(const Parameters &parameters)
     {
-      const Section section = rotor_body(parameters).section;
+      const auto rotor = rotor_shape(parameters);
       MaterialTable parts;
       for (const auto &[part, material] : material_table(parameters.materials, Body::rotor))
-        if (section.has_part(part) || (part == ids::lip_shell && section.shell.n_in_contact > 0))
+        if (rotor->has_part(part))
           parts.emplace(part, material);
       return parts;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/contact/surface_compliance.h>
-#include <ringmotor/mesh/body_sector.h>
+#include <ringmotor/mesh/body_shape.h>
 #include <ringmotor/mesh/ids.h>
 #include <ringmotor/motor/body_parts.h>
 #include <ringmotor/motor/motor_model.h>
@@ -24,9 +24,19 @@ namespace ringmotor
   {
     using Complex = std::complex<double>;
 
-    unsigned int degree_of(const unsigned int level)
+    /** The degree, and the level of the mesh of a stator. */
+    struct Resolution
     {
-      return level < RotorVibration::finest_level ? 2 : 3;
+      unsigned int degree, mesh;
+    };
+
+    /** Each level of a file's mesh has eight times the cells of the one before, so that the degree
+     * grows first. */
+    Resolution resolution(const StatorShape &stator, const unsigned int level)
+    {
+      if (stator.origin.is_sector)
+        return {2 + (level + 1) / 2, level / 2};
+      return {level < RotorVibration::finest_level ? 2u : 3u, level};
     }
 
     SectorMesh with_parts(SectorMesh mesh, const Parameters &parameters)
@@ -173,23 +183,20 @@ namespace ringmotor
   } // namespace
 
   StatorBody::StatorBody(const Parameters &parameters, const unsigned int level)
-      : StatorBody(stator_body(parameters), parameters, level)
+      : StatorBody(*stator_shape(parameters), parameters, level)
   {
   }
 
-  StatorBody::StatorBody(const RevolvedBody &stator, const Parameters &parameters,
+  StatorBody::StatorBody(const StatorShape &stator, const Parameters &parameters,
                          const unsigned int level)
-      : mesh(with_parts(
-            make_sector(stator, SectorForm::half, SectorGrading::level(level), MPI_COMM_SELF),
-            parameters)),
+      : mesh(with_parts(stator.sector(resolution(stator, level).mesh, MPI_COMM_SELF), parameters)),
         tooth_mesh(
-            with_parts(make_tooth(stator, SectorGrading::level(level), MPI_COMM_SELF), parameters)),
-        sector(mesh, materials_of(parameters), degree_of(level)),
-        tooth(tooth_mesh, materials_of(parameters), degree_of(level)),
+            with_parts(stator.tooth(resolution(stator, level).mesh, MPI_COMM_SELF), parameters)),
+        sector(mesh, materials_of(parameters), resolution(stator, level).degree),
+        tooth(tooth_mesh, materials_of(parameters), resolution(stator, level).degree),
         top(solid_surface(sector, ids::tooth_top)),
         top_of_tooth(solid_surface(tooth, ids::tooth_top)),
-        whole_top(whole_surface(top, SectorForm::half)),
-        is_clamped(!stator.section.edges_named(ids::clamped).empty())
+        whole_top(whole_surface(top, SectorForm::half)), is_clamped(stator.has_face(ids::clamped))
   {
   }
 

@@ -41,6 +41,16 @@ namespace ringmotor
            text(result.teeth_in_contact, 2) + " teeth per wave";
   }
 
+  namespace
+  {
+    /** An amplitude that is prescribed, or vibrations that the model leaves out. */
+    bool is_given_by_the_model(const Quantity &quantity)
+    {
+      return (quantity.name == "amplitude" && quantity.estimate.error() == 0.) ||
+             (quantity.name == "stator_vibration_loss" && quantity.estimate.value == 0.);
+    }
+  } // namespace
+
   void add_points(Summary &summary, const std::vector<CurvePoint> &points)
   {
     double violation = 0., imbalance = 0.;
@@ -49,9 +59,7 @@ namespace ringmotor
       const PointQuantity &given = prescribed(point.request);
       std::vector<Quantity> found;
       for (Quantity &quantity : quantities_of(point))
-        // The amplitude is prescribed, too, if it has no error.
-        if (quantity.name != given.name &&
-            !(quantity.name == "amplitude" && quantity.estimate.error() == 0.))
+        if (quantity.name != given.name && !is_given_by_the_model(quantity))
         {
           quantity.name = name_in_summary(quantity.name, point.request);
           found.push_back(quantity);

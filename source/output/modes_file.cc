@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <ringmotor/mesh/contact_line.h>
+#include <ringmotor/mesh/body_shape.h>
 #include <ringmotor/motor/relevant.h>
 #include <ringmotor/output/hdf5.h>
 #include <ringmotor/output/kept_file.h>
@@ -225,7 +225,7 @@ namespace ringmotor
         shape_number(file, "strain_energy_base") + shape_number(file, "strain_energy_tooth");
     energies.piezoceramic = shape_number(file, "strain_energy_piezoceramic");
     // The motion of the lower side is as accurate as the energy of the whole wave.
-    energies.felt = felt_energy(parameters.support, radii_on_felt(stator_body(parameters)),
+    energies.felt = felt_energy(parameters.support, stator_shape(parameters)->on_felt(),
                                 parameters.motor.n_teeth, motion_of(trace_of(file, "bottom"))) *
                     shape_number(file, "strain_energy").relative();
     for (Estimate *energy : {&energies.metal, &energies.piezoceramic, &energies.felt})

@@ -53,10 +53,12 @@ namespace ringmotor
       return json;
     }
 
+    /** Whether there is a section of it. */
     bool has_rotor(const Parameters &parameters)
     {
-      return !parameters.rotor.section_file.empty() ||
-             missing_entries(parameters, {"Rotor/"}).empty();
+      return parameters.rotor.mesh_file.empty() &&
+             (!parameters.rotor.section_file.empty() ||
+              missing_entries(parameters, {"Rotor/"}).empty());
     }
   } // namespace
 

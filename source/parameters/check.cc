@@ -54,19 +54,25 @@ namespace ringmotor
         throw UserError(found + "cannot be read; check its permissions");
     }
 
-    /** The files of the stator, where there are any. */
+    /** The files of a body, where there are any. @param geometry of the stator or the rotor */
+    template <typename Geometry>
+    void check_files(const std::string &body, const Geometry &geometry)
+    {
+      if (!geometry.mesh_file.empty() && !geometry.section_file.empty())
+        throw UserError(body + "/Mesh file = " + in_quotes(geometry.mesh_file) + " and " + body +
+                        "/Section file = " + in_quotes(geometry.section_file) +
+                        " describe the same body; allowed: one of them");
+      check_mesh_file(body + "/Mesh file", geometry.mesh_file);
+      check_mesh_file(body + "/Section file", geometry.section_file);
+    }
+
     void check_stator_files(const StatorGeometry &stator)
     {
-      if (!stator.mesh_file.empty() && !stator.section_file.empty())
-        throw UserError("Stator/Mesh file = " + in_quotes(stator.mesh_file) +
-                        " and Stator/Section file = " + in_quotes(stator.section_file) +
-                        " describe the same body; allowed: one of them");
       if (!stator.has_dimensions() && stator.piezoceramic_element == ElementKind::shell)
         throw UserError("Stator/Piezoceramic element = shell is incompatible with " +
                         stator.file_entry() +
                         ", which has the ceramic ring in its solid cells; allowed: solid");
-      check_mesh_file("Stator/Mesh file", stator.mesh_file);
-      check_mesh_file("Stator/Section file", stator.section_file);
+      check_files("Stator", stator);
     }
 
     void check_dimensions(const StatorGeometry &stator, const Motor &motor, const Wave &wave)
@@ -92,14 +98,13 @@ namespace ringmotor
     parameters.support.check();
     if (parameters.modes.body == Body::rotor)
     {
-      check_mesh_file("Rotor/Section file", parameters.rotor.section_file);
+      check_files("Rotor", parameters.rotor);
       check_given(parameters, "Modes/Body = rotor needs a rotor",
                   entries_of_rotor(parameters.rotor));
       check_rotor(parameters.rotor);
       return;
     }
-    if (!stator.section_file.empty() ||
-        (!stator.mesh_file.empty() && parameters.modes.body == Body::stator))
+    if (!stator.has_dimensions())
     {
       check_stator_files(stator);
       return;
@@ -110,19 +115,6 @@ namespace ringmotor
 
   namespace
   {
-    /** @throws UserError for bodies that are not of revolution */
-    void check_files_for_contact(const Parameters &parameters)
-    {
-      const StatorGeometry &stator = parameters.stator;
-      if (!stator.mesh_file.empty())
-        throw UserError("Stator/Mesh file = " + in_quotes(stator.mesh_file) +
-                        " is not available in the program contact, which needs teeth of known "
-                        "cross-section; allowed: Stator/Section file, or dimensions; for the modes "
-                        "of the stator alone, run the program stator");
-      check_stator_files(stator);
-      check_mesh_file("Rotor/Section file", parameters.rotor.section_file);
-    }
-
     /** The wave must be among the modes that the program stator computes. */
     void check_modes_for_contact(const Parameters &parameters)
     {
@@ -170,7 +162,8 @@ namespace ringmotor
 
   std::vector<std::string> check_for_contact(const Parameters &parameters)
   {
-    check_files_for_contact(parameters);
+    check_stator_files(parameters.stator);
+    check_files("Rotor", parameters.rotor);
     std::vector<std::string> needed = entries_of_rotor(parameters.rotor);
     needed.insert(needed.end(), {"Loading/", "Friction/"});
     check_given(

@@ -113,10 +113,7 @@ namespace ringmotor
 
   void check_rotor(const RotorGeometry &rotor)
   {
-    if (!rotor.mesh_file.empty())
-      throw UserError("Rotor/Mesh file = " + in_quotes(rotor.mesh_file) +
-                      " is not available in this version; leave it out");
-    if (!rotor.section_file.empty())
+    if (!rotor.has_dimensions())
       return;
     if (rotor.shell_thickness)
       throw UserError(entry("Rotor/Shell thickness", *rotor.shell_thickness) +

@@ -83,11 +83,10 @@ namespace ringmotor
               "folder of this parameter file first, then in the current directory.");
     add_entry(
         prm, "Mesh file", mesh_file, file_or_none(),
-        "Gmsh file (.msh) of one sector of the stator, which replaces the dimensions above in "
-        "the program stator; the program contact, which builds its teeth from "
-        "dimensions or a section, refuses it. A relative path is searched in the folder of this "
-        "parameter "
-        "file first, then in the current directory.");
+        "Gmsh file (.msh) of one sector of the stator, see meshes/README.md, which replaces the "
+        "dimensions above, for bodies that are not of revolution; contact and losses need the half "
+        "of a sector that has a mirror plane. A relative path is searched in the folder of this "
+        "parameter file first, then in the current directory.");
   }
 
   void RotorGeometry::declare(ParameterHandler &prm)
@@ -130,7 +129,9 @@ namespace ringmotor
               "in the folder of this "
               "parameter file first, then in the current directory.");
     add_entry(prm, "Mesh file", mesh_file, file_or_none(),
-              "Reserved for a Gmsh file (.msh) of one sector of the rotor; this version refuses "
-              "every value except none.");
+              "Gmsh file (.msh) of half of one sector of the rotor, see meshes/README.md, which "
+              "replaces the dimensions above except Radial bar stiffness, for rotors that are not "
+              "of revolution. A relative path is searched in the folder of this parameter file "
+              "first, then in the current directory.");
   }
 } // namespace ringmotor

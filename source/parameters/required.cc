@@ -33,7 +33,7 @@ namespace ringmotor
       if (!parameters.stator.has_dimensions() && starts_with_one_of(path, {"Stator/"}))
         return path != slot_width || parameters.stator.slot_angle ||
                !parameters.stator.mesh_file.empty();
-      if (!parameters.rotor.section_file.empty() && starts_with_one_of(path, {"Rotor/"}))
+      if (!parameters.rotor.has_dimensions() && starts_with_one_of(path, {"Rotor/"}))
         return path != bar_stiffness;
       if (parameters.stator.piezoceramic_thickness == 0. &&
           starts_with_one_of(path, {"Materials/Piezoceramic/"}))
@@ -44,8 +44,8 @@ namespace ringmotor
     /** Whether stator, contact and losses need it, whatever the motor's parts. */
     bool is_always_needed(const std::string &path, const Parameters &parameters)
     {
-      // Only a section tells whether it has teeth and a ceramic ring.
-      if (!parameters.stator.section_file.empty() &&
+      // Only a file tells whether it has teeth and a ceramic ring.
+      if (!parameters.stator.has_dimensions() &&
           starts_with_one_of(path, {slot_width, "Materials/Piezoceramic/"}))
         return false;
       return !starts_with_one_of(path, {"Rotor/", "Loading/", "Friction/", "Materials/Rotor metal/",

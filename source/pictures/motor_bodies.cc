@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <ringmotor/mesh/contact_line.h>
+#include <ringmotor/mesh/body_shape.h>
 #include <ringmotor/pictures/motor_bodies.h>
 #include <ringmotor/structure/mirror.h>
 
@@ -54,7 +54,7 @@ namespace ringmotor
         mortar(couple(tooth_body.whole_top.surface, rotor_body.whole_lip.surface,
                       2. * numbers::PI / parameters.motor.n_teeth, discretisation.lip_turn)),
         rotor_ring(rotor_body.sector, n_subdivisions,
-                   rise_to_contact(ringmotor::rotor_body(parameters), stator_body(parameters)),
+                   rise_to_contact(*rotor_shape(parameters), *stator_shape(parameters)),
                    discretisation.lip_turn),
         tooth_ring(tooth_body.sector, n_subdivisions)
   {

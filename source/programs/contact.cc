@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/contact/friction_law.h>
+#include <ringmotor/mesh/body_shape.h>
 #include <ringmotor/mesh/check_contact.h>
-#include <ringmotor/mesh/contact_line.h>
 #include <ringmotor/motor/motor_model.h>
 #include <ringmotor/output/contact_files.h>
 #include <ringmotor/output/contact_h5.h>
@@ -281,7 +281,7 @@ namespace ringmotor
     void ContactProgram::write_fields(const CurveSearch &search)
     {
       const auto scope    = phases.measure("fields for ParaView");
-      const double height = contact_line(stator_body(parameters)).highest;
+      const double height = stator_shape(parameters)->contact_line().highest;
       write_contact_surfaces(folder, search.motor(), search.points(), height);
       const MotorBodies bodies(parameters, wave,
                                ContactDiscretisation::level(search.discretisation().level));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <ringmotor/mesh/revolved_body.h>
+#include <ringmotor/mesh/body_shape.h>
 #include <ringmotor/output/circuit_files.h>
 #include <ringmotor/output/files.h>
 #include <ringmotor/output/log.h>

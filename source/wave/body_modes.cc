@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/mesh/body_sector.h>
-#include <ringmotor/mesh/ids.h>
-#include <ringmotor/mesh/read_sector.h>
-#include <ringmotor/mesh/rotor_sector.h>
+#include <ringmotor/mesh/body_shape.h>
 #include <ringmotor/motor/body_parts.h>
 #include <ringmotor/motor/contact_bodies.h>
 #include <ringmotor/motor/relevant.h>
@@ -152,7 +150,7 @@ namespace ringmotor
 
   bool BodyModes::is_generated() const
   {
-    return parameters.modes.body != Body::stator || parameters.stator.mesh_file.empty();
+    return !origin_of_modes(parameters).is_sector;
   }
 
   void BodyModes::make_mesh(const BodyDiscretisation &discretisation)
@@ -171,10 +169,9 @@ namespace ringmotor
     switch (parameters.modes.body)
     {
     case Body::rotor:
-      return make_rotor_sector(rotor_body(parameters), SectorForm::half,
-                               RotorGrading::level(discretisation.level), ranks);
+      return rotor_shape(parameters)->sector(discretisation.level, ranks);
     case Body::tooth:
-      return make_tooth(stator_body(parameters), SectorGrading::level(discretisation.level), ranks);
+      return stator_shape(parameters)->tooth(discretisation.level, ranks);
     case Body::stator:
       break;
     }
@@ -184,16 +181,10 @@ namespace ringmotor
   SectorMesh BodyModes::stator_mesh(const BodyDiscretisation &discretisation,
                                     const MotorModel &model, MPI_Comm ranks) const
   {
-    const unsigned int n_teeth = parameters.motor.n_teeth;
-    if (!is_generated())
-    {
-      SectorMesh stator = read_sector(parameters.stator.mesh_file, n_teeth, ranks);
-      stator.triangulation->refine_global(discretisation.level);
-      return stator;
-    }
-    SectorMesh stator = make_sector(
-        stator_body(parameters), SectorForm::half,
-        discretisation.grading.value_or(SectorGrading::level(discretisation.level)), ranks);
+    SectorMesh stator =
+        discretisation.grading
+            ? make_sector(stator_body(parameters), SectorForm::half, *discretisation.grading, ranks)
+            : stator_shape(parameters)->sector(discretisation.level, ranks);
     add_to_stator(model, stator);
     return stator;
   }
@@ -289,7 +280,8 @@ namespace ringmotor
       motor_wave.add_pass(*mode_search);
     const SectorNodes &nodes = mode_search->sector().nodes();
     if (motor_circuits && nodes.first_potential_dof() == nodes.n_dofs())
-      throw UserError("Stator/Mesh file has no cells of the piezoceramic (physical id 3), which "
+      throw UserError(parameters.stator.file_entry() +
+                      " has no cells of the piezoceramic, which "
                       "Effects/Piezoelectric coupling needs; mark them, or set the effect to off");
     if (circuits() != nullptr)
       motor_circuits->add_pass(*mode_search, *wave());

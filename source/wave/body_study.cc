@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/mesh/body_origin.h>
 #include <ringmotor/motor/relevant.h>
 #include <ringmotor/wave/body_study.h>
 
@@ -21,7 +22,7 @@ namespace ringmotor
       explicit Collection(const Parameters &parameters)
           : is_fixed(parameters.accuracy.mode == AccuracyMode::fixed),
             is_stator(parameters.modes.body == Body::stator),
-            is_read(is_stator && !parameters.stator.mesh_file.empty()), stator(parameters.stator),
+            is_read(origin_of_modes(parameters).is_sector), stator(parameters.stator),
             highest_degree(is_fixed ? parameters.accuracy.polynomial_degree : 4),
             finest_level(is_fixed  ? parameters.accuracy.refinement
                          : is_read ? 1

@@ -135,7 +135,7 @@ TEST(MeshFile, RefusesOtherElements)
   expect_refusal_after(
       [](SmallSector &sector)
       { sector.elements.erase(sector.elements.begin(), sector.elements.begin() + 6); },
-      {"no volume elements", "physical volumes 1 (base), 2 (tooth), 3"});
+      {"no volume elements", "physical volumes 1 (base), 2 (tooth) and 3"});
   expect_refusal_after([](SmallSector &sector) { sector.elements[0].nodes[2] = 99; }, {"damaged"});
 }
 

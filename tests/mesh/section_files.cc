@@ -84,11 +84,11 @@ namespace
   };
 
   void expect_refusal(const SectionText &text, const std::vector<std::string> &words,
-                      const SectionOf body = SectionOf::stator)
+                      const BodyOf body = BodyOf::stator)
   {
     const std::string message = message_of<UserError>([&]() { read(text, body); });
-    EXPECT_EQ(message.find(body == SectionOf::stator ? "Stator/Section file = \""
-                                                     : "Rotor/Section file = \""),
+    EXPECT_EQ(message.find(body == BodyOf::stator ? "Stator/Section file = \""
+                                                  : "Rotor/Section file = \""),
               0u)
         << message;
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
@@ -279,5 +279,5 @@ TEST(SectionFile, RefusesMistakes)
          {"teeth have no curve 'contact'", "Physical Curve"});
   refuse([](SectionText &text) { text.points[9][1] = text.points[8][1] = 3e-3; }, {"not convex"});
   expect_refusal(disc(), {"a surface has the name 'base'", "allowed: rotor, lining or adhesive"},
-                 SectionOf::rotor);
+                 BodyOf::rotor);
 }

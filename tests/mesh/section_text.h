@@ -131,7 +131,7 @@ namespace ringmotor::tests
     return text;
   }
 
-  inline Section read(const SectionText &text, const SectionOf body = SectionOf::stator)
+  inline Section read(const SectionText &text, const BodyOf body = BodyOf::stator)
   {
     const Scratch scratch;
     return read_section(text.write(scratch), body);

@@ -201,7 +201,7 @@ TEST(RevolvedBody, OfDimensionsIsReadAsItWasWritten)
   const Scratch scratch;
   const RevolvedBody body = stator_body(StatorGeometry(), 90);
   const std::string file  = SectionText(body.section, names_of_stator()).write(scratch);
-  RevolvedBody read_body{read_section(file, SectionOf::stator), {}};
+  RevolvedBody read_body{read_section(file, BodyOf::stator), {}};
   read_body.slots = slots_of(read_body.section, 90, StatorGeometry().slot_width);
   const SectorMesh made =
                        make_sector(body, SectorForm::half, SectorGrading::level(2), MPI_COMM_SELF),
@@ -259,7 +259,7 @@ TEST(Section, LosesLinesThatOnlyDivide)
                        {3, "rotor", {3, 4, 7, 6}},  {3, "rotor", {4, 5, 8, 7}},
                        {1, "contact", {0, 1}},      {1, "contact", {1, 2}},
                        {1, "pressed", {6, 7}},      {1, "pressed", {7, 8}}};
-  const auto merged = [&]() { return without_lines_from(ids::lip, read(text, SectionOf::rotor)); };
+  const auto merged = [&]() { return without_lines_from(ids::lip, read(text, BodyOf::rotor)); };
   EXPECT_EQ(merged().cells.size(), 2u);
   EXPECT_NEAR(area(merged()), 15e-6, 1e-18);
   EXPECT_NEAR(circumference(merged()), 16e-3, 1e-15);

@@ -10,7 +10,7 @@
 
 #include <ringmotor/condensation/interface_compliance.h>
 #include <ringmotor/mesh/check_contact.h>
-#include <ringmotor/mesh/contact_line.h>
+#include <ringmotor/mesh/body_shape.h>
 #include <ringmotor/mesh/ids.h>
 #include <ringmotor/motor/condensed_motor.h>
 #include <ringmotor/motor/contact_bodies.h>
@@ -116,7 +116,7 @@ TEST(SectionMotor, TellsWhereItsBodiesTouch)
     EXPECT_EQ(lip.radii.inner, motor.rotor.lip_inner_radius);
     EXPECT_EQ(lip.radii.outer, motor.rotor.lip_outer_radius);
     EXPECT_NEAR(lip.lowest, 0., 1e-15);
-    EXPECT_NEAR(rise_to_contact(rotor_body(motor), stator_body(motor)),
+    EXPECT_NEAR(rise_to_contact(*rotor_shape(motor), *stator_shape(motor)),
                 motor.stator.base_thickness + motor.stator.tooth_height, 1e-15);
   }
   for (const ElementKind ceramic : {ElementKind::solid, ElementKind::shell})

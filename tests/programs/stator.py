@@ -165,15 +165,6 @@ class Sections(unittest.TestCase):
 
 
 class Mistakes(unittest.TestCase):
-    def test_contact_reads_sections_but_no_meshes_of_sectors(self):
-        contact = pathlib.Path(PROGRAM).with_name("contact")
-        done = run(contact, ROOT / "prm" / "disc60.prm", "--check")
-        self.assertEqual(done.returncode, 0, done.stderr)
-        done = run(contact, ROOT / "prm" / "soft_spring_mesh.prm", "--check")
-        self.assertEqual(done.returncode, 1)
-        self.assertIn("Stator/Mesh file", done.stderr)
-        self.assertIn("not available in the program contact", done.stderr)
-
     def refused(self, status, expected, *arguments, **limits):
         """One line that contains `expected`, the status, and no results."""
         with tempfile.TemporaryDirectory() as case:

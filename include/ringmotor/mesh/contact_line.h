@@ -31,10 +31,9 @@ namespace ringmotor
    * lip or lining. */
   ContactLine contact_line(const RevolvedBody &body);
 
-  /** m, by which a rotor is raised to lie on the tooth tops of a stator. */
-  double rise_to_contact(const RevolvedBody &rotor, const RevolvedBody &stator);
+  /** Ranges in ascending order; those that continue each other are one. */
+  std::vector<RadialRange> joined(std::vector<RadialRange> ranges);
 
-  /** The radii of the lower faces of a stator that lie on the felt, in ascending order; those that
-   * continue each other are one. */
+  /** The radii of the lower faces of a stator that lie on the felt, see joined(). */
   std::vector<RadialRange> radii_on_felt(const RevolvedBody &stator);
 } // namespace ringmotor

@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/mesh/body_origin.h>
 #include <ringmotor/mesh/section.h>
 
 #include <string>
 
 namespace ringmotor
 {
-  /** The bodies that a section can be of. */
-  enum class SectionOf
-  {
-    stator,
-    rotor
-  };
-
   /**
    * Reads a cross-section from a Gmsh file (see read_gmsh()): quadrilaterals with x = r, y = z (m);
    * those of second order are split, see with_split_elements(). Physical surfaces are the parts of
@@ -27,5 +21,5 @@ namespace ringmotor
    * convex or lie on one another, names of edges inside, contact lines that are missing or not a
    *         line that faces the other body, and shells that shell_line() refuses.
    */
-  Section read_section(const std::string &file, const SectionOf body);
+  Section read_section(const std::string &file, const BodyOf body);
 } // namespace ringmotor

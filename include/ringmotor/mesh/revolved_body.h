@@ -43,8 +43,4 @@ namespace ringmotor
    * without stiffness and shells without thickness or the other way round, and for shells that are
    * not tied to the body, see shell_line() and name_shell_root() */
   RevolvedBody rotor_body(const Parameters &parameters);
-
-  /** Reads the sections that the parameters name. @throws UserError as above, and for an amplitude
-   * of the wave that is not small compared to the stator's height */
-  void check_bodies(const Parameters &parameters);
 } // namespace ringmotor

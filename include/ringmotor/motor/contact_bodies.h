@@ -29,11 +29,13 @@ namespace ringmotor
 
     static constexpr unsigned int finest_level = 4;
     /**
-     * Discretisations 0 to #finest_level, of increasing accuracy. The bodies touch in a band a few
-     * micrometres wide at the lip's outer edge: layers of cells shrink towards it and towards the
-     * sides of the teeth. In turn a layer across the lip, the degree, a layer around the tooth and
-     * one more across the lip are added; cells also shrink towards the singular edges where flange
-     * and ring meet, so that each step shows their error, too.
+     * Discretisations 0 to #finest_level, of increasing accuracy; how they cut the cells of a body
+     * that is read from a file tell StatorShape::contact_tooth() and RotorShape::contact_sector().
+     * The bodies touch in a band a few micrometres wide at the lip's outer edge: layers of cells
+     * shrink towards it and towards the sides of the teeth. In turn a layer across the lip, the
+     * degree, a layer around the tooth and one more across the lip are added; cells also shrink
+     * towards the singular edges where flange and ring meet, so that each step shows their error,
+     * too.
      */
     static ContactDiscretisation level(const unsigned int level);
   };
@@ -69,8 +71,8 @@ namespace ringmotor
   {
     RotorBody(const Parameters &parameters, const ContactDiscretisation &discretisation);
 
-    /** Its lip is the interface; the preload on the edges ids::ring_top of its section and the
-     * torque on the edges ids::ring_bore, along which the rotor is almost free to move, are
+    /** Its lip is the interface; the preload on the faces ids::ring_top and the torque
+     * on the faces ids::ring_bore, along which the rotor is almost free to move, are
      * supports 0 and 1. */
     Condensation condensed(const bool with_interior = false) const;
 
@@ -89,10 +91,6 @@ namespace ringmotor
     const ContactSurface lip;
     const SectorSurface whole_lip;
     const bool has_bars;
-
-  private:
-    RotorBody(const RevolvedBody &rotor, const Materials &materials,
-              const ContactDiscretisation &discretisation);
   };
 
   /** The displacements of a mode on a surface, the real field, then the imaginary one.

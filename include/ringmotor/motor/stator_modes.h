@@ -11,6 +11,8 @@
 
 namespace ringmotor
 {
+  class StatorShape;
+
   /** The finite element model of one sector of the whole stator, and that of its tooth alone,
    * clamped at its foot, on the same cells. */
   struct StatorBody
@@ -29,7 +31,7 @@ namespace ringmotor
     const bool is_clamped; ///< somewhere on the base
 
   private:
-    StatorBody(const RevolvedBody &stator, const Parameters &parameters, const unsigned int level);
+    StatorBody(const StatorShape &stator, const Parameters &parameters, const unsigned int level);
   };
 
   /**

@@ -64,7 +64,7 @@ namespace ringmotor
   /**
    * The rotor: a ring, a flange spring running inwards from it, and a lip at the flange's inner end
    * that touches the teeth. Lengths in m; heights are above the plane of the tooth tops. The
-   * dimensions describe the rotor only while #section_file is empty.
+   * dimensions describe the rotor only while #section_file and #mesh_file are empty.
    */
   struct RotorGeometry
   {

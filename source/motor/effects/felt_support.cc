@@ -30,10 +30,7 @@ namespace ringmotor::effects
                           "felt");
         if (!felt.has_felt())
           return;
-        if (!stator.mesh_file.empty())
-          throw UserError(given(parameters) + " is incompatible with " + stator.file_entry() +
-                          "; allowed: off");
-        if (!stator.has_dimensions()) // the edges of the section named felt
+        if (!stator.has_dimensions()) // the faces named felt
           return;
         if (felt.felt_inner_radius.value_or(0.) > stator.base_inner_radius ||
             felt.felt_outer_radius.value_or(stator.base_outer_radius) < stator.base_outer_radius)

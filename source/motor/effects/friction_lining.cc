@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <ringmotor/mesh/contact_line.h>
+#include <ringmotor/mesh/body_shape.h>
 #include <ringmotor/motor/effects/list.h>
 #include <ringmotor/parameters/errors.h>
 
@@ -48,7 +48,7 @@ namespace ringmotor::effects
         if (!is_given(parameters.friction))
           return 0.;
         constexpr double share = 0.1;
-        const double area      = share * contact_line(rotor_body(parameters)).radii.area();
+        const double area      = share * rotor_shape(parameters)->contact_line().radii.area();
         return parameters.loading.preload / area / *parameters.friction.lining_normal_stiffness /
                parameters.wave.amplitude;
       }

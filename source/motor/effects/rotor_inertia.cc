@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <ringmotor/mesh/revolved_body.h>
+#include <ringmotor/mesh/body_shape.h>
 #include <ringmotor/motor/effects/list.h>
 #include <ringmotor/motor/lip_amplification.h>
 #include <ringmotor/motor/ring_modes.h>
@@ -23,7 +23,7 @@ namespace ringmotor::effects
       {
         if (is_marched(parameters))
           // Tilt and shift would be one coupled motion with two inertias.
-          return rotor_body(parameters).bar_stiffness == 0.
+          return rotor_shape(parameters)->bar_stiffness() == 0.
                      ? " is not available with Rotor/Radial bar stiffness = 0 when the motor is "
                        "marched through time: nothing centres the rotor; allowed: off, or radial "
                        "bars"

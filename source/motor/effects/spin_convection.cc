@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <ringmotor/mesh/contact_line.h>
+#include <ringmotor/mesh/body_shape.h>
 #include <ringmotor/motor/condensed_motor.h>
 #include <ringmotor/motor/effects/list.h>
 
@@ -33,7 +33,7 @@ namespace ringmotor::effects
       {
         if (!scene.wave)
           return {};
-        const double radius = contact_line(rotor_body(scene.parameters)).radii.outer;
+        const double radius = rotor_shape(scene.parameters)->contact_line().radii.outer;
         const auto top      = scene.wave->top(dealii::Point<3>(radius, 0., 0.));
         return scene.wave->n_waves * std::abs(top[1]) / radius;
       }
