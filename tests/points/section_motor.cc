@@ -9,8 +9,8 @@
 #include "support/motor_model.h"
 
 #include <ringmotor/condensation/interface_compliance.h>
-#include <ringmotor/mesh/check_contact.h>
 #include <ringmotor/mesh/body_shape.h>
+#include <ringmotor/mesh/check_contact.h>
 #include <ringmotor/mesh/ids.h>
 #include <ringmotor/motor/condensed_motor.h>
 #include <ringmotor/motor/contact_bodies.h>
