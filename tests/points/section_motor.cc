@@ -8,8 +8,8 @@
 #include "mesh/section_text.h"
 #include "support/motor_model.h"
 
-#include <ringmotor/mesh/check_contact.h>
 #include <ringmotor/mesh/body_shape.h>
+#include <ringmotor/mesh/check_contact.h>
 #include <ringmotor/mesh/ids.h>
 #include <ringmotor/motor/condensed_motor.h>
 #include <ringmotor/motor/rotor_loss.h>
