@@ -39,7 +39,7 @@ namespace ringmotor
                                  : std::vector{ids::lip, ids::ring_top, ids::ring_bore,
                                                ids::radial_bars, ids::clamped})
         names.emplace_back(name_of_edge(edge), edge);
-      if (body == SectionOf::rotor)
+      if (body == BodyOf::rotor)
         names.emplace_back("shell", ids::shell_root);
       return names;
     }

@@ -186,7 +186,7 @@ TEST(ContactSections, MayHaveAShell)
                   of.rotor.elements.push_back({3, "rotor", {14, 15, 7, 3}});
                 })),
             "nothing thrown");
-  const Section section = read(shell_rotor(), SectionOf::rotor);
+  const Section section = read(shell_rotor(), BodyOf::rotor);
   EXPECT_EQ(section.points.size(), 10u); // those of the cells
   ASSERT_EQ(section.shell.points.size(), 3u);
   EXPECT_EQ(section.shell.n_in_contact, 1u);

@@ -196,8 +196,14 @@ TEST(LossQuantities, AreInTheirTableAndInTheSummary)
 {
   PointLosses losses{some_point(), {}, {}};
   losses.point.result.speed = 10.;
-  losses.budget = {2e-6, {0.5, 0.04, "mesh"}, {0.1, 0.02, "mesh"}, 0.2, {0.03, 1e-3, "mesh"}, 0.04,
-                   0.05};
+  losses.budget             = {2e-6,
+                               {0.5, 0.04, "mesh"},
+                               {0.1, 0.02, "mesh"},
+                               0.2,
+                               {0.03, 1e-3, "mesh"},
+                               {0.01, 1e-3, "mesh"},
+                               0.04,
+                               0.05};
   losses.budget.rotor_metal = Estimate(0.01);
   losses.budget.lining      = Estimate(0.03);
   const Scratch scratch;
