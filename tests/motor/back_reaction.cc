@@ -50,7 +50,9 @@ TEST(StatorBackReaction, TunesTheWaveAsRayleighSays)
     EXPECT_LT(30e3 * shift, 150.);
     for (const auto &effect : all_effects())
       if (effect->name == "Stator back-reaction")
+      {
         EXPECT_NEAR(*effect->indicator({parameters, &wave, {}}), shift, 0.1 * shift);
+      }
     // Static compliance and friction are rate-independent: all speeds increase in proportion.
     EXPECT_NEAR(own.result.speed / given.result.speed, 1. + shift, 1e-6);
     EXPECT_NEAR(own.result.friction_loss() / given.result.friction_loss(), 1. + shift, 1e-5);
