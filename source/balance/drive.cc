@@ -4,6 +4,7 @@
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/parameters/short_text.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 
@@ -136,8 +137,10 @@ namespace ringmotor
     drive.electrical_efficiency = budget.output / drive.electrical_input;
     if (budget.output.value <= 0. || input <= 0.)
       drive.electrical_efficiency.value = 0.;
-    drive.imbalance =
-        std::abs(input - budget.input().value - drive.dielectric_loss.value) / std::abs(input);
+    // What the contact leaves open is small against the power that it exchanges with the wave, see
+    // OperatingPoint::power_imbalance(), which without load is more than the input.
+    drive.imbalance = std::abs(input - budget.input().value - drive.dielectric_loss.value) /
+                      std::max(std::abs(input), result.gross_power);
     return drive;
   }
 

@@ -40,6 +40,7 @@ namespace ringmotor
     /** How far the voltage that the amplitude needs is from the given one, relative. */
     double voltage_mismatch = 0.;
     double imbalance = 0.; ///< electrical input less output and all losses, relative to the input
+                           ///< or the power that the contact exchanges with the wave if larger
 
     /** For all outputs. */
     std::vector<Quantity> quantities() const;
