@@ -190,9 +190,7 @@ namespace ringmotor
 
     bool ToothCheck::is_on_cut(const Face &face) const
     {
-      return face->at_boundary() &&
-             (face->boundary_id() == ids::cut || face->boundary_id() == ids::cut_low ||
-              face->boundary_id() == ids::cut_high);
+      return face->at_boundary() && ids::is_cut(face->boundary_id());
     }
 
     void ToothCheck::ceramic() const

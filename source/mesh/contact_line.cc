@@ -6,7 +6,6 @@
 #include <deal.II/base/numbers.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace ringmotor
 {
@@ -37,30 +36,31 @@ namespace ringmotor
         ends.emplace_back(shell.points[i][0], shell.points[i][1] - 0.5 * body.shell_thickness);
       return ends;
     }
-
-    RadialRange radii_of(const Section &section, const Section::Edge &edge)
-    {
-      const auto [inner, outer] =
-          std::minmax(section.points[edge.first][0], section.points[edge.second][0]);
-      return {inner, outer};
-    }
   } // namespace
+
+  RadialRange radii_around(const std::vector<Point<2>> &places)
+  {
+    if (places.empty())
+      return {};
+    const auto [inner, outer] =
+        std::minmax_element(places.begin(), places.end(),
+                            [](const Point<2> &a, const Point<2> &b) { return a[0] < b[0]; });
+    return {(*inner)[0], (*outer)[0]};
+  }
+
+  ContactLine contact_line_through(const std::vector<Point<2>> &places)
+  {
+    if (places.empty())
+      return {};
+    const auto [lowest, highest] =
+        std::minmax_element(places.begin(), places.end(),
+                            [](const Point<2> &a, const Point<2> &b) { return a[1] < b[1]; });
+    return {radii_around(places), (*lowest)[1], (*highest)[1]};
+  }
 
   ContactLine contact_line(const RevolvedBody &body)
   {
-    const std::vector<Point<2>> ends = ends_in_contact(body);
-    if (ends.empty())
-      return {};
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    ContactLine line{{infinity, 0.}, infinity, -infinity};
-    for (const Point<2> &end : ends)
-    {
-      line.radii.inner = std::min(line.radii.inner, end[0]);
-      line.radii.outer = std::max(line.radii.outer, end[0]);
-      line.lowest      = std::min(line.lowest, end[1]);
-      line.highest     = std::max(line.highest, end[1]);
-    }
-    return line;
+    return contact_line_through(ends_in_contact(body));
   }
 
   std::vector<RadialRange> joined(std::vector<RadialRange> ranges)
@@ -81,7 +81,8 @@ namespace ringmotor
     std::vector<RadialRange> all;
     for (const types::boundary_id name : {ids::bottom, ids::skin})
       for (const Section::Edge &edge : stator.section.edges_named(name))
-        all.push_back(radii_of(stator.section, edge));
+        all.push_back(
+            radii_around({stator.section.points[edge.first], stator.section.points[edge.second]}));
     return joined(std::move(all));
   }
 } // namespace ringmotor

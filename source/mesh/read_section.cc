@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/mesh/body_names.h>
 #include <ringmotor/mesh/check_section.h>
 #include <ringmotor/mesh/gmsh_mesh.h>
 #include <ringmotor/mesh/ids.h>
@@ -18,38 +19,12 @@ namespace ringmotor
 
   namespace
   {
-    using Names = std::vector<std::pair<std::string, unsigned int>>;
-
-    Names parts_of(const BodyOf body)
+    BodyNames names_of_edges(const BodyOf body)
     {
-      Names names;
-      for (const auto part : body == BodyOf::stator
-                                 ? std::vector{ids::base, ids::tooth, ids::piezoceramic}
-                                 : std::vector{ids::rotor, ids::lining, ids::adhesive})
-        names.emplace_back(name_of_part(part), part);
-      return names;
-    }
-
-    /** The contact first. */
-    Names edges_of(const BodyOf body)
-    {
-      Names names;
-      for (const auto edge : body == BodyOf::stator
-                                 ? std::vector{ids::tooth_top, ids::clamped, ids::bottom}
-                                 : std::vector{ids::lip, ids::ring_top, ids::ring_bore,
-                                               ids::radial_bars, ids::clamped})
-        names.emplace_back(name_of_edge(edge), edge);
+      BodyNames names = names_of_faces(body);
       if (body == BodyOf::rotor)
         names.emplace_back("shell", ids::shell_root);
       return names;
-    }
-
-    std::string list_of(const Names &names)
-    {
-      std::string list;
-      for (const auto &[name, id] : names)
-        list += (list.empty() ? "" : name == names.back().first ? " or " : ", ") + name;
-      return list;
     }
 
     /** Makes a section from the elements of a file. */
@@ -57,7 +32,7 @@ namespace ringmotor
     {
     public:
       SectionReader(const GmshMesh &mesh, const BodyOf body)
-          : mesh(mesh), parts(parts_of(body)), edges(edges_of(body)), body(body),
+          : mesh(mesh), parts(names_of_parts(body)), edges(names_of_edges(body)), body(body),
             point_of_node(mesh.nodes.size(), numbers::invalid_unsigned_int)
       {
       }
@@ -100,7 +75,7 @@ namespace ringmotor
         return sum;
       }
 
-      unsigned int id_of(const Element &element, const long dimension, const Names &names,
+      unsigned int id_of(const Element &element, const long dimension, const BodyNames &names,
                          const std::string &what) const
       {
         const std::string name = mesh.name_of(dimension, element);
@@ -287,7 +262,7 @@ namespace ringmotor
       }
 
       const GmshMesh &mesh;
-      const Names parts, edges;
+      const BodyNames parts, edges;
       const BodyOf body;
       std::vector<unsigned int> point_of_node;
       Section section;

@@ -9,8 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 
 namespace ringmotor
 {
@@ -20,16 +18,18 @@ namespace ringmotor
   {
     using Face = Triangulation<3>::face_iterator;
 
-    bool is_on_plane(const Face &face)
-    {
-      const types::boundary_id id = face->boundary_id();
-      return id == ids::mirror || id == ids::cut || id == ids::cut_low || id == ids::cut_high;
-    }
-
     /** (r, z) of a place (r, theta, z). */
     Point<2> meridional(const Point<3> &place)
     {
       return Point<2>(place[0], place[2]);
+    }
+
+    std::vector<Point<2>> corners_of(const Face &face)
+    {
+      std::vector<Point<2>> corners;
+      for (unsigned int i = 0; i < 4; ++i)
+        corners.push_back(meridional(cylindrical(face->vertex(i))));
+      return corners;
     }
 
     double turn(const Point<2> &from, const Point<2> &over, const Point<2> &to)
@@ -81,14 +81,6 @@ namespace ringmotor
       return false;
     }
 
-    double mean_radius_of(const Face &face)
-    {
-      double radius = 0.;
-      for (unsigned int i = 0; i < 4; ++i)
-        radius += 0.25 * cylindrical(face->vertex(i))[0];
-      return radius;
-    }
-
     /** What the mesh of a file tells of its body; @p Shape is that of the stator or the rotor. */
     template <typename Shape>
     class ReadShape : public Shape
@@ -113,19 +105,14 @@ namespace ringmotor
 
       ContactLine contact_line() const override
       {
-        constexpr double infinity = std::numeric_limits<double>::infinity();
-        ContactLine line{{infinity, 0.}, infinity, -infinity};
+        std::vector<Point<2>> places;
         for (const types::boundary_id name : {ids::tooth_top, ids::lip})
           for (const Face &face : faces(name))
-            for (unsigned int i = 0; i < 4; ++i)
-            {
-              const Point<3> place = cylindrical(face->vertex(i));
-              line.radii.inner     = std::min(line.radii.inner, place[0]);
-              line.radii.outer     = std::max(line.radii.outer, place[0]);
-              line.lowest          = std::min(line.lowest, place[2]);
-              line.highest         = std::max(line.highest, place[2]);
-            }
-        return line.radii.is_empty() ? ContactLine() : line;
+          {
+            const std::vector<Point<2>> corners = corners_of(face);
+            places.insert(places.end(), corners.begin(), corners.end());
+          }
+        return contact_line_through(places);
       }
 
       bool has_whole_contact() const override
@@ -149,15 +136,12 @@ namespace ringmotor
 
       RadialRange radii_of(const types::material_id part) const override
       {
-        RadialRange radii{std::numeric_limits<double>::infinity(), 0.};
+        std::vector<Point<2>> places;
         for (const auto &cell : mesh.triangulation->active_cell_iterators())
           for (const unsigned int i : cell->vertex_indices())
             if (cell->material_id() == part)
-            {
-              radii.inner = std::min(radii.inner, cylindrical(cell->vertex(i))[0]);
-              radii.outer = std::max(radii.outer, cylindrical(cell->vertex(i))[0]);
-            }
-        return radii;
+              places.push_back(meridional(cylindrical(cell->vertex(i))));
+        return radii_around(places);
       }
 
       Meridian meridian() const override
@@ -171,7 +155,8 @@ namespace ringmotor
             corners.push_back(meridional(cylindrical(cell->vertex(i))));
           meridian.cells.push_back(hull_of(corners));
           for (const auto &face : cell->face_iterators())
-            for (unsigned int i = 0; i < 4 && face->at_boundary() && !is_on_plane(face); ++i)
+            for (unsigned int i = 0;
+                 i < 4 && face->at_boundary() && !ids::is_plane(face->boundary_id()); ++i)
             {
               const Point<2> from = meridional(cylindrical(face->line(i)->vertex(0))),
                              to   = meridional(cylindrical(face->line(i)->vertex(1)));
@@ -180,6 +165,13 @@ namespace ringmotor
             }
         }
         return meridian;
+      }
+
+      SectorMesh sector(const unsigned int level, MPI_Comm communicator) const override
+      {
+        SectorMesh copy = copy_of(mesh, communicator);
+        copy.triangulation->refine_global(level);
+        return copy;
       }
 
     protected:
@@ -205,8 +197,8 @@ namespace ringmotor
       {
         for (const auto &cell : mesh.triangulation->active_cell_iterators())
           for (const auto &face : cell->face_iterators())
-            if (cell->material_id() == ids::tooth && face->at_boundary() && is_on_plane(face) &&
-                face->boundary_id() != ids::mirror)
+            if (cell->material_id() == ids::tooth && face->at_boundary() &&
+                ids::is_cut(face->boundary_id()))
               return false;
         return true;
       }
@@ -215,23 +207,8 @@ namespace ringmotor
       {
         std::vector<RadialRange> ranges;
         for (const Face &face : faces(ids::bottom))
-        {
-          RadialRange radii{std::numeric_limits<double>::infinity(), 0.};
-          for (unsigned int i = 0; i < 4; ++i)
-          {
-            radii.inner = std::min(radii.inner, cylindrical(face->vertex(i))[0]);
-            radii.outer = std::max(radii.outer, cylindrical(face->vertex(i))[0]);
-          }
-          ranges.push_back(radii);
-        }
+          ranges.push_back(radii_around(corners_of(face)));
         return joined(ranges);
-      }
-
-      SectorMesh sector(const unsigned int level, MPI_Comm communicator) const override
-      {
-        SectorMesh copy = copy_of(mesh, communicator);
-        copy.triangulation->refine_global(level);
-        return copy;
       }
 
       SectorMesh tooth(const unsigned int level, MPI_Comm communicator) const override
@@ -268,13 +245,6 @@ namespace ringmotor
 
       double bar_stiffness() const override { return stiffness_of_bars; }
 
-      SectorMesh sector(const unsigned int level, MPI_Comm communicator) const override
-      {
-        SectorMesh copy = copy_of(mesh, communicator);
-        copy.triangulation->refine_global(level);
-        return copy;
-      }
-
       SectorMesh contact_sector(const RotorGrading &grading, const InterfaceGrading &lip,
                                 MPI_Comm communicator) const override
       {
@@ -291,7 +261,7 @@ namespace ringmotor
         double area = 0., moment = 0.;
         for (const Face &face : faces(ids::radial_bars))
         {
-          const double radius = mean_radius_of(face), of_face = area_of(face, radius);
+          const double radius = mean_place_of_corners(face)[0], of_face = area_of(face, radius);
           area += of_face;
           moment += radius * of_face;
         }

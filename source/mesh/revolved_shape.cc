@@ -49,17 +49,12 @@ namespace ringmotor
 
       RadialRange radii_of(const types::material_id part) const override
       {
-        RadialRange radii;
+        std::vector<Point<2>> places;
         for (const Section::Cell &cell : body.section.cells)
           for (const unsigned int corner : cell.corners)
             if (cell.part == part)
-            {
-              const double radius = body.section.points[corner][0];
-              radii               = radii.outer == 0. ? RadialRange{radius, radius}
-                                                      : RadialRange{std::min(radii.inner, radius),
-                                                      std::max(radii.outer, radius)};
-            }
-        return radii;
+              places.push_back(body.section.points[corner]);
+        return radii_around(places);
       }
 
       Meridian meridian() const override

@@ -109,7 +109,8 @@ namespace ringmotor
           edge->set_boundary_id(ids::shell_root);
       mesh.shell->set_all_manifold_ids(0);
       mesh.shell->set_manifold(0, CylindricalManifold<2, 3>(2));
-      mesh.sections[ids::rotor] = mesh.sections[ids::lip_shell] = {rotor.shell_thickness, 0.};
+      for (const types::material_id part : parts)
+        mesh.sections[part] = {rotor.shell_thickness, 0.};
     }
   } // namespace
 

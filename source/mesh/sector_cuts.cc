@@ -72,10 +72,8 @@ namespace ringmotor
       /** Whether the line has a larger coordinate than the middle of the face, between arcs. */
       bool is_beyond_face(const unsigned int coordinate) const
       {
-        double middle = 0.;
-        for (unsigned int i = 0; i < 4; ++i)
-          middle += 0.25 * cylindrical(cell->face(face)->vertex(i))[coordinate];
-        return 0.5 * (end(0) + end(1))[coordinate] > middle;
+        return 0.5 * (end(0) + end(1))[coordinate] >
+               mean_place_of_corners(cell->face(face))[coordinate];
       }
       /** Chooses the cells of the face at the line, away from it. */
       void choose(SheetCuts &cuts) const
@@ -162,9 +160,7 @@ namespace ringmotor
         for (const unsigned int face : cell->face_indices())
           if (cell->at_boundary(face))
           {
-            const types::boundary_id id = cell->face(face)->boundary_id();
-            const bool is_plane =
-                id == ids::mirror || id == ids::cut || id == ids::cut_low || id == ids::cut_high;
+            const bool is_plane = ids::is_plane(cell->face(face)->boundary_id());
             for (unsigned int i = 0; i < 4; ++i)
               (is_plane ? on_planes : outer)
                   .insert(cell->line_index(GeometryInfo<3>::face_to_cell_lines(face, i)));
@@ -250,9 +246,7 @@ namespace ringmotor
     for_each_face(mesh, contact,
                   [&](const Cell &cell, const unsigned int face)
                   {
-                    double middle = 0.; // that of an arc's ends
-                    for (unsigned int i = 0; i < 4; ++i)
-                      middle += 0.25 * cylindrical(cell->face(face)->vertex(i))[0];
+                    const double middle = mean_place_of_corners(cell->face(face))[0];
                     if (middle < radii.inner || middle > radii.outer)
                       cell->face(face)->set_boundary_id(ids::free);
                   });

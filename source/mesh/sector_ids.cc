@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/mesh/body_names.h>
 #include <ringmotor/mesh/ids.h>
 #include <ringmotor/mesh/places.h>
-#include <ringmotor/mesh/section.h>
 #include <ringmotor/mesh/sector_ids.h>
 
 #include <algorithm>
@@ -33,38 +33,15 @@ namespace ringmotor
   namespace
   {
     using Element = GmshMesh::Element;
-    using Names   = std::vector<std::pair<std::string, long>>;
-
-    Names names_of_volumes(const BodyOf body)
+    BodyNames names_of_surfaces(const BodyOf body)
     {
-      Names names;
-      for (const auto part : body == BodyOf::stator
-                                 ? std::vector{ids::base, ids::tooth, ids::piezoceramic}
-                                 : std::vector{ids::rotor, ids::lining, ids::adhesive})
-        names.emplace_back(name_of_part(part), part);
+      BodyNames names{{"mirror", ids::mirror},
+                      {"cut", ids::cut},
+                      {"cut low", ids::cut_low},
+                      {"cut high", ids::cut_high}};
+      const BodyNames faces = names_of_faces(body);
+      names.insert(names.end(), faces.begin(), faces.end());
       return names;
-    }
-
-    Names names_of_surfaces(const BodyOf body)
-    {
-      Names names{{"mirror", ids::mirror},
-                  {"cut", ids::cut},
-                  {"cut low", ids::cut_low},
-                  {"cut high", ids::cut_high}};
-      for (const auto surface : body == BodyOf::stator
-                                    ? std::vector{ids::tooth_top, ids::clamped, ids::bottom}
-                                    : std::vector{ids::lip, ids::ring_top, ids::ring_bore,
-                                                  ids::radial_bars, ids::clamped})
-        names.emplace_back(name_of_edge(surface), surface);
-      return names;
-    }
-
-    std::string list_of(const Names &names)
-    {
-      std::string list;
-      for (const auto &[name, id] : names)
-        list += (list.empty() ? "" : name == names.back().first ? " or " : ", ") + name;
-      return list;
     }
 
     /** Takes those of the elements of one dimension. */
@@ -73,7 +50,7 @@ namespace ringmotor
     public:
       IdsOfDimension(GmshMesh &mesh, const BodyOf body, const long dimension)
           : mesh(mesh), body(body), dimension(dimension), is_of_volumes(dimension == 3),
-            names(is_of_volumes ? names_of_volumes(body) : names_of_surfaces(body))
+            names(is_of_volumes ? names_of_parts(body) : names_of_surfaces(body))
       {
         if (body == BodyOf::stator) // files of before there were names
           numbers = is_of_volumes ? std::set<long>{ids::base, ids::tooth, ids::piezoceramic}
@@ -119,7 +96,7 @@ namespace ringmotor
       const BodyOf body;
       const long dimension;
       const bool is_of_volumes;
-      const Names names;
+      const BodyNames names;
       std::set<long> numbers;
     };
   } // namespace

@@ -31,6 +31,25 @@ namespace ringmotor
     return table;
   }
 
+  std::map<types::material_id, double>
+  loss_factor_by_part(const MaterialTable &materials,
+                      const std::map<types::material_id, double> &energies)
+  {
+    double stored = 0.;
+    std::map<types::material_id, double> by_part;
+    for (const auto &[part, energy] : energies)
+      if (const auto material = materials.find(part); material != materials.end())
+      {
+        stored += energy;
+        by_part[part] = energy * material->second.loss_factor;
+      }
+    if (stored <= 0.)
+      return {};
+    for (auto &[part, loss_factor] : by_part)
+      loss_factor /= stored;
+    return by_part;
+  }
+
   bool is_on_felt(const types::boundary_id id)
   {
     return std::find(felt_ids.begin(), felt_ids.end(), id) != felt_ids.end();

@@ -131,25 +131,12 @@ namespace ringmotor
     return values;
   }
 
-  namespace
-  {
-    /** Whether the lip is a shell, whose cells are then a part of their own. */
-    bool touches_with_shell(const SectorMesh &mesh)
-    {
-      if (mesh.shell)
-        for (const auto &cell : mesh.shell->active_cell_iterators())
-          if (cell->material_id() == ids::lip_shell)
-            return true;
-      return false;
-    }
-  } // namespace
-
   RotorBody::RotorBody(const Parameters &parameters, const ContactDiscretisation &discretisation)
       : mesh(rotor_shape(parameters)
                  ->contact_sector(discretisation.rotor, discretisation.lip, MPI_COMM_SELF)),
         sector(mesh, material_table(parameters.materials, Body::rotor), discretisation.degree),
-        lip(touches_with_shell(mesh) ? shell_surface(sector, ids::lip_shell)
-                                     : solid_surface(sector, ids::lip)),
+        lip(mesh.sections.count(ids::lip_shell) > 0 ? shell_surface(sector, ids::lip_shell)
+                                                    : solid_surface(sector, ids::lip)),
         whole_lip(whole_surface(lip, mesh.form)),
         has_bars(mesh.foundations.count(ids::radial_bars) > 0)
   {

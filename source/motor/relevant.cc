@@ -18,17 +18,23 @@ namespace ringmotor
 
   namespace
   {
+    /** Gives some materials the loss factors that they have in @p from. */
+    void set_loss_factors(Parameters &parameters, const Materials &from,
+                          const std::vector<Material Materials::*> &materials)
+    {
+      for (Material Materials::*material : materials)
+        (parameters.materials.*material).loss_factor = (from.*material).loss_factor;
+    }
+
     /** Only the program losses reads them, and the circuits that stator prints. */
     void reset_loss_factors(Parameters &parameters)
     {
       const Piezoelectricity of_ceramic;
       parameters.piezoelectricity.dielectric_loss_factor    = of_ceramic.dielectric_loss_factor;
       parameters.piezoelectricity.piezoelectric_loss_factor = of_ceramic.piezoelectric_loss_factor;
-      const Materials defaults;
-      for (Material Materials::*material :
-           {&Materials::stator_metal, &Materials::piezoceramic, &Materials::rotor_metal,
-            &Materials::target_plate, &Materials::lining, &Materials::adhesive})
-        (parameters.materials.*material).loss_factor = (defaults.*material).loss_factor;
+      set_loss_factors(parameters, Materials(),
+                       {&Materials::stator_metal, &Materials::piezoceramic, &Materials::rotor_metal,
+                        &Materials::target_plate, &Materials::lining, &Materials::adhesive});
     }
 
     /** Whatever drives a wave, its motion at a given amplitude is the same. */
@@ -61,20 +67,17 @@ namespace ringmotor
     /** Restores the loss factors of the rotor's parts. */
     void keep_loss_of_rotor(Parameters &parameters, const Materials &given)
     {
-      Materials &kept              = parameters.materials;
-      kept.rotor_metal.loss_factor = given.rotor_metal.loss_factor;
-      if (parameters.rotor.has_dimensions())
-        return;
-      kept.lining.loss_factor   = given.lining.loss_factor;
-      kept.adhesive.loss_factor = given.adhesive.loss_factor;
+      set_loss_factors(parameters, given, {&Materials::rotor_metal});
+      if (!parameters.rotor.has_dimensions())
+        set_loss_factors(parameters, given, {&Materials::lining, &Materials::adhesive});
     }
 
     /** Restores those of the stator's materials. */
     void keep_loss_of_stator(Parameters &parameters, const Materials &given)
     {
-      for (Material Materials::*material :
-           {&Materials::stator_metal, &Materials::piezoceramic, &Materials::target_plate})
-        (parameters.materials.*material).loss_factor = (given.*material).loss_factor;
+      set_loss_factors(
+          parameters, given,
+          {&Materials::stator_metal, &Materials::piezoceramic, &Materials::target_plate});
     }
 
     /** Resets the entries that only the programs contact and losses read. */

@@ -93,15 +93,10 @@ namespace ringmotor
       loss.metal = parameters.materials.rotor_metal.loss_factor;
       return loss;
     }
-    const std::map<types::material_id, double> energies = energies_of_parts(parameters);
-    double stored                                       = 0.;
-    for (const auto &[part, material] : parts)
-      if (const auto energy = energies.find(part); energy != energies.end())
-        stored += energy->second;
-    for (const auto &[part, material] : parts)
-      if (const auto energy = energies.find(part); energy != energies.end() && stored > 0.)
-        place_of(part, loss) += energy->second / stored * material.loss_factor;
-    if (stored > 0.)
+    const auto by_part = loss_factor_by_part(parts, energies_of_parts(parameters));
+    for (const auto &[part, loss_factor] : by_part)
+      place_of(part, loss) += loss_factor;
+    if (!by_part.empty())
       return loss;
     const auto largest             = std::max_element(parts.begin(), parts.end(),
                                                       [](const auto &a, const auto &b)

@@ -131,12 +131,14 @@ namespace ringmotor
         const double lowest  = frequencies.empty() ? 0. : frequencies.front(),
                      fastest = frequencies.empty() ? 0. : far * frequencies.back();
         std::vector<RingMode> modes;
-        for (const Mode &mode :
-             of_stator.at(k, smooth_loads(body.sector, body.top, k, degrees_of_loads), frequencies))
+        const std::vector<Mode> found =
+            of_stator.at(k, smooth_loads(body.sector, body.top, k, degrees_of_loads), frequencies);
+        const std::vector<double> factors = loss_factors(found);
+        for (std::size_t i = 0; i < found.size(); ++i)
         {
-          modes.push_back(mode_on_surface(body.sector, body.top, body.whole_top.origin, mode,
+          modes.push_back(mode_on_surface(body.sector, body.top, body.whole_top.origin, found[i],
                                           ModePart::stator));
-          modes.back().loss_factor = loss_factor(mode);
+          modes.back().loss_factor = factors[i];
           if (modes.back().angular_frequency > fastest)
             make_constant(modes.back(), lowest);
         }
@@ -162,18 +164,20 @@ namespace ringmotor
             component *= factor;
       }
 
-      /** That of the materials, weighted by their strain energies in a mode. */
-      double loss_factor(const Mode &mode) const
+      /** Those of the materials, weighted by their strain energies in each mode. */
+      std::vector<double> loss_factors(const std::vector<Mode> &modes) const
       {
-        double lost = 0., stored = 0.;
-        for (const auto &[part, energy] :
-             motion_products(body.sector, {&mode.motion}).front().stiffness)
-          if (const auto material = materials.find(part); material != materials.end())
-          {
-            lost += energy * material->second.loss_factor;
-            stored += energy;
-          }
-        return stored > 0. ? lost / stored : 0.;
+        std::vector<const SectorMotion *> motions;
+        for (const Mode &mode : modes)
+          motions.push_back(&mode.motion);
+        std::vector<double> factors;
+        for (const MotionProducts &products : motion_products(body.sector, motions))
+        {
+          factors.push_back(0.);
+          for (const auto &[part, loss_factor] : loss_factor_by_part(materials, products.stiffness))
+            factors.back() += loss_factor;
+        }
+        return factors;
       }
 
       const StatorBody &body;

@@ -9,8 +9,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <sstream>
 #include <string>
+#include <utility>
 
 namespace ringmotor
 {
@@ -233,54 +235,42 @@ namespace ringmotor
 
   OperatingState SteadyDriver::find_or_damp(const RotorLoad &load, const Way first_way) const
   {
-    std::vector<const StepState *> starts{&*next};
-    if (other)
-      starts.push_back(&*other);
-    std::string tried;
-    const auto with_history = [&](OperatingState state, const std::string &how)
-    {
-      if (!tried.empty())
-        state.solution.how = tried + "; " + how + " it did";
-      return state;
-    };
+    // In what order, and how a log names what helped.
+    std::vector<std::pair<std::string, std::function<OperatingState()>>> attempts;
     if (!dynamics)
+      attempts.emplace_back("", [&] { return find(load, *next); });
+    else
+    {
+      for (const Way way : {Way::at_once, Way::by_some_damping})
+        for (const StepState *const start : {&*next, other ? &*other : nullptr})
+          if (start && way >= first_way)
+            // If not at once, it is most often found from the second stage.
+            attempts.emplace_back(
+                way == Way::at_once ? "from the same point with other steps or another mesh"
+                                    : "with a little more damping that is reduced in stages",
+                [&load, this, way, start]
+                { return find_through(load, *start, way == Way::at_once ? 0 : 2); });
+      attempts.emplace_back("with strong damping that is reduced in stages",
+                            [&] { return find(load, by_damping(load, *next, motor.dynamics)); });
+    }
+    attempts.emplace_back(dynamics ? "from the state without inertia" : "from rest",
+                          [&] { return find(load, from_rest(load)); });
+    std::string tried;
+    for (std::size_t i = 0;; ++i)
       try
       {
-        return find(load, *next);
+        OperatingState state = attempts[i].second();
+        if (!tried.empty())
+          state.solution.how = tried + "; " + attempts[i].first + " it did";
+        return state;
       }
       catch (const ComputationError &error)
       {
-        tried = error.what();
-        return with_history(find(load, from_rest(load)), "from rest");
+        if (i + 1 == attempts.size())
+          throw;
+        if (tried.empty())
+          tried = error.what();
       }
-    for (const Way way : {Way::at_once, Way::by_some_damping})
-    {
-      if (way < first_way)
-        continue;
-      for (const StepState *const start : starts)
-        try
-        {
-          // If not at once, it is most often found from the second stage.
-          return with_history(find_through(load, *start, way == Way::at_once ? 0 : 2),
-                              way == Way::at_once
-                                  ? "from the same point with other steps or another mesh"
-                                  : "with a little more damping that is reduced in stages");
-        }
-        catch (const ComputationError &error)
-        {
-          if (tried.empty())
-            tried = error.what();
-        }
-    }
-    try
-    {
-      return with_history(find(load, by_damping(load, *next, motor.dynamics)),
-                          "with strong damping that is reduced in stages");
-    }
-    catch (const ComputationError &)
-    {
-      return with_history(find(load, from_rest(load)), "from the state without inertia");
-    }
   }
 
   OperatingState SteadyDriver::at(const RotorLoad &load, const Way first_way)

@@ -18,27 +18,6 @@ using namespace ringmotor::tests;
 
 namespace
 {
-  /** A hub, a web and a ring with a lining below:
-   *
-   *    4--5--6--7
-   *    0--1--2--3
-   *          8--9
-   */
-  SectionText rotor()
-  {
-    SectionText text;
-    for (const double z : {0., 2e-3})
-      for (const double r : {5e-3, 10e-3, 20e-3, 24e-3})
-        text.points.emplace_back(r, z);
-    text.points.emplace_back(20e-3, -1e-3);
-    text.points.emplace_back(24e-3, -1e-3);
-    text.elements = {{3, "rotor", {0, 1, 5, 4}}, {3, "rotor", {1, 2, 6, 5}},
-                     {3, "rotor", {2, 3, 7, 6}}, {3, "lining", {8, 9, 3, 2}},
-                     {1, "contact", {8, 9}},     {1, "pressed", {4, 5}},
-                     {1, "driven", {0, 4}}};
-    return text;
-  }
-
   /** A ring beside the stator with a stub, and a shell inwards from there:
    *
    *                6--7
@@ -62,7 +41,7 @@ namespace
 
   struct Sections
   {
-    SectionText stator = three_columns(), rotor = ::rotor();
+    SectionText stator = three_columns(), rotor = ring_on_web(5e-3);
     Parameters parameters;
   };
 
@@ -170,6 +149,12 @@ namespace
       change(of);
     };
   }
+
+  /** The same with one more named curve. */
+  std::function<void(Sections &)> with_shell_and(const SectionText::Element &curve)
+  {
+    return with_shell([curve](Sections &of) { of.rotor.elements.push_back(curve); });
+  }
 } // namespace
 
 TEST(ContactSections, MayHaveAShell)
@@ -216,25 +201,12 @@ TEST(ContactSections, NeedAShellThatIsTiedToTheBody)
   expect_refusal(
       with_shell([](Sections &of) { of.rotor.elements.erase(of.rotor.elements.begin() + 8); }),
       {"the curve 'shell' is in pieces"});
-  expect_refusal(with_shell(
-                     [](Sections &of) {
-                       of.rotor.elements.push_back({1, "shell", {13, 4}});
-                     }),
+  expect_refusal(with_shell_and({1, "shell", {13, 4}}),
                  {"the curve 'shell' is in pieces, or branches"});
-  expect_refusal(with_shell(
-                     [](Sections &of) {
-                       of.rotor.elements.push_back({1, "shell", {2, 4}});
-                     }),
+  expect_refusal(with_shell_and({1, "shell", {2, 4}}),
                  {"the curve 'shell' is an edge of a surface"});
-  expect_refusal(with_shell(
-                     [](Sections &of) {
-                       of.rotor.elements.push_back({1, "driven", {0, 1}});
-                     }),
-                 {"has the name 'driven'"});
-  expect_refusal(with_shell(
-                     [](Sections &of) {
-                       of.rotor.elements.push_back({1, "pressed", {11, 10}});
-                     }),
+  expect_refusal(with_shell_and({1, "driven", {0, 1}}), {"has the name 'driven'"});
+  expect_refusal(with_shell_and({1, "pressed", {11, 10}}),
                  {"the curve 'shell' has the name 'pressed', too", "besides shell: contact"});
   expect_refusal(with_shell(
                      [](Sections &of) {
@@ -247,10 +219,7 @@ TEST(ContactSections, NeedAShellThatIsTiedToTheBody)
                  {"does not lead outwards"});
   expect_refusal(with_shell([](Sections &of) { erase(of.rotor, "contact"); }),
                  {"it has no curve 'contact'"});
-  expect_refusal(with_shell(
-                     [](Sections &of) {
-                       of.rotor.elements.push_back({1, "contact", {4, 5}});
-                     }),
+  expect_refusal(with_shell_and({1, "contact", {4, 5}}),
                  {"'contact' lies on the shell and on surfaces"});
   // The shell, which is level with the tooth tops where it touches, dips into a tooth outside.
   expect_refusal(with_shell(

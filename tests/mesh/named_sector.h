@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "mesh/gmsh_text.h"
 #include "output/scratch.h"
 
 #include <ringmotor/mesh/ids.h>
@@ -9,9 +10,7 @@
 #include <ringmotor/mesh/sector_mesh.h>
 
 #include <array>
-#include <fstream>
 #include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -62,30 +61,13 @@ namespace ringmotor::tests
     std::string write(const Scratch &scratch, const std::string &file,
                       const double scale = 1.) const
     {
-      std::map<std::pair<int, std::string>, int> ids;
+      std::vector<dealii::Point<3>> scaled;
+      for (const dealii::Point<3> &x : nodes)
+        scaled.push_back(scale * x);
+      std::vector<GmshTextElement> of_file;
       for (const Element &element : elements)
-        if (!element.name.empty())
-          ids.emplace(std::make_pair(element.dimension, element.name), ids.size() + 1);
-      std::ofstream out(scratch.path(file));
-      out.precision(17);
-      out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n" << ids.size() << "\n";
-      for (const auto &[key, id] : ids)
-        out << key.first << ' ' << id << " \"" << key.second << "\"\n";
-      out << "$EndPhysicalNames\n$Nodes\n" << nodes.size() << "\n";
-      for (unsigned int i = 0; i < nodes.size(); ++i)
-        out << i + 1 << ' ' << scale * nodes[i] << "\n";
-      out << "$EndNodes\n$Elements\n" << elements.size() << "\n";
-      for (unsigned int i = 0; i < elements.size(); ++i)
-      {
-        const auto &[dimension, name, of_element] = elements[i];
-        out << i + 1 << ' ' << (dimension == 3 ? 5 : 3) << " 2 "
-            << (name.empty() ? 0 : ids.at({dimension, name})) << " 1";
-        for (const unsigned int node : of_element)
-          out << ' ' << node + 1;
-        out << "\n";
-      }
-      out << "$EndElements\n";
-      return scratch.path(file);
+        of_file.push_back({element.dimension == 3 ? 5 : 3, element.name, element.nodes});
+      return write_gmsh(scratch.path(file), scaled, of_file);
     }
   };
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "mesh/gmsh_text.h"
 #include "output/scratch.h"
 
 #include <ringmotor/mesh/read_section.h>
 
-#include <fstream>
 #include <map>
 #include <string>
 #include <vector>
@@ -50,32 +50,14 @@ namespace ringmotor::tests
     /** Writes it to a file of the folder and returns its path. */
     std::string write(const Scratch &scratch, const std::string &name = "section.msh") const
     {
-      const auto dimension = [](const Element &element)
-      { return element.kind == 1 || element.kind == 8 ? 1 : 2; };
-      std::map<std::pair<int, std::string>, int> ids;
+      std::vector<dealii::Point<3>> nodes;
+      for (const dealii::Point<2> &x : points)
+        nodes.emplace_back(x[0], x[1], 0.);
+      std::vector<GmshTextElement> of_file;
       for (const Element &element : elements)
-        if (!element.name.empty())
-          ids.emplace(std::make_pair(dimension(element), element.name), ids.size() + 1);
-      std::ofstream file(scratch.path(name));
-      file.precision(17);
-      file << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n" << ids.size() << "\n";
-      for (const auto &[key, id] : ids)
-        file << key.first << ' ' << id << " \"" << key.second << "\"\n";
-      file << "$EndPhysicalNames\n$Nodes\n" << points.size() << "\n";
-      for (unsigned int i = 0; i < points.size(); ++i)
-        file << i + 1 << ' ' << points[i][0] << ' ' << points[i][1] << " 0\n";
-      file << "$EndNodes\n$Elements\n" << elements.size() << "\n";
-      for (unsigned int i = 0; i < elements.size(); ++i)
-      {
-        const Element &element = elements[i];
-        const int id = element.name.empty() ? 0 : ids.at({dimension(element), element.name});
-        file << i + 1 << ' ' << element.kind << " 2 " << id << ' ' << i + 1;
-        for (const int point : element.points)
-          file << ' ' << point + 1;
-        file << "\n";
-      }
-      file << "$EndElements\n";
-      return scratch.path(name);
+        of_file.push_back(
+            {element.kind, element.name, {element.points.begin(), element.points.end()}});
+      return write_gmsh(scratch.path(name), nodes, of_file);
     }
   };
 
@@ -128,6 +110,28 @@ namespace ringmotor::tests
                                  {4 * j + i, 4 * j + i + 1, 4 * j + i + 5, 4 * j + i + 4}});
     for (const int i : {8, 9, 10})
       text.elements.push_back({1, "contact", {i, i + 1}});
+    return text;
+  }
+
+  /** A hub, a web and a ring with a lining below:
+   *
+   *    4--5--6--7
+   *    0--1--2--3
+   *          8--9
+   *
+   * @param hub m, the inner radius */
+  inline SectionText ring_on_web(const double hub)
+  {
+    SectionText text;
+    for (const double z : {0., 2e-3})
+      for (const double r : {hub, 10e-3, 20e-3, 24e-3})
+        text.points.emplace_back(r, z);
+    text.points.emplace_back(20e-3, -1e-3);
+    text.points.emplace_back(24e-3, -1e-3);
+    text.elements = {{3, "rotor", {0, 1, 5, 4}}, {3, "rotor", {1, 2, 6, 5}},
+                     {3, "rotor", {2, 3, 7, 6}}, {3, "lining", {8, 9, 3, 2}},
+                     {1, "contact", {8, 9}},     {1, "pressed", {4, 5}},
+                     {1, "driven", {0, 4}}};
     return text;
   }
 

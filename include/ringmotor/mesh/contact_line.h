@@ -20,12 +20,18 @@ namespace ringmotor
     RadialRange common(const RadialRange &other) const;
   };
 
+  /** From the innermost to the outermost of some places (r, z); empty without any. */
+  RadialRange radii_around(const std::vector<dealii::Point<2>> &places);
+
   /** Where a body can touch the other one, in its section. */
   struct ContactLine
   {
     RadialRange radii;                ///< empty: nowhere
     double lowest = 0., highest = 0.; ///< m, in the body's own coordinates
   };
+
+  /** The line from the innermost to the outermost of some places (r, z). */
+  ContactLine contact_line_through(const std::vector<dealii::Point<2>> &places);
 
   /** The edges in contact of a stator, the tops of its teeth, or of a rotor, the lower face of its
    * lip or lining. */

@@ -43,5 +43,16 @@ namespace ringmotor
 
     // Edges
     constexpr dealii::types::boundary_id target_plate = 30; ///< where a plate is bonded to a tooth
-  }                                                         // namespace ids
+
+    /** Where a sector is cut from its neighbours. */
+    constexpr bool is_cut(const dealii::types::boundary_id id)
+    {
+      return id == cut || id == cut_low || id == cut_high;
+    }
+    /** The planes at which the mesh of a sector ends: its cuts and its mirror plane. */
+    constexpr bool is_plane(const dealii::types::boundary_id id)
+    {
+      return id == mirror || is_cut(id);
+    }
+  } // namespace ids
 } // namespace ringmotor

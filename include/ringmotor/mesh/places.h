@@ -41,6 +41,17 @@ namespace ringmotor
     return dealii::Point<3>(place[0] * std::cos(place[1]), place[0] * std::sin(place[1]), place[2]);
   }
 
+  /** The mean of (r, theta, z) of a face's corners; where its edges are arcs, as far out as their
+   * ends. */
+  template <typename Face>
+  dealii::Point<3> mean_place_of_corners(const Face &face)
+  {
+    dealii::Point<3> mean;
+    for (unsigned int i = 0; i < 4; ++i)
+      mean += 0.25 * cylindrical(face->vertex(i));
+    return mean;
+  }
+
   /** Smallest and largest distance of a mesh's vertices from the axis. */
   std::pair<double, double> range_of_radii(const dealii::Triangulation<3> &triangulation);
 } // namespace ringmotor

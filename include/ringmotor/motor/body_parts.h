@@ -6,6 +6,7 @@
 #include <ringmotor/parameters/parameters.h>
 #include <ringmotor/structure/potential_dofs.h>
 
+#include <map>
 #include <optional>
 
 namespace ringmotor
@@ -14,6 +15,13 @@ namespace ringmotor
    */
   MaterialTable material_table(const Materials &materials, const Body body,
                                const std::optional<PiezoelectricLaw> &ceramic = {});
+
+  /** The loss factor of a body as a sum over its parts: that of each material, weighted with the
+   * share that its part has of their elastic energies. Empty if none stores any.
+   * @param energies by part, in any unit; those of parts without material do not count */
+  std::map<dealii::types::material_id, double>
+  loss_factor_by_part(const MaterialTable &materials,
+                      const std::map<dealii::types::material_id, double> &energies);
 
   /** Lower faces of the stator's solids, bare or with the ceramic ring as a shell. */
   bool is_on_felt(const dealii::types::boundary_id id);
