@@ -18,10 +18,10 @@ using namespace ringmotor::tests;
 
 namespace
 {
-  /** A ring beside the stator with a stub, and a shell inwards from there:
+  /** A ring beside the stator with a short arm, and a shell inwards from there:
    *
    *                6--7
-   *    8--9--- 10= 4--5     the stub between 10 = (0, 1, 2, 3) and 4
+   *    8--9--- 10= 4--5     the arm between 10 = (0, 1, 2, 3) and 4
    *                2--3
    */
   SectionText shell_rotor()
