@@ -54,8 +54,8 @@ namespace ringmotor
     drive.force_factor      = mean(wave.force_factor);
     drive.modal_mass        = wave.modal_mass;
     drive.natural_frequency = 2. * numbers::PI * wave.natural_frequency;
-    drive.internal_loss     = (losses.stator() + losses.support + loss_of_fields(wave, amplitude)) /
-                          (amplitude * amplitude);
+    drive.internal_loss =
+        (losses.of_wave() + loss_of_fields(wave, amplitude)) / (amplitude * amplitude);
     return drive;
   }
 

@@ -56,6 +56,11 @@ namespace ringmotor
     return stator_metal + piezoceramic + stator_vibration;
   }
 
+  Estimate LossBudget::of_wave() const
+  {
+    return stator_metal + piezoceramic + support;
+  }
+
   Estimate LossBudget::total() const
   {
     return friction + stator() + rotor + support;

@@ -41,8 +41,8 @@ namespace ringmotor
     constexpr unsigned int modes_level = 1;
     Parameters with = all_parameters, without = all_parameters;
     with.time.scheme = without.time.scheme = TimeScheme::steady;
-    // It shall be cheap, and the same whatever the steps: long ones do.
-    with.time.n_snapshots = without.time.n_snapshots = 1;
+    // It shall be cheap, and the same whatever the steps.
+    with.time.n_snapshots = without.time.n_snapshots = effect.n_snapshots_to_measure();
     with.effects[effect.name]                        = EffectChoice::on;
     without.effects[effect.name]                     = EffectChoice::off;
     const auto condensed                             = [&](const Parameters &parameters)

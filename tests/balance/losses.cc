@@ -5,6 +5,7 @@
 
 #include "../support/motor_model.h"
 
+#include <ringmotor/balance/drive.h>
 #include <ringmotor/balance/loss_budget.h>
 #include <ringmotor/points/point_finder.h>
 #include <ringmotor/points/rotor_energy.h>
@@ -183,6 +184,40 @@ TEST(LossBudget, AddsUpWithItsErrors)
   EXPECT_NEAR(budget.total().errors.at(causes::wave), 2. * 1e5 * 1e-3 * 4. * 1e-6, 1e-12);
   EXPECT_NEAR(budget.total().errors.at(causes::time_step), 0.01 + 5e-3 * 0.1 + 1.36 * 2. * 0.0025,
               1e-12);
+}
+
+TEST(DrivePoint, PutsInWhatComesOut)
+{
+  // The contact takes output, friction loss, and the losses of all vibrations but the wave from the
+  // wave, which loses 2 omega eta E itself.
+  CurvePoint point;
+  point.result.speed           = 8.;
+  point.result.torque          = 0.05;
+  point.result.tangential_loss = 0.06;
+  point.result.radial_loss     = 0.04;
+  point.rotor_power            = 2.;
+  point.result.stator_damping  = 0.07;
+  point.result.modal_power     = 5e-3 * 2. + 0.07;
+  point.result.input_power     = 0.4 + 0.1 + point.result.modal_power;
+  point.result.gross_power     = 1.;
+  point.result.amplitude       = 2e-6;
+  Materials materials;
+  materials.stator_metal.loss_factor = 1e-3;
+  materials.piezoceramic.loss_factor = 2e-3;
+  Support felt;
+  felt.felt_loss_factor = 0.3;
+  const WaveEnergies energies{2. * M_PI * 4e4, 2e-6, 1e-3, 2e-4, 1e-6};
+  const LossBudget budget = loss_budget(point, energies, materials, RotorLossFactor{5e-3}, felt);
+  DrivenWave wave;
+  wave.amplitude            = 2e-6;
+  wave.natural_frequency    = 4e4;
+  wave.modal_mass           = 0.02;
+  wave.force_factor         = {{0.5, 0.5}};
+  wave.parallel_capacitance = {{5e-9, 5e-9}};
+  const DrivePoint drive    = drive_point(point, budget, wave);
+  const double of_wave      = 2. * 2. * M_PI * 4e4 * (1e-3 * 1e-3 + 2e-3 * 2e-4 + 0.3 * 1e-6);
+  EXPECT_NEAR(drive.electrical_input.value, 0.4 + 0.1 + 0.01 + 0.07 + of_wave, 1e-9);
+  EXPECT_LT(drive.imbalance, 1e-9);
 }
 
 TEST(LossBudget, HasTheRotorsPartsThatThereAre)

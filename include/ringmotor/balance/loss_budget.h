@@ -50,9 +50,10 @@ namespace ringmotor
     /** Parts of #rotor, those that there are if it has several. */
     std::optional<Estimate> rotor_metal{}, lining{}, adhesive{};
 
-    Estimate stator() const; ///< all inside it
-    Estimate total() const;  ///< all but the output
-    Estimate input() const;  ///< output and losses
+    Estimate stator() const;  ///< all inside it
+    Estimate of_wave() const; ///< without contact: in the stator's wave and the felt
+    Estimate total() const;   ///< all but the output
+    Estimate input() const;   ///< output and losses
     /** Output over output and total loss; 0 for a motor that is driven from outside. */
     Estimate efficiency() const;
 

@@ -81,6 +81,9 @@ namespace ringmotor
      * AccuracyBudget::costly_effect(). */
     virtual bool is_costly() const { return false; }
 
+    /** Time/Snapshots of the operating points by which it is measured. */
+    virtual unsigned int n_snapshots_to_measure() const { return 1; }
+
     /** Adds what it costs a motor that has it to a row. */
     virtual void add_cost(const CondensedMotor &, EffectRow &) const {}
 

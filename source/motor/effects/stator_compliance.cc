@@ -38,6 +38,9 @@ namespace ringmotor::effects
 
       bool is_costly() const override { return true; }
 
+      /** Many of its modes are so high that with one snapshot, half of the change is missing. */
+      unsigned int n_snapshots_to_measure() const override { return 2; }
+
       void add_cost(const CondensedMotor &motor, EffectRow &row) const override
       {
         add_modes_to(row, motor, ModePart::stator);
