@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <ringmotor/condensation/cut_responses.h>
+#include <ringmotor/motor/condensed_bodies.h>
 #include <ringmotor/motor/condensed_motor.h>
 #include <ringmotor/motor/motor_model.h>
 #include <ringmotor/motor/relevant.h>
@@ -18,46 +18,6 @@ namespace ringmotor
   namespace
   {
     using Complex = std::complex<double>;
-
-    /** A single tooth: its compliance, and the motion of its top due to that of its foot. */
-    struct CondensedTooth
-    {
-      SectorSurface surface;
-      FullMatrix<double> compliance;
-      std::vector<std::array<Complex, 3>> free_motion; ///< by node of the surface
-      unsigned int n_dofs;
-    };
-
-    CondensedTooth condense_tooth(const Parameters &parameters, const MotorModel &model,
-                                  const StatorWave &wave,
-                                  const ContactDiscretisation &discretisation)
-    {
-      const ToothBody body(parameters, discretisation);
-      const Condensation condensation = body.condensed();
-      CondensedTooth tooth;
-      tooth.surface = body.whole_top;
-      tooth.compliance =
-          sector_compliance(InterfaceCompliance(condensation), tooth.surface.origin).at_rest;
-      tooth.n_dofs      = body.sector.n_dofs();
-      tooth.free_motion = model.teeth_move_with_inertia
-                              ? body.top_motion(wave.foot, body.condensed(wave.angular_frequency))
-                              : body.top_motion(wave.foot, condensation);
-      return tooth;
-    }
-
-    /** Removes the tangential compliance of a body and the coupling of normal and tangential
-     * components. */
-    void leave_normal_compliance(SurfaceCompliance &compliance)
-    {
-      for (unsigned int i = 0; i < compliance.at_rest.m(); ++i)
-      {
-        for (unsigned int j = 0; j < compliance.at_rest.n(); ++j)
-          if (i % 3 != 0 || j % 3 != 0)
-            compliance.at_rest(i, j) = 0.;
-        for (unsigned int shape = 0; i % 3 != 0 && shape < compliance.shapes.n(); ++shape)
-          compliance.shapes(i, shape) = 0.;
-      }
-    }
 
     /** Compliance (m/N) of the springs at a node between tooth and rotor: those of the penalty
      * method, which are the same at all nodes, and those of a lining, by area. */
@@ -193,57 +153,6 @@ namespace ringmotor
 
   namespace
   {
-    /** The rotor, condensed to its contact with one tooth. */
-    struct CondensedRotor
-    {
-      MortarCoupling mortar;
-      RingCompliance compliance;
-      std::vector<CondensedMotor::NearRigidMode> near_rigid_modes;
-      double mass; ///< kg, as CondensedMotor::rotor_mass
-      unsigned int n_dofs;
-    };
-
-    CondensedRotor condense_rotor(const Parameters &parameters, const MotorModel &model,
-                                  const ContactSurface &tooth_top,
-                                  const ContactDiscretisation &discretisation)
-    {
-      const unsigned int n_teeth = parameters.motor.n_teeth;
-      const double pitch         = 2. * numbers::PI / n_teeth;
-      const RotorBody body(parameters, discretisation);
-      const SectorSurface &whole = body.whole_lip;
-
-      CondensedRotor rotor;
-      rotor.n_dofs = body.sector.n_dofs();
-      rotor.mortar = couple(tooth_top, whole.surface, pitch, discretisation.lip_turn);
-      if (rotor.mortar.nodes.empty())
-        throw UserError("the lip covers no part of the tooth tops; let their faces in contact "
-                        "overlap");
-      const Condensation condensation = body.condensed(model.rotor_moves_as_whole);
-      const InterfaceCompliance interface(condensation);
-      SurfaceCompliance of_lip = sector_compliance(interface, whole.origin);
-      if (!model.rotor_gives_way_along)
-        leave_normal_compliance(of_lip);
-      const CutResponses responses(interface, [&](const unsigned int k) { return body.held(k); });
-      rotor.compliance                     = RingCompliance(n_teeth, of_lip, rotor.mortar,
-                                                            [&](const unsigned int k) { return responses.at(k); });
-      const std::vector<unsigned int> held = body.held(1);
-      for (const unsigned int support : held)
-      {
-        const SupportMotion motion = condensation.support_motion(1, held, support);
-        // Two halves make a sector, and the mean square of a wave is half of its amplitude's.
-        rotor.near_rigid_modes.push_back(
-            {at_contact_points(motion.interface, whole.origin, rotor.mortar, pitch),
-             n_teeth * motion.stiffness,
-             model.rotor_moves_as_whole ? n_teeth * body.inertia(condensation, 1, support) : 0.});
-      }
-      rotor.mass =
-          model.rotor_moves_as_whole ? 2. * n_teeth * body.inertia(condensation, 0, 0) : 0.;
-      return rotor;
-    }
-  } // namespace
-
-  namespace
-  {
     /** Adds the modes of its bodies to a motor. */
     void add_modes(CondensedMotor &motor, const SectorSurface &tooth_top,
                    const MortarCoupling &mortar, const ContactDiscretisation &discretisation,
@@ -291,17 +200,20 @@ namespace ringmotor
   {
     const Parameters parameters = relevant_for_condensation(all_parameters);
     const MotorModel model      = motor_model(parameters);
-    const CondensedTooth tooth  = condense_tooth(parameters, model, wave, discretisation);
-    CondensedRotor rotor = condense_rotor(parameters, model, tooth.surface.surface, discretisation);
+    const BodiesByMesh not_kept;
+    const auto bodies =
+        (vibration ? vibration->bodies : not_kept).at(parameters, wave, discretisation);
+    const CondensedTooth &tooth = bodies->tooth;
+    const CondensedRotor &rotor = bodies->rotor;
     CondensedMotor motor;
     motor.n_teeth                = parameters.motor.n_teeth;
     motor.n_waves                = wave.n_waves;
     motor.wave.amplitude         = wave.amplitude;
     motor.wave.angular_frequency = wave.angular_frequency;
     motor.wave.energy            = wave.strain_energy;
-    motor.near_rigid_modes       = std::move(rotor.near_rigid_modes);
+    motor.near_rigid_modes       = rotor.near_rigid_modes;
     motor.rotor_mass             = rotor.mass;
-    motor.compliance             = std::move(rotor.compliance);
+    motor.compliance             = rotor.compliance;
     motor.degree                 = discretisation.degree;
     motor.n_dofs                 = tooth.n_dofs + rotor.n_dofs;
     add_teeth(motor, tooth, rotor.mortar, parameters, model);
@@ -315,17 +227,5 @@ namespace ringmotor
                 vibration ? *vibration : MotorVibration(parameters, wave), sets);
     motor.gap = rest_gap(parameters, motor);
     return motor;
-  }
-
-  double tooth_inertia_indicator(const Parameters &parameters, const StatorWave &wave)
-  {
-    const ToothBody body(parameters, ContactDiscretisation::level(0));
-    const auto at_once   = body.top_motion(wave.foot, body.condensed()),
-               vibrating = body.top_motion(wave.foot, body.condensed(wave.angular_frequency));
-    double largest       = 0.;
-    for (std::size_t i = 0; i < at_once.size(); ++i)
-      largest =
-          std::max(largest, std::abs(std::abs(vibrating[i][1]) / std::abs(at_once[i][1]) - 1.));
-    return largest;
   }
 } // namespace ringmotor

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/motor/lip_amplification.h>
+#include <ringmotor/structure/cyclic_factors.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +15,8 @@ namespace ringmotor
     /** A load on the outer line of a half sector's lip that travels with k waves around the ring:
      * forces on all displacements, real field, then imaginary one.
      * @param direction see PointVector */
-    Vector<double> load(const ContactSurface &lip, const unsigned int k,
-                        const unsigned int direction)
+    std::vector<double> load(const ContactSurface &lip, const unsigned int k,
+                             const unsigned int direction)
     {
       double outer = 0., last = 0.;
       for (const SurfaceNode &node : lip.nodes)
@@ -23,7 +24,7 @@ namespace ringmotor
         outer = std::max(outer, node.place[0]);
         last  = std::max(last, node.place[1]);
       }
-      Vector<double> forces(6 * lip.nodes.size());
+      std::vector<double> forces(6 * lip.nodes.size());
       for (unsigned int i = 0; i < lip.nodes.size(); ++i)
       {
         const double theta = lip.nodes[i].place[1];
@@ -36,30 +37,51 @@ namespace ringmotor
       }
       return forces;
     }
+
+    /** The same on the unknowns of the rotor's sector. */
+    std::vector<double> on_unknowns(const RotorBody &body, const unsigned int k,
+                                    const std::vector<double> &load)
+    {
+      std::array<Vector<double>, 2> forces{
+          {Vector<double>(body.sector.n_dofs()), Vector<double>(body.sector.n_dofs())}};
+      for (std::size_t i = 0; i < load.size(); ++i)
+      {
+        const std::size_t node = i / 3, n_nodes = body.lip.nodes.size();
+        for (const auto &[dof, coefficient] : body.lip.nodes[node % n_nodes].displacement[i % 3])
+          forces[node / n_nodes][dof] += load[i] * coefficient;
+      }
+      return body.sector.loads_of(k, forces);
+    }
+
+    double product(const std::vector<double> &a, const std::vector<double> &b)
+    {
+      return std::inner_product(a.begin(), a.end(), b.begin(), 0.);
+    }
   } // namespace
 
   LipAmplification::LipAmplification(const Parameters &parameters, const LipModes &modes,
                                      const unsigned int level, const unsigned int n_harmonics)
   {
     const RotorBody body(parameters, LipModes::discretisation(level));
-    const Condensation condensation = body.condensed();
-    const InterfaceCompliance interface(condensation);
+    CyclicFactors stiffness(body.sector);
     for (unsigned int m = 1; m <= n_harmonics; ++m)
     {
       const unsigned int k                    = nodal_diameter_of_harmonic(parameters.motor, m);
       harmonics.emplace_back().nodal_diameter = k;
       if (k < 2)
         continue;
-      Harmonic &harmonic          = harmonics.back();
-      const Vector<double> forces = load(body.lip, k, 0), outwards = load(body.lip, k, 2);
-      Vector<double> motion(forces.size());
-      interface.compliance(k, body.held(k)).vmult(motion, forces);
-      harmonic.static_motion = forces * motion;
-      harmonic.static_radial = outwards * motion;
+      Harmonic &harmonic               = harmonics.back();
+      const std::vector<double> forces = load(body.lip, k, 0), outwards = load(body.lip, k, 2);
+      const std::vector<double> loads = on_unknowns(body, k, forces);
+      std::vector<double> motion      = loads;
+      stiffness.factorise(k, 0.);
+      stiffness.solve(motion);
+      harmonic.static_motion = product(loads, motion);
+      harmonic.static_radial = product(on_unknowns(body, k, outwards), motion);
       for (const LipModes::LipMode &mode : modes.of_diameter(k))
       {
-        const auto work = [&](const Vector<double> &load)
-        { return std::inner_product(mode.motion.begin(), mode.motion.end(), load.begin(), 0.); };
+        const auto work = [&](const std::vector<double> &load)
+        { return product(mode.motion, load); };
         harmonic.frequencies.push_back(mode.angular_frequency);
         harmonic.work.push_back(work(forces) * work(forces));
         harmonic.radial.push_back(work(forces) * work(outwards));

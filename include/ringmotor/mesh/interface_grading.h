@@ -15,6 +15,12 @@ namespace ringmotor
      * ratio is 0.15); 1: even cells, which do not. */
     double ratio           = 0.15;
     unsigned int n_at_foot = 1; ///< layers of the tooth that shrink towards its foot
+
+    bool operator==(const InterfaceGrading &other) const
+    {
+      return n_across == other.n_across && n_around == other.n_around && ratio == other.ratio &&
+             n_at_foot == other.n_at_foot;
+    }
   };
 
   /** Lines of @p n_cells cells, at distances 0 to @p length (m) from an edge; successive distances

@@ -19,6 +19,12 @@ namespace ringmotor
 
     /** The gradings 0, 1, 2, ... of a sequence for elements of second degree. */
     static RotorGrading level(const unsigned int level);
+
+    bool operator==(const RotorGrading &other) const
+    {
+      return first == other.first && ratio == other.ratio && longest == other.longest &&
+             n_span == other.n_span && n_lip == other.n_lip;
+    }
   };
 
   /**

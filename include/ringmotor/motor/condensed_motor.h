@@ -170,10 +170,6 @@ namespace ringmotor
     }
   };
 
-  /** The largest relative change of the tangential motion of the tooth tops due to the inertia of
-   * the teeth. */
-  double tooth_inertia_indicator(const Parameters &parameters, const StatorWave &wave);
-
   struct MotorVibration;
 
   /**

@@ -38,6 +38,12 @@ namespace ringmotor
      * too.
      */
     static ContactDiscretisation level(const unsigned int level);
+
+    bool operator==(const ContactDiscretisation &other) const
+    {
+      return degree == other.degree && tooth == other.tooth && lip == other.lip &&
+             rotor == other.rotor && lip_turn == other.lip_turn;
+    }
   };
 
   /** The finite element model of a tooth, cut off the base at its foot. */

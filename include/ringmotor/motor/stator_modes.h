@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/motor/condensed_motor.h>
+#include <ringmotor/motor/condensed_bodies.h>
 #include <ringmotor/motor/motor_model.h>
 #include <ringmotor/motor/rotor_modes.h>
 
@@ -94,7 +94,8 @@ namespace ringmotor
         known;
   };
 
-  /** The vibrations of both bodies of a motor, which all its meshes of the contact share. */
+  /** What all condensations of a motor share: the vibrations of both bodies, and these bodies
+   * themselves. */
   struct MotorVibration
   {
     MotorVibration(const Parameters &parameters, const StatorWave &wave,
@@ -107,5 +108,6 @@ namespace ringmotor
 
     RotorVibration rotor;
     StatorVibration stator;
+    BodiesByMesh bodies;
   };
 } // namespace ringmotor

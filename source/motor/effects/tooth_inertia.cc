@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/condensed_bodies.h>
 #include <ringmotor/motor/condensed_motor.h>
 #include <ringmotor/motor/effects/list.h>
 
