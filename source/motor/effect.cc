@@ -191,17 +191,17 @@ namespace ringmotor
       };
       while (true)
       {
-        double sum         = 0.;
+        double whole       = 0.; // of independent errors
         EffectRow *largest = nullptr;
         for (EffectRow &row : rows)
           if (row.is_left_out())
           {
-            sum += std::abs(*row.indicator);
+            whole = std::hypot(whole, *row.indicator);
             if (can_be_included(row) &&
                 (!largest || std::abs(*row.indicator) > std::abs(*largest->indicator)))
               largest = &row;
           }
-        if (sum <= AccuracyBudget::left_out(target) || !largest)
+        if (whole <= AccuracyBudget::left_out(target) || !largest)
           return;
         parameters.effects[largest->name] = EffectChoice::on;
         largest->choice                   = "on";
