@@ -43,6 +43,30 @@ namespace ringmotor
       }
       return loads;
     }
+
+    /** Whether forces with k waves around the ring are mere rounding errors of the others.
+     * @param forces by sample and nodal diameter */
+    template <typename Amplitudes>
+    bool vanish_at(const unsigned int k, const std::vector<std::vector<Amplitudes>> &forces)
+    {
+      constexpr double rounding = 1e-12;
+      const auto largest        = [](const Amplitudes &of_nodes)
+      {
+        double largest = 0.;
+        for (const auto &force : of_nodes)
+          for (const std::complex<double> &component : force)
+            largest = std::max(largest, std::abs(component));
+        return largest;
+      };
+      double here = 0., anywhere = 0.;
+      for (const std::vector<Amplitudes> &of_sample : forces)
+      {
+        here = std::max(here, largest(of_sample[k]));
+        for (const Amplitudes &of_nodes : of_sample)
+          anywhere = std::max(anywhere, largest(of_nodes));
+      }
+      return here <= rounding * anywhere;
+    }
   } // namespace
 
   MotorBodies::MotorBodies(const Parameters &parameters, const StatorWave &wave,
@@ -99,6 +123,8 @@ namespace ringmotor
     std::vector<RingBody::Displacement> displacements(samples.size(), rotor_ring.at_rest());
     for (unsigned int k = 0; 2 * k <= n_teeth; ++k)
     {
+      if (k > 1 && vanish_at(k, forces)) // as most do where the forces repeat around the ring
+        continue;
       const std::vector<unsigned int> held = rotor_body.held(k);
       std::vector<CondensationLoad> loads;
       for (unsigned int m = 0; m < samples.size(); ++m)

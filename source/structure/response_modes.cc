@@ -103,7 +103,8 @@ namespace ringmotor
     }
   } // namespace
 
-  ResponseModes::ResponseModes(const CyclicSector &sector) : sector(sector), factors(sector)
+  ResponseModes::ResponseModes(const CyclicSector &sector)
+      : sector(sector), at_rest(sector), vibrating(sector)
   {
     // Complex unknowns would need all loads a second time, times i.
     Assert(!sector.is_complex(), ExcMessage("not on a whole sector"));
@@ -113,6 +114,7 @@ namespace ringmotor
                                                   const std::vector<double> &loads,
                                                   const double frequency)
   {
+    CyclicFactors &factors = frequency == 0. ? at_rest : vibrating;
     factors.factorise(k, frequency * frequency);
     Response response{frequency, loads};
     factors.solve(response.motions);

@@ -45,7 +45,8 @@ namespace ringmotor
                               const double frequency, const Response &at_rest);
 
     const CyclicSector &sector;
-    CyclicFactors factors;
+    CyclicFactors at_rest; ///< apart: those at rest serve all nodal diameters
+    CyclicFactors vibrating;
   };
 
   /** Without the vectors far above a @p frequency (rad/s). Up to a ninth they respond as at rest;
