@@ -7,7 +7,7 @@ Usage: scripts/development/document_tables.py points CASE [--every N] | circuits
 points: each N-th operating point and the last one: torque, speed, friction loss and its radial part, with error bars.
 circuits: phase A of each case, and the voltages that its amplitude takes.
 rotors: how the lip of each case answers the wave, and the contact at its first operating point.
-stators: pairs of cases of a motor, without and with Effects/Stator compliance; one of each pair has its indicator.
+stators: pairs of cases of a motor, without and with Effects/Stator compliance; at least one of each pair knows the indicator.
 """
 import pathlib
 import sys

@@ -5,7 +5,6 @@
 #include <ringmotor/motor/relevant.h>
 #include <ringmotor/motor/stator_modes.h>
 #include <ringmotor/motor/tooth_modes.h>
-#include <ringmotor/parameters/errors.h>
 
 #include <algorithm>
 #include <cmath>

@@ -162,6 +162,7 @@ namespace ringmotor
                                    [](const SectorField::Cell &cell)
                                    { return cell.material == ids::tooth; }),
                     cells.end());
+        leave_corners_of_many_cells();
       }
 
       /** The name of that of a point at its last time sample, written if it is not there. */
@@ -182,6 +183,34 @@ namespace ringmotor
       }
 
     private:
+      /** Cells that are small compared to the picture show their motion by that of their corners;
+       * with the points between these the files of all operating points would be huge. */
+      void leave_corners_of_many_cells()
+      {
+        constexpr std::size_t most_points = 1000000; // of the whole ring
+        SectorField &field                = base.field;
+        const unsigned int order = field.order, width = order + 1;
+        if (order == 1 ||
+            field.cells.size() * width * width * width * field.n_sectors <= most_points)
+          return;
+        for (SectorField::Cell &cell : field.cells)
+        {
+          SectorField::Cell corners;
+          corners.material = cell.material;
+          for (const unsigned int k : {0u, order})
+            for (const unsigned int j : {0u, order})
+              for (const unsigned int i : {0u, order})
+              {
+                const unsigned int point = i + width * (j + width * k);
+                corners.points.push_back(cell.points[point]);
+                corners.displacement.push_back(cell.displacement[point]);
+                corners.strain_energy.push_back(cell.strain_energy[point]);
+              }
+          cell = std::move(corners);
+        }
+        field.order = 1;
+      }
+
       const std::string folder;
       StatorAtWave base;
       std::map<std::pair<double, double>, std::string> names; ///< by amplitude (m) and time (s)

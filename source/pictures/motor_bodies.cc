@@ -44,7 +44,7 @@ namespace ringmotor
       return loads;
     }
 
-    /** Whether forces with k waves around the ring are mere rounding errors of the others.
+    /** Whether forces with k waves around the ring are due to rounding only.
      * @param forces by sample and nodal diameter */
     template <typename Amplitudes>
     bool vanish_at(const unsigned int k, const std::vector<std::vector<Amplitudes>> &forces)
@@ -66,6 +66,18 @@ namespace ringmotor
           anywhere = std::max(anywhere, largest(of_nodes));
       }
       return here <= rounding * anywhere;
+    }
+
+    /** The mean axial motion of all contact points by modes at a time sample (m): of waves around
+     * the ring it vanishes. */
+    double mean_modal_rise(const PointSample &at)
+    {
+      const ContactFields &fields = at.fields;
+      const std::size_t n_samples = fields.times.size(), n = fields.modal.size() / n_samples;
+      double sum = 0.;
+      for (std::size_t i = at.sample * n; i < (at.sample + 1) * n; ++i)
+        sum += fields.modal[i][0];
+      return sum / n;
     }
   } // namespace
 
@@ -168,6 +180,15 @@ namespace ringmotor
     std::vector<RingBody::Displacement> displacements = static_rotor_motions(samples);
     if (motor.has_modes_of(ModePart::rotor))
       add_vibration(motor, samples, displacements);
+    // The stator is drawn in its wave alone. What else it does under contact forces is mostly to
+    // sink under the preload: relative to it, the rotor rises.
+    if (motor.has_modes_of(ModePart::stator))
+      for (std::size_t m = 0; m < samples.size(); ++m)
+      {
+        const double rise = mean_modal_rise(samples[m]);
+        for (auto &displacement : displacements[m])
+          displacement[2] += rise;
+      }
     return displacements;
   }
 

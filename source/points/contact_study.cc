@@ -78,9 +78,12 @@ namespace ringmotor
       vibration.prepare(motor_model(setting.parameters), setting.modes_level);
       seconds += vibration_seconds.emplace(setting.modes_level, time.seconds()).first->second;
     }
+    MotorVibration modes_alone = vibration;
+    modes_alone.bodies         = {}; // condensed bodies belong to the cost of each setting
     const ProcessorTime time;
-    CondensedMotor motor = condense_motor(setting.parameters, wave, setting.discretisation,
-                                          setting.modes_level, shares_modes ? &vibration : nullptr);
+    CondensedMotor motor =
+        condense_motor(setting.parameters, wave, setting.discretisation, setting.modes_level,
+                       shares_modes ? &modes_alone : nullptr);
     seconds += time.seconds();
     return *(motors[key] = std::make_unique<const Condensed>(Condensed{std::move(motor), seconds}));
   }

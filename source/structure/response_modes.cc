@@ -103,8 +103,7 @@ namespace ringmotor
     }
   } // namespace
 
-  ResponseModes::ResponseModes(const CyclicSector &sector)
-      : sector(sector), at_rest(sector), vibrating(sector)
+  ResponseModes::ResponseModes(const CyclicSector &sector) : sector(sector), factors(sector)
   {
     // Complex unknowns would need all loads a second time, times i.
     Assert(!sector.is_complex(), ExcMessage("not on a whole sector"));
@@ -114,7 +113,6 @@ namespace ringmotor
                                                   const std::vector<double> &loads,
                                                   const double frequency)
   {
-    CyclicFactors &factors = frequency == 0. ? at_rest : vibrating;
     factors.factorise(k, frequency * frequency);
     Response response{frequency, loads};
     factors.solve(response.motions);

@@ -294,7 +294,7 @@ TEST(StatorCompliance, IsMeasuredAtOperatingPointsAndCostly)
                  {"Effects/Stator compliance = on", "Time/Scheme = marching"});
 }
 
-TEST(Effects, AreIncludedWhereTogetherTheyLeaveNothingOfTheTarget)
+TEST(Effects, AreIncludedWhereTogetherTheyTakeMuchOfTheTarget)
 {
   // Each is below its share of the target, all of them are not.
   Parameters parameters                        = reference_motor();

@@ -17,6 +17,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
+#include <string>
 
 using namespace ringmotor;
 using namespace ringmotor::tests;
@@ -189,6 +191,28 @@ TEST(MotorIndependenceRanks, SameResultsOnTwo)
     EXPECT_NEAR(two[i].result.torque, one[i].result.torque, 1e-9) << i;
     EXPECT_EQ(two[i].fields.state.force.size(), one[i].fields.state.force.size()) << i;
   }
+}
+
+TEST(MotorIndependence, BodiesThatEffectsShareAreTheirOwn)
+{
+  // Condensed one after the other with what all of them share, and each alone.
+  Parameters parameters = reference_motor();
+  const StatorWave wave = stator_wave(parameters);
+  const auto coarsest   = ContactDiscretisation::level(0);
+  const MotorVibration vibration(parameters, wave);
+  std::set<std::string> different;
+  for (const bool is_first : {true, false})
+    for (const EffectChoice teeth : {EffectChoice::on, EffectChoice::off})
+      for (const EffectChoice along : {EffectChoice::on, EffectChoice::off})
+      {
+        parameters.effects["Tooth inertia"]               = teeth;
+        parameters.effects["Rotor tangential compliance"] = along;
+        const auto shared = to_bytes(condense_motor(parameters, wave, coarsest, {}, &vibration));
+        EXPECT_EQ(shared, to_bytes(condense_motor(parameters, wave, coarsest)))
+            << is_first << " " << static_cast<int>(teeth) << static_cast<int>(along);
+        different.insert(shared);
+      }
+  EXPECT_EQ(different.size(), 4u);
 }
 
 TEST(MotorIndependenceRanks, SameVibrationsAndMotorsOnTwo)

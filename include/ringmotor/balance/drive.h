@@ -48,7 +48,8 @@ namespace ringmotor
 
   /** The drive of a wave.
    *  @param voltage V, zero to peak, of each phase
-   *  @param losses of the stator and its felt, at the amplitude @p amplitude (m) */
+   *  @param losses of which those of the stator's wave and its felt count, at the amplitude @p
+   * amplitude (m) */
   VoltageDrive voltage_drive(const DrivenWave &wave, const LossBudget &losses,
                              const double amplitude, const double voltage);
 

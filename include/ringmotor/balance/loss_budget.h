@@ -51,7 +51,7 @@ namespace ringmotor
     std::optional<Estimate> rotor_metal{}, lining{}, adhesive{};
 
     Estimate stator() const;  ///< all inside it
-    Estimate of_wave() const; ///< without contact: in the stator's wave and the felt
+    Estimate of_wave() const; ///< in the stator's wave and in the felt
     Estimate total() const;   ///< all but the output
     Estimate input() const;   ///< output and losses
     /** Output over output and total loss; 0 for a motor that is driven from outside. */

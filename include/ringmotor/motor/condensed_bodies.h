@@ -3,8 +3,9 @@
 
 #include <ringmotor/motor/condensed_motor.h>
 #include <ringmotor/motor/contact_bodies.h>
-#include <ringmotor/motor/rotor_modes.h>
 
+#include <array>
+#include <complex>
 #include <map>
 #include <memory>
 #include <tuple>
@@ -44,16 +45,19 @@ namespace ringmotor
                                   const ContactDiscretisation &discretisation);
 
   /** The condensed bodies of one motor: those on the coarsest mesh are kept, because motors with
-   * and without each effect that is measured have them in common; finer ones are needed once. */
+   * and without each effect that is measured have them in common. An effect that changes what
+   * condense_bodies() makes belongs in the key of #coarsest. */
   class BodiesByMesh
   {
   public:
-    /** See condense_bodies(). @param parameters of this motor, with any effects of the contact */
+    /** See condense_bodies(). @param parameters of this motor, with any effects of the contact;
+     * @param wave the same in all calls */
     std::shared_ptr<const CondensedBodies> at(const Parameters &parameters, const StatorWave &wave,
                                               const ContactDiscretisation &discretisation) const;
 
   private:
-    /** On the coarsest mesh, by what effects change of them. */
+    /** On the coarsest mesh, by MotorModel::teeth_move_with_inertia, rotor_gives_way_along and
+     * rotor_moves_as_whole. */
     mutable std::map<std::tuple<bool, bool, bool>, std::shared_ptr<const CondensedBodies>> coarsest;
   };
 

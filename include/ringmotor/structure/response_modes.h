@@ -45,8 +45,7 @@ namespace ringmotor
                               const double frequency, const Response &at_rest);
 
     const CyclicSector &sector;
-    CyclicFactors at_rest; ///< apart: those at rest serve all nodal diameters
-    CyclicFactors vibrating;
+    CyclicFactors factors;
   };
 
   /** Without the vectors far above a @p frequency (rad/s). Up to a ninth they respond as at rest;
