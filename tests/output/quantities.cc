@@ -155,7 +155,8 @@ TEST(PointQuantities, HaveTheUnitsOfTheirNames)
   EXPECT_NEAR(outputs.in_csv("friction_loss_mW"), 100., 1e-12);
   EXPECT_NEAR(outputs.in_csv("friction_loss_error_mW"), std::hypot(1., 2.), 1e-12);
   EXPECT_NEAR(outputs.in_csv("output_power_mW"), 500., 1e-12);
-  EXPECT_NEAR(outputs.in_csv("rotor_power_per_loss_factor_error_mW"), std::hypot(0.02, 0.03), 1e-12);
+  EXPECT_NEAR(outputs.in_csv("rotor_power_per_loss_factor_error_mW"), std::hypot(0.02, 0.03),
+              1e-12);
   EXPECT_EQ(outputs.in_csv("stick_fraction"), point.result.stick_fraction);
   EXPECT_EQ(outputs.in_h5("speed_rad_per_s"), 10.);
   EXPECT_EQ(outputs.in_h5("torque_Nm"), 0.05);
