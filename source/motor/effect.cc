@@ -178,8 +178,8 @@ namespace ringmotor
 
   namespace
   {
-    /** Includes the largest effects that were left out as long as all of them together exceed
-     * AccuracyBudget::left_out(); none where those that the motor cannot have do so alone. */
+    /** Includes the largest effects that were left out as long as they take nearly all of the
+     * target together. */
     void include_largest(std::vector<EffectRow> &rows, Parameters &parameters, const double target)
     {
       const auto can_be_included = [&](const EffectRow &row)
@@ -191,19 +191,17 @@ namespace ringmotor
       };
       while (true)
       {
-        double whole = 0., fixed = 0.; // of independent errors
+        double sum         = 0.;
         EffectRow *largest = nullptr;
         for (EffectRow &row : rows)
           if (row.is_left_out())
           {
-            whole = std::hypot(whole, *row.indicator);
-            if (!can_be_included(row))
-              fixed = std::hypot(fixed, *row.indicator);
-            else if (!largest || std::abs(*row.indicator) > std::abs(*largest->indicator))
+            sum += std::abs(*row.indicator);
+            if (can_be_included(row) &&
+                (!largest || std::abs(*row.indicator) > std::abs(*largest->indicator)))
               largest = &row;
           }
-        const double limit = AccuracyBudget::left_out(target);
-        if (whole <= limit || fixed > limit || !largest)
+        if (sum <= AccuracyBudget::left_out(target) || !largest)
           return;
         parameters.effects[largest->name] = EffectChoice::on;
         largest->choice                   = "on";

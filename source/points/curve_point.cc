@@ -34,10 +34,10 @@ namespace ringmotor
 
   PointError CurvePoint::error() const
   {
-    PointError whole;
+    PointError sum;
     for (const auto &[cause, error] : errors)
-      whole.add_independent(error);
-    return whole;
+      sum += error;
+    return sum;
   }
 
   void CurvePoint::add_certificate(const ContactSolution &solution)

@@ -96,17 +96,16 @@ namespace ringmotor
         const auto of_points = measured.find(row.name);
         if (of_points == measured.end())
         {
-          relative = std::hypot(relative, *row.indicator);
+          relative += std::abs(*row.indicator);
           continue;
         }
-        others.add_independent(of_points->second.change);
+        others += of_points->second.change;
       }
   }
 
   PointError LeftOut::of(const CurvePoint &point) const
   {
-    PointError error = relative * sizes_of(point);
-    error.add_independent(others);
+    PointError error                      = relative * sizes_of(point) + others;
     error[prescribed(point.request).name] = 0.; // does not change
     return error;
   }

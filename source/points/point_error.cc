@@ -3,7 +3,6 @@
 #include <ringmotor/points/point_quantities.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace ringmotor
 {
@@ -31,13 +30,6 @@ namespace ringmotor
   {
     for (const auto &[quantity, number] : other.numbers)
       numbers[quantity] += number;
-    return *this;
-  }
-
-  PointError &PointError::add_independent(const PointError &other)
-  {
-    for (const auto &[quantity, number] : other.numbers)
-      numbers[quantity] = std::hypot(numbers[quantity], number);
     return *this;
   }
 

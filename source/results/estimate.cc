@@ -17,10 +17,10 @@ namespace ringmotor
 
   double Estimate::error() const
   {
-    double squares = 0.;
+    double sum = 0.;
     for (const auto &[cause, error] : errors)
-      squares += error * error;
-    return std::sqrt(squares);
+      sum += error;
+    return sum;
   }
 
   double Estimate::relative_error() const

@@ -65,7 +65,7 @@ namespace ringmotor
     std::string remark; ///< what was tried if Newton's method alone did not suffice
     ContactFields fields;
 
-    /** Of all causes, which are independent. */
+    /** The sum of all causes. */
     PointError error() const;
 
     /** Adds what the solver reports of a state. */

@@ -73,8 +73,8 @@ namespace ringmotor
         const CurvePoint &point        = scene.table.at(own, request),
                          &coarse       = scene.table.at(requested.with(coarse_modes), request),
                          &other        = scene.table.at(requested.with(other_harmonics), request);
-        PointError error               = of_mesh * scene.change_by(coarse_modes, request);
-        error.add_independent(of_harmonics * change(coarse, other));
+        PointError error =
+            of_mesh * scene.change_by(coarse_modes, request) + of_harmonics * change(coarse, other);
         const CondensedMotor &motor = scene.motor();
         if (motor.has_modes_of(ModePart::rotor) && !motor.dynamics.is_hysteretic)
           error.raise(least_error(point, motor, scene.crest_speed(point)));
