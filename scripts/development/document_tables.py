@@ -2,12 +2,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Tables of the pages, from the results of a run.
 
-Usage: scripts/development/document_tables.py points CASE [--every N] | circuits CASE... | rotors CASE... | stators CASE...
+Usage: scripts/development/document_tables.py points CASE [--every N] | circuits CASE... | rotors CASE...
 
 points: each N-th operating point and the last one: torque, speed, friction loss and its radial part, with error bars.
 circuits: phase A of each case, and the voltages that its amplitude takes.
 rotors: how the lip of each case answers the wave, and the contact at its first operating point.
-stators: pairs of cases of a motor, without and with Effects/Stator compliance; at least one of each pair knows the indicator.
 """
 import pathlib
 import sys
@@ -74,27 +73,7 @@ def rotors(folders):
         ["friction at a node", *words]])
 
 
-def indicator_of(case, effect):
-    rows = json.loads((case / "contact" / "summary.json").read_text(encoding="utf-8"))["effects"]
-    return next(row["indicator"] for row in rows if row["name"] == effect)
-
-
-def stators(folders):
-    rows = []
-    for without, with_it in zip(folders[::2], folders[1::2]):
-        indicators = [indicator_of(case, "Stator compliance") for case in (without, with_it)]
-        indicator = next(value for value in indicators if value is not None)
-        for said, case in (("off", without), ("on", with_it)):
-            curve = read_table(case / "contact" / "torque_speed.csv", ("control",))
-            rows.append([ContactCase(case).motor if said == "off" else "", said,
-                         f"{100. * indicator:.1f} %" if said == "off" else "",
-                         *(bar(curve[i][f"{name}_{unit}"], curve[i][f"{name}_error_{unit}"])
-                           for i, name, unit in ((0, "speed", "rpm"), (-1, "torque", "mNm"), (0, "friction_loss", "mW")))])
-    return table(["motor", "stator compliance", "indicator", "no-load speed, rpm", "stall torque, mN m",
-                  "loss without load, mW"], rows)
-
-
-TABLES = {"circuits": circuits, "rotors": rotors, "stators": stators}
+TABLES = {"circuits": circuits, "rotors": rotors}
 
 
 def main():
