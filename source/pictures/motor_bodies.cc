@@ -44,28 +44,14 @@ namespace ringmotor
       return loads;
     }
 
-    /** Whether forces with k waves around the ring are due to rounding only.
-     * @param forces by sample and nodal diameter */
-    template <typename Amplitudes>
-    bool vanish_at(const unsigned int k, const std::vector<std::vector<Amplitudes>> &forces)
+    /** The largest component of forces on nodes. */
+    double largest_of(const std::vector<std::array<Complex, 3>> &forces)
     {
-      constexpr double rounding = 1e-12;
-      const auto largest        = [](const Amplitudes &of_nodes)
-      {
-        double largest = 0.;
-        for (const auto &force : of_nodes)
-          for (const std::complex<double> &component : force)
-            largest = std::max(largest, std::abs(component));
-        return largest;
-      };
-      double here = 0., anywhere = 0.;
-      for (const std::vector<Amplitudes> &of_sample : forces)
-      {
-        here = std::max(here, largest(of_sample[k]));
-        for (const Amplitudes &of_nodes : of_sample)
-          anywhere = std::max(anywhere, largest(of_nodes));
-      }
-      return here <= rounding * anywhere;
+      double largest = 0.;
+      for (const std::array<Complex, 3> &force : forces)
+        for (const Complex &component : force)
+          largest = std::max(largest, std::abs(component));
+      return largest;
     }
 
     /** The mean axial motion of all contact points by modes at a time sample (m): of waves around
@@ -129,13 +115,19 @@ namespace ringmotor
     const unsigned int n_teeth      = parameters.motor.n_teeth;
     const Condensation condensation = rotor_body.condensed(true);
     std::vector<std::vector<Amplitudes>> forces;
+    std::vector<double> largest(n_teeth / 2 + 1, 0.); // by nodal diameter
     for (const PointSample &at : samples)
+    {
       forces.push_back(lip_forces(at));
+      for (unsigned int k = 0; k < largest.size(); ++k)
+        largest[k] = std::max(largest[k], largest_of(forces.back()[k]));
+    }
+    const double rounding = 1e-12 * *std::max_element(largest.begin(), largest.end());
 
     std::vector<RingBody::Displacement> displacements(samples.size(), rotor_ring.at_rest());
     for (unsigned int k = 0; 2 * k <= n_teeth; ++k)
     {
-      if (k > 1 && vanish_at(k, forces)) // as most do where the forces repeat around the ring
+      if (k > 1 && largest[k] <= rounding) // as most where the forces repeat around the ring
         continue;
       const std::vector<unsigned int> held = rotor_body.held(k);
       std::vector<CondensationLoad> loads;

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <complex>
 #include <map>
+#include <utility>
 
 using namespace ringmotor;
 using namespace ringmotor::tests;
@@ -142,24 +143,40 @@ TEST(LossBudget, FeltFollowsTheLowerSide)
   EXPECT_EQ(felt_energy(felt, on_felt, 90, wave), 0.);
 }
 
+namespace
+{
+  /** 0.4 W of output and 0.1 W of friction loss. */
+  CurvePoint point_at_work()
+  {
+    CurvePoint point;
+    point.result.speed           = 8.;
+    point.result.torque          = 0.05;
+    point.result.tangential_loss = 0.06;
+    point.result.radial_loss     = 0.04;
+    point.rotor_power            = 2.;
+    return point;
+  }
+
+  std::pair<Materials, Support> lossy_stator()
+  {
+    Materials materials;
+    materials.stator_metal.loss_factor = 1e-3;
+    materials.piezoceramic.loss_factor = 2e-3;
+    Support felt;
+    felt.felt_loss_factor = 0.3;
+    return {materials, felt};
+  }
+} // namespace
+
 TEST(LossBudget, AddsUpWithItsErrors)
 {
-  CurvePoint point;
-  point.result.speed           = 8.;
-  point.result.torque          = 0.05;
-  point.result.tangential_loss = 0.06;
-  point.result.radial_loss     = 0.04;
-  point.rotor_power            = 2.;
-  point.result.amplitude       = 4e-6; // twice that of the energies
+  CurvePoint point       = point_at_work();
+  point.result.amplitude = 4e-6; // twice that of the energies
   const PointError half{
       {{"speed", 0.08}, {"friction_loss", 0.01}, {"rotor_power_per_loss_factor", 0.1}}};
   point.errors = {{causes::meshes, half}, {causes::time_step, half}};
   point.errors[causes::time_step]["amplitude"] = 1e-8;
-  Materials materials;
-  materials.stator_metal.loss_factor = 1e-3;
-  materials.piezoceramic.loss_factor = 2e-3;
-  Support felt;
-  felt.felt_loss_factor = 0.3;
+  const auto [materials, felt]                 = lossy_stator();
   const WaveEnergies wave{1e5, 2e-6, {1e-3, 1e-6, causes::wave}, 2e-4, 1e-6};
   const LossBudget budget = loss_budget(point, wave, materials, RotorLossFactor{5e-3}, felt);
   EXPECT_NEAR(budget.output.value, 0.4, 1e-12);
@@ -190,22 +207,13 @@ TEST(DrivePoint, PutsInWhatComesOut)
 {
   // The contact takes output, friction loss, and the losses of all vibrations but the wave from the
   // wave, which loses 2 omega eta E itself.
-  CurvePoint point;
-  point.result.speed           = 8.;
-  point.result.torque          = 0.05;
-  point.result.tangential_loss = 0.06;
-  point.result.radial_loss     = 0.04;
-  point.rotor_power            = 2.;
+  CurvePoint point             = point_at_work();
   point.result.stator_damping  = 0.07;
   point.result.modal_power     = 5e-3 * 2. + 0.07;
   point.result.input_power     = 0.4 + 0.1 + point.result.modal_power;
   point.result.gross_power     = 1.;
   point.result.amplitude       = 2e-6;
-  Materials materials;
-  materials.stator_metal.loss_factor = 1e-3;
-  materials.piezoceramic.loss_factor = 2e-3;
-  Support felt;
-  felt.felt_loss_factor = 0.3;
+  const auto [materials, felt] = lossy_stator();
   const WaveEnergies energies{2. * M_PI * 4e4, 2e-6, 1e-3, 2e-4, 1e-6};
   const LossBudget budget = loss_budget(point, energies, materials, RotorLossFactor{5e-3}, felt);
   DrivenWave wave;

@@ -29,14 +29,6 @@ namespace
 {
   constexpr double rpm = M_PI / 30.;
 
-  const Effect &effect(const std::string &name)
-  {
-    for (const auto &candidate : all_effects())
-      if (candidate->name == name)
-        return *candidate;
-    throw std::logic_error("no effect " + name);
-  }
-
   Parameters with(const std::string &name, const EffectChoice choice)
   {
     Parameters parameters    = reference_motor();

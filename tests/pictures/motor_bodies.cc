@@ -7,12 +7,14 @@
 
 #include "support/motor_model.h"
 
+#include <ringmotor/mesh/body_shape.h>
 #include <ringmotor/pictures/motor_bodies.h>
 #include <ringmotor/points/point_finder.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 using namespace ringmotor;
 using namespace ringmotor::tests;
@@ -40,6 +42,22 @@ namespace
       return {};
     }
     return along_axes(displacement[*point], theta);
+  }
+
+  /** The motion of the rotor at a contact point: that of the whole body in the mean of the mortar
+   * method. @param angle rad, of the tooth and the lip's turn; @param height m, of the contact */
+  PointVector rotor_at(const MortarCoupling::Node &node, const SectorSurface &lip,
+                       const RingBody &rotor, const RingBody::Displacement &displacement,
+                       const double angle, const double pitch, const double height)
+  {
+    PointVector motion;
+    for (const MortarCoupling::Weight &weight : node.weights)
+    {
+      const auto &place = lip.surface.nodes[weight.rotor_node].place;
+      motion += weight.weight * motion_at(rotor, displacement, place[0],
+                                          place[1] + angle + weight.sector * pitch, height);
+    }
+    return motion;
   }
 
   /** With modes of elements of the same degree, on a mesh of the lip that is no finer: nothing of
@@ -80,7 +98,6 @@ namespace
 
     const ToothBody tooth_body(parameters, discretisation);
     const RotorBody rotor_body(parameters, discretisation);
-    const auto &lip             = rotor_body.whole_lip.surface.nodes;
     const MortarCoupling mortar = couple(tooth_body.whole_top.surface, rotor_body.whole_lip.surface,
                                          motor.pitch(), discretisation.lip_turn);
     const double top            = parameters.stator.base_thickness + parameters.stator.tooth_height;
@@ -93,13 +110,9 @@ namespace
                               a;
         const PointVector of_tooth = motion_at(bodies.teeth(), teeth, motor.nodes[a].radius,
                                                motor.nodes[a].angle + tooth * motor.pitch(), top);
-        PointVector of_rotor;
-        for (const MortarCoupling::Weight &weight : mortar.nodes[a].weights)
-          of_rotor += weight.weight *
-                      motion_at(bodies.rotor(), rotor, lip[weight.rotor_node].place[0],
-                                lip[weight.rotor_node].place[1] + discretisation.lip_turn +
-                                    (static_cast<int>(tooth) + weight.sector) * motor.pitch(),
-                                top);
+        const PointVector of_rotor =
+            rotor_at(mortar.nodes[a], rotor_body.whole_lip, bodies.rotor(), rotor,
+                     discretisation.lip_turn + tooth * motor.pitch(), motor.pitch(), top);
         largest     = std::max(largest, fields.rotor[i].norm());
         tooth_error = std::max(tooth_error, (of_tooth - fields.tooth[i]).norm());
         rotor_error = std::max(rotor_error, (of_rotor - fields.rotor[i]).norm());
@@ -124,6 +137,42 @@ TEST(MotorBodies, MoveAsTheirContactPointsDo)
   expect_bodies_follow(parameters, wave, {Control::torque, 0.05}, coarse());
   parameters.rotor.flange_element = ElementKind::shell;
   expect_bodies_follow(parameters, wave, {Control::torque, 0.05}, turned);
+}
+
+TEST(MotorBodies, TouchAStatorThatSinks)
+{
+  // The stator of the disc motor sinks under the preload, which its picture does not show: the
+  // rotor is drawn relative to it. Waves around the ring, which it does not show either, have no
+  // mean.
+  Parameters parameters = read_parameters(RINGMOTOR_SOURCE_DIR "/prm/disc60.prm");
+  for (const std::string off : {"Rotor inertia", "Tooth vibration", "Damping"})
+    parameters.effects[off] = EffectChoice::off;
+  const StatorWave wave      = stator_wave(parameters);
+  const CondensedMotor motor = condense_motor(parameters, wave, coarse(), 1);
+  const ContactFields fields =
+      OperatingPointFinder(parameters, motor).find({Control::speed, 0.}).fields;
+  const MotorBodies bodies(parameters, wave, coarse(), motor.degree);
+  const RingBody::Displacement rotor =
+      bodies.rotor_motions(motor, {{fields, 0, motor.wave.amplitude}}).front();
+  const ToothBody tooth_body(parameters, coarse());
+  const RotorBody rotor_body(parameters, coarse());
+  const MortarCoupling mortar = couple(tooth_body.whole_top.surface, rotor_body.whole_lip.surface,
+                                       motor.pitch(), coarse().lip_turn);
+  const double height         = stator_shape(parameters)->contact_line().highest;
+  double apart = 0., sunk = 0.; // m, means
+  const std::size_t n = fields.n_repeating_teeth * motor.nodes.size();
+  for (unsigned int tooth = 0; tooth < fields.n_repeating_teeth; ++tooth)
+    for (unsigned int a = 0; a < motor.nodes.size(); ++a)
+    {
+      const std::size_t i = fields.point(0, tooth, a);
+      apart += (rotor_at(mortar.nodes[a], rotor_body.whole_lip, bodies.rotor(), rotor,
+                         tooth * motor.pitch(), motor.pitch(), height)[0] -
+                fields.rotor[i][0]) /
+               n;
+      sunk += fields.modal[i][0] / n;
+    }
+  EXPECT_GT(sunk, 1e-5);
+  EXPECT_LT(std::abs(apart), 1e-8 * sunk);
 }
 
 TEST(MotorBodies, TiltAndStandOnWarpedTeeth)

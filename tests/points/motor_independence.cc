@@ -208,7 +208,8 @@ TEST(MotorIndependence, BodiesThatEffectsShareAreTheirOwn)
         parameters.effects["Tooth inertia"]               = teeth;
         parameters.effects["Rotor tangential compliance"] = along;
         const auto shared = to_bytes(condense_motor(parameters, wave, coarsest, {}, &vibration));
-        EXPECT_EQ(shared, to_bytes(condense_motor(parameters, wave, coarsest)))
+        EXPECT_TRUE(shared ==
+                    to_bytes(condense_motor(parameters, wave, coarsest))) // bytes are unreadable
             << is_first << " " << static_cast<int>(teeth) << static_cast<int>(along);
         different.insert(shared);
       }

@@ -7,7 +7,6 @@
 #include "support/motor_model.h"
 #include "support/record.h"
 
-#include <ringmotor/motor/effect.h>
 #include <ringmotor/motor/stator_modes.h>
 #include <ringmotor/points/effect_on_points.h>
 #include <ringmotor/points/point_finder.h>
@@ -25,14 +24,6 @@ using namespace ringmotor::tests;
 namespace
 {
   const std::string name = "Stator compliance";
-
-  const Effect &stator_compliance()
-  {
-    for (const auto &effect : all_effects())
-      if (effect->name == name)
-        return *effect;
-    throw std::logic_error("no effect " + name);
-  }
 
   /** A motor of prm/ with the effects that matter to all three. */
   Parameters motor_of(const std::string &file)
@@ -82,7 +73,7 @@ namespace
 TEST_P(StatorComplianceLong, ChangesPointsAsItsIndicatorSays)
 {
   const EffectOnPoints says =
-      effect_on_points(parameters, stator_compliance(), wave, *vibration, MPI_COMM_SELF);
+      effect_on_points(parameters, effect(name), wave, *vibration, MPI_COMM_SELF);
   const CurvePoint stall = points(EffectChoice::off, {{Control::speed, 0.}}).front();
   const std::vector<PointRequest> requests{
       {Control::speed, 0.}, {Control::torque, 0.5 * stall.result.torque}, {Control::torque, 0.}};

@@ -4,9 +4,13 @@
 #include "output/scratch.h"
 #include "support/paper_motor.h"
 
+#include <ringmotor/motor/effect.h>
 #include <ringmotor/output/modes_file.h>
 #include <ringmotor/output/stator_files.h>
 #include <ringmotor/wave/body_modes.h>
+
+#include <stdexcept>
+#include <string>
 
 namespace ringmotor::tests
 {
@@ -21,6 +25,15 @@ namespace ringmotor::tests
     parameters.rotor.flange_element         = ElementKind::solid;
     parameters.rotor.radial_bar_stiffness   = 1e9;
     return parameters;
+  }
+
+  /** The effect of an entry. */
+  inline const Effect &effect(const std::string &name)
+  {
+    for (const auto &candidate : all_effects())
+      if (candidate->name == name)
+        return *candidate;
+    throw std::logic_error("no effect " + name);
   }
 
   /** The rotor of prm/stiff_spring.prm instead of that of the reference motor. */

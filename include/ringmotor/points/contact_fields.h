@@ -20,8 +20,9 @@ namespace ringmotor
     unsigned int n_repeating_teeth = 0;    ///< all in a marched motor
     double time_step               = 0.;   ///< s
     std::vector<PointVector> tooth, rotor; ///< m, displacements; the rotor's without its rotation
-    std::vector<PointVector> modal;        ///< m, of the rotor, by its modes, if it has inertia
-    /** Amplitudes of the modes of rotor and teeth beyond their static motions, by time sample,
+    /** m, of the rotor against the base of the teeth, by the modes of both; empty without. */
+    std::vector<PointVector> modal;
+    /** Amplitudes of the modes of all bodies beyond their static motions, by time sample,
      * nodal diameter and mode, see SteadyInertia::vibration(); empty without modes. */
     std::vector<std::complex<double>> vibration;
 
