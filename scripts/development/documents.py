@@ -19,8 +19,9 @@ that is a figure keeps its text; its command writes $IMAGES/NAME.png. These word
   fenced                      puts what it reads between two lines of ```
 
 INPUTS stands for what a part depends on: the parameters of all motors that its command and the script in it name (as the
-programs read them: comments do not matter), the script, and for a dear part the tables of operating points in doc/walk.md,
-which change only when results do. CONTENT stands for the part itself, and its figures.
+programs read them: comments do not matter), the script, and for a dear part the values in the tables of operating points in
+doc/walk.md, to two digits: a dear part that shows error bars has to be made again by hand (--only) where only these change.
+CONTENT stands for the part itself, and its figures.
 
 --check runs the cheap commands again and compares their numbers with the page within the error bars; of each part it checks
 that nobody has changed it by hand, and that it was made after the last change of its inputs. The exit status is 1 if not.
@@ -41,12 +42,12 @@ import re
 import subprocess
 import tempfile
 
-from page_blocks import blocks_of, difference, digest
+from page_blocks import blocks_of, difference, digest, split_numbers
 from parameters_doc import entries_of
 from running.programs import PROGRAMS, ROOT, CaseError, described
 
 PAGES = [ROOT / "README.md", *sorted((ROOT / "doc").glob("*.md")), ROOT / "meshes" / "README.md"]
-REFERENCE = ROOT / "doc" / "walk.md"  # its tables tell whether results have changed
+REFERENCE = ROOT / "doc" / "walk.md"  # the values in its tables tell whether results have changed
 SHELL = r"""set -euo pipefail
 case_of() {
   local folder; folder=$CASES/$(printf '%s\0' "$@" | md5sum | cut -c 1-12)
@@ -100,7 +101,8 @@ class Documents:
         motors = sorted({f"prm/{name}" for name in named if (ROOT / "prm" / name).exists()} or {"prm/soft_spring.prm"})
         parts = [block.command, *map(without_comments, scripts), *map(self.identity, motors)]
         if block.price == "dear":
-            parts += [one.content for one in blocks_of(REFERENCE) if "document_tables.py points" in one.command]
+            parts += [f"{value:.2g}" for one in blocks_of(REFERENCE) if "document_tables.py points" in one.command
+                      for value, *_ in split_numbers(one.text)[1]]
         return digest(*parts)
 
     def made(self, block):
