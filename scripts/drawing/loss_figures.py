@@ -10,8 +10,7 @@ CURVES = (("total_loss_mW", "total", BLACK, "o", "-"),
           ("internal_loss_mW", "inside stator and rotor", BLUE, "s", "--"),
           ("friction_loss_mW", "friction", ORANGE, "^", "-"),
           ("support_loss_mW", "support", GREEN, "D", ":"))
-INTERNAL = ("internal_loss_stator_metal", "internal_loss_piezoceramic", "internal_loss_stator_vibration",
-            "internal_loss_rotor")
+INTERNAL = ("internal_loss_stator", "internal_loss_rotor")
 LAYERS = (("output_power", "output", BLUE), ("friction_loss", "friction", ORANGE),
           ("internal_loss_stator_metal", "stator metal", GREY), ("internal_loss_piezoceramic", "piezoceramic", PURPLE),
           ("internal_loss_stator_vibration", "other modes of the stator", SKY),
@@ -19,10 +18,11 @@ LAYERS = (("output_power", "output", BLUE), ("friction_loss", "friction", ORANGE
 
 
 def loss_columns(losses, contact):
-    """Columns of the operating points, with the internal losses added up; their errors have one cause and add up."""
+    """Columns of the operating points, with the internal losses of both bodies added up, and the squares of their errors,
+    which are independent for the most part."""
     columns = sorted_columns(losses.points_with(contact))
-    for end in ("_mW", "_error_mW"):
-        columns["internal_loss" + end] = sum(columns[name + end] for name in INTERNAL)
+    columns["internal_loss_mW"] = sum(columns[name + "_mW"] for name in INTERNAL)
+    columns["internal_loss_error_mW"] = np.hypot(*(columns[name + "_error_mW"] for name in INTERNAL))
     columns["efficiency_percent"] = 100 * columns["efficiency"]
     columns["efficiency_error_percent"] = 100 * columns["efficiency_error"]
     return columns

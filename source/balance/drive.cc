@@ -76,7 +76,7 @@ namespace ringmotor
         loss_budget(at_rest, energies, parameters.materials, of_rotor, parameters.support);
     VoltageDrive drive = voltage_drive(driven, losses, driven.amplitude, *parameters.wave.voltage);
     drive.rotor_loss_factor = of_rotor.sum();
-    drive.force_factor.errors[causes::circuits] += // it is the mean of both phases
+    drive.force_factor.errors[causes::wave] += // it is the mean of both phases
         0.5 * difference_of_phases(driven) * std::abs(drive.force_factor.value);
     wave.drive = drive;
   }

@@ -178,8 +178,8 @@ namespace ringmotor
 
   namespace
   {
-    /** Includes the largest effects that were left out as long as they take nearly all of the
-     * target together. */
+    /** Includes the largest effects that were left out as long as all of them together exceed
+     * AccuracyBudget::left_out(); none where those that the motor cannot have do so alone. */
     void include_largest(std::vector<EffectRow> &rows, Parameters &parameters, const double target)
     {
       const auto can_be_included = [&](const EffectRow &row)
@@ -191,17 +191,19 @@ namespace ringmotor
       };
       while (true)
       {
-        double sum         = 0.;
+        double whole = 0., fixed = 0.; // of independent errors
         EffectRow *largest = nullptr;
         for (EffectRow &row : rows)
           if (row.is_left_out())
           {
-            sum += std::abs(*row.indicator);
-            if (can_be_included(row) &&
-                (!largest || std::abs(*row.indicator) > std::abs(*largest->indicator)))
+            whole = std::hypot(whole, *row.indicator);
+            if (!can_be_included(row))
+              fixed = std::hypot(fixed, *row.indicator);
+            else if (!largest || std::abs(*row.indicator) > std::abs(*largest->indicator))
               largest = &row;
           }
-        if (sum <= AccuracyBudget::left_out(target) || !largest)
+        const double limit = AccuracyBudget::left_out(target);
+        if (whole <= limit || fixed > limit || !largest)
           return;
         parameters.effects[largest->name] = EffectChoice::on;
         largest->choice                   = "on";

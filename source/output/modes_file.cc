@@ -240,16 +240,16 @@ namespace ringmotor
       return {};
     DrivenWave wave;
     wave.amplitude         = file.attribute<double>("/wave", "amplitude_m");
-    wave.natural_frequency = natural_frequency(file, causes::circuits);
-    wave.modal_mass        = shape_number(file, "modal_mass", causes::circuits);
-    wave.electric_energy   = shape_number(file, "electric_energy", causes::circuits);
+    wave.natural_frequency = natural_frequency(file, causes::wave);
+    wave.modal_mass        = shape_number(file, "modal_mass", causes::wave);
+    wave.electric_energy   = shape_number(file, "electric_energy", causes::wave);
     for (const Phase phase : both_phases)
     {
       const std::string group = "/circuits/" + name_of(phase);
       const auto number       = [&](const std::string &name)
       {
         return Estimate(file.attribute<double>(group, name),
-                        file.attribute<double>(group, name + " error"), causes::circuits);
+                        file.attribute<double>(group, name + " error"), causes::wave);
       };
       wave.force_factor[PhaseHarmonics::index(phase)]         = number("force_factor_N_per_V");
       wave.parallel_capacitance[PhaseHarmonics::index(phase)] = number("C0_F");

@@ -44,26 +44,24 @@ namespace ringmotor
     // Where inertia was switched off, its estimate is for information only.
     constexpr unsigned int n_rough = 3;
     std::optional<LipAmplification> rough_lip;
-    const auto on_coarsest = [&](const unsigned int n) {
-      return LipAmplification(given, uniform_vibration.rotor.of_harmonics(n, coarsest), coarsest,
-                              n);
-    };
-    const Scene scene{
-        chosen, &wave,
-        [&](const Effect &effect)
-        {
-          measured[effect.name] =
-              effect_on_points(chosen, effect, wave, uniform_vibration, MPI_COMM_WORLD);
-          return measured[effect.name].relative;
-        },
-        [&](const bool roughly) -> const LipAmplification &
-        {
-          if (roughly)
-            return rough_lip.emplace(on_coarsest(n_rough));
-          lip.emplace(given, uniform_vibration.rotor.of_first_harmonics(), level, n_harmonics);
-          lip_quantities = quantities_of(*lip, on_coarsest(n_harmonics), wave.angular_frequency);
-          return *lip;
-        }};
+    const auto on_mesh = [&](const unsigned int mesh, const unsigned int n)
+    { return LipAmplification(given, uniform_vibration.rotor.of_harmonics(n, mesh), mesh, n); };
+    const Scene scene{chosen, &wave,
+                      [&](const Effect &effect)
+                      {
+                        measured[effect.name] = effect_on_points(chosen, effect, wave,
+                                                                 uniform_vibration, MPI_COMM_WORLD);
+                        return measured[effect.name].relative;
+                      },
+                      [&](const bool roughly) -> const LipAmplification &
+                      {
+                        if (roughly)
+                          return rough_lip.emplace(on_mesh(coarsest, n_rough));
+                        lip.emplace(on_mesh(level, n_harmonics));
+                        lip_quantities = quantities_of(*lip, on_mesh(coarsest, n_harmonics),
+                                                       wave.angular_frequency);
+                        return *lip;
+                      }};
     rows = choose_effects(chosen, EffectStage::contact, scene, given.accuracy.contact_target);
     own_vibration = is_marched(chosen) ? MotorVibration(chosen, wave, MPI_COMM_WORLD)
                                        : uniform_vibration; // with its computed results

@@ -34,10 +34,10 @@ namespace ringmotor
 
   PointError CurvePoint::error() const
   {
-    PointError sum;
+    PointError whole;
     for (const auto &[cause, error] : errors)
-      sum += error;
-    return sum;
+      whole.add_independent(error);
+    return whole;
   }
 
   void CurvePoint::add_certificate(const ContactSolution &solution)

@@ -141,7 +141,7 @@ namespace ringmotor
     std::map<Cure, double> curable;
     for (const auto &cause : all_error_causes())
       if (cause->cure && is_possible.at(*cause->cure))
-        curable[*cause->cure] += errors->relative(point.errors.at(cause->name));
+        curable[*cause->cure] += std::pow(errors->relative(point.errors.at(cause->name)), 2);
     return curable;
   }
 
@@ -149,11 +149,11 @@ namespace ringmotor
   {
     for (const auto &cause : all_error_causes())
       errors->require_bearable(*cause, results);
-    const double target = budget.whole();
+    const double target = std::pow(budget.whole(), 2); // squares add up
     std::set<Cure> needed;
     for (const CurvePoint &point : results)
     {
-      double expected = errors->relative(point.error());
+      double expected = std::pow(errors->relative(point.error()), 2);
       if (expected <= target)
         continue;
       std::vector<std::pair<double, Cure>> cures; // of the largest error first
@@ -171,7 +171,7 @@ namespace ringmotor
       for (const auto &[error, cure] : cures)
         if (expected > target)
         {
-          expected -= (1. - remaining_part(cure)) * error;
+          expected -= (1. - std::pow(remaining_part(cure), 2)) * error;
           needed.insert(cure);
           if (cure == Cure::steps)
             shorten_steps(point.request, 2 * n_parts.at(point.request));

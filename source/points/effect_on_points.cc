@@ -38,7 +38,7 @@ namespace ringmotor
                                   const StatorWave &wave, const MotorVibration &vibration,
                                   const MPI_Comm communicator)
   {
-    constexpr unsigned int modes_level = 1;
+    constexpr unsigned int modes_level = RotorVibration::rough_level;
     Parameters with = all_parameters, without = all_parameters;
     with.time.scheme = without.time.scheme = TimeScheme::steady;
     // It shall be cheap, and the same whatever the steps.
@@ -96,16 +96,17 @@ namespace ringmotor
         const auto of_points = measured.find(row.name);
         if (of_points == measured.end())
         {
-          relative += std::abs(*row.indicator);
+          relative = std::hypot(relative, *row.indicator);
           continue;
         }
-        others += of_points->second.change;
+        others.add_independent(of_points->second.change);
       }
   }
 
   PointError LeftOut::of(const CurvePoint &point) const
   {
-    PointError error                      = relative * sizes_of(point) + others;
+    PointError error = relative * sizes_of(point);
+    error.add_independent(others);
     error[prescribed(point.request).name] = 0.; // does not change
     return error;
   }

@@ -3,14 +3,15 @@
 #include <ringmotor/points/error_cause.h>
 #include <ringmotor/points/point_quantities.h>
 
+#include <cmath>
+
 namespace ringmotor
 {
   const PartList<ErrorCause> &all_error_causes()
   {
-    static const PartList<ErrorCause> list =
-        made_by<ErrorCause>({causes::of_meshes, causes::of_modes, causes::of_time_step,
-                             causes::of_scheme, causes::of_window, causes::of_wave,
-                             causes::of_effects, causes::of_algebra, causes::of_circuits});
+    static const PartList<ErrorCause> list = made_by<ErrorCause>(
+        {causes::of_meshes, causes::of_modes, causes::of_time_step, causes::of_scheme,
+         causes::of_window, causes::of_wave, causes::of_effects, causes::of_algebra});
     return list;
   }
 
@@ -23,6 +24,14 @@ namespace ringmotor
   {
     return change(table.at(for_variations(), request),
                   table.at(for_variations().with(variation), request));
+  }
+
+  PointError least_of_power(const CurvePoint &point, const PointError &error)
+  {
+    PointError least;
+    least["friction_loss"] = std::abs(point.result.torque) * error["speed"] +
+                             std::abs(point.result.speed) * error["torque"];
+    return least;
   }
 
   PointError shares_of(const CurvePoint &point, const double crest_speed, const double of_speed,

@@ -104,7 +104,7 @@ namespace ringmotor
             const double value = found[0][side][number];
             const auto change  = [&](const unsigned int other)
             { return margin * std::abs(found[other][side][number] - value); };
-            return Estimate(value, {{causes::circuits, errors[side][number]},
+            return Estimate(value, {{causes::wave, errors[side][number]},
                                     {causes::meshes, change(1)},
                                     {causes::time_step, change(2)}});
           };

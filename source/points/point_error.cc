@@ -3,6 +3,7 @@
 #include <ringmotor/points/point_quantities.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace ringmotor
 {
@@ -30,6 +31,13 @@ namespace ringmotor
   {
     for (const auto &[quantity, number] : other.numbers)
       numbers[quantity] += number;
+    return *this;
+  }
+
+  PointError &PointError::add_independent(const PointError &other)
+  {
+    for (const auto &[quantity, number] : other.numbers)
+      numbers[quantity] = std::hypot(numbers[quantity], number);
     return *this;
   }
 

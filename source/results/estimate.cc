@@ -17,10 +17,10 @@ namespace ringmotor
 
   double Estimate::error() const
   {
-    double sum = 0.;
+    double squares = 0.;
     for (const auto &[cause, error] : errors)
-      sum += error;
-    return sum;
+      squares += error * error;
+    return std::sqrt(squares);
   }
 
   double Estimate::relative_error() const

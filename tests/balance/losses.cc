@@ -180,22 +180,27 @@ TEST(LossBudget, AddsUpWithItsErrors)
   const WaveEnergies wave{1e5, 2e-6, {1e-3, 1e-6, causes::wave}, 2e-4, 1e-6};
   const LossBudget budget = loss_budget(point, wave, materials, RotorLossFactor{5e-3}, felt);
   EXPECT_NEAR(budget.output.value, 0.4, 1e-12);
-  EXPECT_NEAR(budget.output.error(), 0.05 * 0.16, 1e-12);
+  EXPECT_NEAR(budget.output.error(), std::hypot(0.05 * 0.08, 0.05 * 0.08), 1e-12);
   EXPECT_NEAR(budget.friction.value, 0.1, 1e-12);
   EXPECT_NEAR(budget.stator_metal.value, 2. * 1e5 * 1e-3 * 4e-3, 1e-12);
-  EXPECT_NEAR(budget.stator_metal.error(), 2. * 1e5 * 1e-3 * 4. * (1e-6 + 1e-3 * 2. * 0.0025),
-              1e-12);
+  EXPECT_NEAR(budget.stator_metal.error(),
+              2. * 1e5 * 1e-3 * 4. * std::hypot(1e-6, 1e-3 * 2. * 0.0025), 1e-12);
   EXPECT_NEAR(budget.amplitude.error(), 1e-8, 1e-20);
   EXPECT_NEAR(budget.piezoceramic.value, 2. * 1e5 * 2e-3 * 8e-4, 1e-12);
   EXPECT_NEAR(budget.rotor.value, 5e-3 * 2., 1e-12);
   EXPECT_NEAR(budget.support.value, 2. * 1e5 * 0.3 * 4e-6, 1e-12);
   EXPECT_NEAR(budget.total().value, 0.1 + 0.8 + 0.32 + 0.01 + 0.24, 1e-12);
-  EXPECT_NEAR(budget.total().error(), 0.02 + 8e-4 + 1e-3 + 1.36 * 2. * 0.0025, 1e-12);
+  const double of_meshes = 0.01 + 5e-3 * 0.1, of_step = of_meshes + 1.36 * 2. * 0.0025,
+               of_wave = 8e-4;
+  EXPECT_NEAR(budget.total().error(), std::hypot(of_meshes, of_step, of_wave), 1e-12);
   EXPECT_NEAR(budget.efficiency().value, 0.4 / 1.87, 1e-12);
-  // The error of a quotient, by changing both parts by their errors.
-  const double output = 0.4 - 0.008, loss = 1.47 + 0.0286;
-  EXPECT_NEAR(budget.efficiency().error(), 0.4 / 1.87 - output / (output + loss), 1e-3);
-  // By causes, which add up
+  // The error of a quotient, by changing both parts by their errors of one cause after the other.
+  const auto change = [](const double of_output, const double of_loss)
+  { return 0.4 / 1.87 - (0.4 - of_output) / (1.87 - of_output + of_loss); };
+  EXPECT_NEAR(budget.efficiency().error(),
+              std::hypot(change(0.004, of_meshes), change(0.004, of_step), change(0., of_wave)),
+              1e-4);
+  // By causes
   EXPECT_NEAR(budget.output.errors.at(causes::meshes), 0.05 * 0.08, 1e-12);
   EXPECT_NEAR(budget.total().errors.at(causes::meshes), 0.01 + 5e-3 * 0.1, 1e-12);
   EXPECT_NEAR(budget.total().errors.at(causes::wave), 2. * 1e5 * 1e-3 * 4. * 1e-6, 1e-12);

@@ -44,9 +44,9 @@ namespace
         {{"speed", 0.25}, {"friction_loss", 1e-3}, {"rotor_power_per_loss_factor", 2e-5}}};
     point.errors[causes::time_step] = {
         {{"speed", 0.5}, {"friction_loss", 2e-3}, {"rotor_power_per_loss_factor", 3e-5}}};
-    point.errors[causes::circuits]["amplitude"] = 1e-3; // of a driven wave
-    point.fields.times                          = {0.};
-    point.fields.n_repeating_teeth              = 1;
+    point.errors[causes::wave]["amplitude"] = 1e-3; // of a driven wave
+    point.fields.times                      = {0.};
+    point.fields.n_repeating_teeth          = 1;
     point.fields.state.force = point.fields.motion = point.fields.tooth = point.fields.rotor = {{}};
     point.fields.status = {PointStatus::open};
     return point;
@@ -149,20 +149,21 @@ TEST(PointQuantities, HaveTheUnitsOfTheirNames)
   const Outputs outputs(point);
   EXPECT_EQ(outputs.csv.at("control"), "torque");
   EXPECT_NEAR(outputs.in_csv("speed_rpm"), 95.4929658551372, 1e-12);
-  EXPECT_NEAR(outputs.in_csv("speed_error_rpm"), 7.16197243913529, 1e-13);
+  EXPECT_NEAR(outputs.in_csv("speed_error_rpm"), std::hypot(0.25, 0.5) * 30. / M_PI, 1e-13);
   EXPECT_NEAR(outputs.in_csv("torque_mNm"), 50., 1e-12);
   EXPECT_EQ(outputs.in_csv("torque_error_mNm"), 0.);
   EXPECT_NEAR(outputs.in_csv("friction_loss_mW"), 100., 1e-12);
-  EXPECT_NEAR(outputs.in_csv("friction_loss_error_mW"), 3., 1e-12);
+  EXPECT_NEAR(outputs.in_csv("friction_loss_error_mW"), std::hypot(1., 2.), 1e-12);
   EXPECT_NEAR(outputs.in_csv("output_power_mW"), 500., 1e-12);
-  EXPECT_NEAR(outputs.in_csv("rotor_power_per_loss_factor_error_mW"), 0.05, 1e-12);
+  EXPECT_NEAR(outputs.in_csv("rotor_power_per_loss_factor_error_mW"), std::hypot(0.02, 0.03),
+              1e-12);
   EXPECT_EQ(outputs.in_csv("stick_fraction"), point.result.stick_fraction);
   EXPECT_EQ(outputs.in_h5("speed_rad_per_s"), 10.);
   EXPECT_EQ(outputs.in_h5("torque_Nm"), 0.05);
   EXPECT_EQ(outputs.in_h5("radial_loss_W"), 0.04);
   const nlohmann::json &loss = outputs.json.at("friction_loss");
   EXPECT_EQ(loss["unit"], "W");
-  EXPECT_DOUBLE_EQ(loss["error"], 3e-3);
+  EXPECT_DOUBLE_EQ(loss["error"], std::hypot(1e-3, 2e-3));
   EXPECT_EQ(loss["error_causes"]["meshes of bodies and interface"], 1e-3);
   EXPECT_EQ(loss["error_causes"]["time step"], 2e-3);
   EXPECT_EQ(outputs.json.at("speed")["error_causes"]["time step"], 0.5);

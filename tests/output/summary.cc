@@ -33,7 +33,7 @@ namespace
     summary.dofs           = 4294967296u;
 
     summary.results     = {{{"frequency", units::hertz,
-                             Estimate(30004.123456789012, {{"body mesh", 1.5}, {"algebra", 0.5}})},
+                             Estimate(30004.123456789012, {{"body mesh", 1.5}, {"algebra", 2.0}})},
                             0.75,
                             {{"n", 7u}, {"family", std::string("axial")}, {"shift", 0.5}}}};
     summary.effects     = {{"Target plates", 0.01, "off"}, {"Tooth shear", {}, "on"}};
@@ -57,8 +57,8 @@ TEST(Summary, HoldsEverythingUnderItsName)
     "peak_memory_MB": 123.5,
     "dofs": 4294967296,
     "quantities": [{"name": "frequency", "n": 7, "family": "axial", "shift": 0.5,
-                    "value": 30004.123456789012, "unit": "Hz", "error": 2.0,
-                    "error_causes": {"body mesh": 1.5, "algebra": 0.5}, "seconds": 0.75}],
+                    "value": 30004.123456789012, "unit": "Hz", "error": 2.5,
+                    "error_causes": {"body mesh": 1.5, "algebra": 2.0}, "seconds": 0.75}],
     "effects": [{"name": "Target plates", "indicator": 0.01, "choice": "off",
                  "automatic": false, "seconds": 0.0, "dofs": 0, "bytes": 0},
                 {"name": "Tooth shear", "indicator": null, "choice": "on",

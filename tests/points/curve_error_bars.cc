@@ -74,12 +74,13 @@ namespace
                 ? exact + a * std::pow(0.25, discretisation.level) * (1. + point.result.torque) +
                       b / steps.number()
                 : request.value;
-        point.result.amplitude       = 2e-6;
-        point.result.input_power     = 1.;
-        point.result.gross_power     = 1.;
-        point.result.output_work     = 0.5;
-        point.result.tangential_loss = steps.n_parts < 4 ? 0.49 : 0.5;
-        point.fields.time_step       = 1e-7;
+        point.result.amplitude        = 2e-6;
+        point.result.input_power      = 1.;
+        point.result.gross_power      = 1.;
+        point.result.output_work      = 0.5;
+        point.result.tangential_loss  = steps.n_parts < 4 ? 0.49 : 0.5;
+        point.fields.time_step        = 1e-7;
+        point.result.teeth_in_contact = 3.;
         if (change)
           change(point, discretisation, motor);
         points.push_back(point);
@@ -196,6 +197,30 @@ TEST(CurveErrorBars, OfMeshesFollowTheLastChange)
   EXPECT_NEAR(mesh_bar({{0.36, 0.12, 0.12, 0.}}, 0.02, 2), 0.75 * 0.06, 1e-12);
   // Values that swing about their limit
   EXPECT_NEAR(mesh_bar({{0.2, -0.1, 0.03, -0.01}}, 0.025, 2), 0.75 * 0.13, 1e-12);
+}
+
+TEST(CurveErrorBars, OfMeshesAreLargerWhereFewTeethTouch)
+{
+  // All meshes agree by chance: in proportion to 3 over the teeth per wave, down to one tooth.
+  for (const auto &[teeth, factor] : {std::pair(6., 1.), {3., 1.}, {1.5, 2.}, {0.1, 3.}})
+  {
+    const double number = teeth;
+    Search search({3.}, 0.5,
+                  {0., 0.,
+                   [number](CurvePoint &point, const Discretisation &, const CondensedMotor &)
+                   { point.result.teeth_in_contact = number; }});
+    const PointError &bars = search.find().points().front().errors.at(causes::meshes);
+    EXPECT_NEAR(bars["stick_fraction"], factor * 0.06, 1e-12) << teeth;
+    EXPECT_NEAR(bars["friction_loss"], factor * 0.02 * 0.5, 1e-12) << teeth;
+  }
+}
+
+TEST(CurveErrorBars, OfMeshesContainTheLossThatAnErrorOfSpeedBrings)
+{
+  // The loss is the same on all meshes; speeds are not, and what torque times speed lacks is lost.
+  const PointError bars = point_at(3., {3.}, 0.2, 0.1).errors.at(causes::meshes);
+  EXPECT_GT(bars["speed"], 0.05);
+  EXPECT_NEAR(bars["friction_loss"], 3. * bars["speed"], 1e-12);
 }
 
 TEST(CurveErrorBars, AreAtLeastWhatCountingResolves)

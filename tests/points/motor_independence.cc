@@ -225,8 +225,8 @@ TEST(MotorIndependenceRanks, SameVibrationsAndMotorsOnTwo)
   unsigned int n_modes = 0;
   for (unsigned int k = 0; k <= parameters.motor.n_teeth / 2; ++k)
   {
-    const auto &alone  = one.rotor.of_first_harmonics().of_diameter(k),
-               &shared = two.rotor.of_first_harmonics().of_diameter(k);
+    const auto &alone  = one.rotor.of_harmonics(6, 1).of_diameter(k),
+               &shared = two.rotor.of_harmonics(6, 1).of_diameter(k);
     ASSERT_EQ(alone.size(), shared.size()) << k;
     n_modes += alone.size();
     for (unsigned int i = 0; i < alone.size(); ++i)

@@ -8,6 +8,7 @@ What is compared: files with each other and with the loads that were asked for; 
 the motor turns at 85.3 rpm without load (see tests/points/motor.cc).
 """
 import json
+import math
 import pathlib
 import re
 import sys
@@ -121,7 +122,7 @@ class Results(WithContact):
                 self.assertEqual(quantity["error"], 0.0)
                 continue
             self.assertGreater(quantity["error"], 0.0, quantity["name"])
-            self.assertAlmostEqual(sum(quantity["error_causes"].values()), quantity["error"])
+            self.assertAlmostEqual(math.hypot(*quantity["error_causes"].values()), quantity["error"])
 
     def test_two_ranks_find_the_same(self):
         one = rows_of(self.folder / "torque_speed.csv")

@@ -161,7 +161,8 @@ class ReferenceMotor(unittest.TestCase):
         self.compare(self.SOLID, "off", *self.SOLID_FLANGE)
 
     def test_with_a_solid_flange_and_inertia(self):
-        """With everything on auto, the motor that was found is within the error bars."""
+        """With everything on auto, the motor that was found is within the error bars and those of the other model, which is
+        known to a hundredth of the speed without load."""
         folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
         done = run(MOTOR, ROOT / "prm" / "canon_ring.prm", "--output", folder,
                    *settings("Output/VTU = false", "Accuracy/Contact target = 0.06", "Loading/Values = 0, 0.05, 0.1, 0.15",
@@ -169,7 +170,7 @@ class ReferenceMotor(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         rows = rows_of(folder / "contact" / "torque_speed.csv")
         for row, speed in zip(rows, (73.2, 70.7, 67.1, 61.4)):
-            self.assertAlmostEqual(float(row["speed_rpm"]), speed, delta=float(row["speed_error_rpm"]))
+            self.assertAlmostEqual(float(row["speed_rpm"]), speed, delta=float(row["speed_error_rpm"]) + 0.01 * 73.2)
             self.assertLess(float(row["speed_error_rpm"]), 0.06 * 73.2)
         self.assertAlmostEqual(float(rows[0]["friction_loss_mW"]), 54.4, delta=float(rows[0]["friction_loss_error_mW"]))
         self.assertAlmostEqual(float(rows[0]["teeth_in_contact_per_wave"]), 3.6,

@@ -64,7 +64,7 @@ class Volts(unittest.TestCase):
             for quantity in found.values():
                 self.assertGreater(quantity["error"], 0)
                 self.assertLess(quantity["error"], 0.05 * quantity["value"], quantity["name"])
-                self.assertAlmostEqual(sum(quantity["error_causes"].values()), quantity["error"],
+                self.assertAlmostEqual(math.hypot(*quantity["error_causes"].values()), quantity["error"],
                                        delta=1e-9 * quantity["error"])
 
     def test_quality(self):
@@ -107,7 +107,7 @@ class Volts(unittest.TestCase):
         self.assertTrue(summary["certificate"]["holds"])
         for quantity in summary["quantities"]:
             if "error" in quantity:
-                self.assertAlmostEqual(sum(quantity["error_causes"].values()), quantity["error"],
+                self.assertAlmostEqual(math.hypot(*quantity["error_causes"].values()), quantity["error"],
                                        delta=1e-9 + 1e-6 * quantity["error"], msg=quantity["name"])
 
     def test_voltage_at_resonance(self):

@@ -137,6 +137,8 @@ namespace ringmotor
   {
   public:
     static constexpr unsigned int finest_level = 3;
+    /** To estimate what effects change: with the harmonics that move a rotor by much. */
+    static constexpr unsigned int rough_level = 0;
     /** For tight targets, to begin with. */
     static constexpr unsigned int usual_level = 2;
 
@@ -170,9 +172,7 @@ namespace ringmotor
     /** Computes what condense_motor() reads: before ranks condense different motors. */
     void prepare(const unsigned int modes_level,
                  const ModeSets sets = ModeSets::with_compared) const;
-    /** Those of all nodal diameters on the mesh of level 1, for the first harmonics. */
-    const LipModes &of_first_harmonics() const;
-    /** The same for as many harmonics as are asked for, on the mesh of a level. */
+    /** Those of all nodal diameters for the first harmonics, on the mesh of a level. */
     const LipModes &of_harmonics(const unsigned int n_harmonics, const unsigned int level) const;
     /** See rotor_loss_factor(). */
     double loss_factor() const;

@@ -25,8 +25,9 @@ namespace ringmotor
     static double effect(const double target) { return target / 3.; }
     /** The same where including it would multiply the time of each point. */
     static double costly_effect(const double target) { return target / 2.; }
-    /** All effects together that are left out: the rest is for everything else. */
-    static double left_out(const double target) { return 0.85 * target; }
+    /** All effects together that are left out: everything else, which is independent of them, may
+     * have 0.8 of the target. */
+    static double left_out(const double target) { return 0.6 * target; }
     /** The meshes alone, on which short steps and varied motors are worth their cost. */
     double meshes() const { return 0.9 * contact; }
     /** How closely the means of a marched motor must settle. */

@@ -42,10 +42,8 @@ namespace ringmotor
   {
     inline constexpr const char *meshes    = "meshes of bodies and interface",
                                 *time_step = "time step",
-                                *wave      = "wave of the stator", ///< as `stator` estimates it
-                                    *circuits =
-                                        "circuits of the phases"; ///< numbers of VoltageDrive
-  }                                                               // namespace causes
+                                *wave      = "wave of the stator"; ///< as `stator` estimates it
+  }                                                                // namespace causes
 
   /** An operating point and the effort to find it. */
   struct CurvePoint
@@ -65,7 +63,7 @@ namespace ringmotor
     std::string remark; ///< what was tried if Newton's method alone did not suffice
     ContactFields fields;
 
-    /** The sum of all causes. */
+    /** Of all causes, which are independent. */
     PointError error() const;
 
     /** Adds what the solver reports of a state. */

@@ -74,7 +74,7 @@ namespace ringmotor
     /** For each point that misses the target takes the fewest cures that are expected to suffice.
      * @throws ComputationError if a point has none */
     void refine();
-    /** The relative errors of a point that can be made smaller, by what does. */
+    /** The squares of the relative errors of a point that can be made smaller, by what does. */
     std::map<Cure, double> curable_errors(const CurvePoint &point) const;
     void take(const std::set<Cure> &cures);
     void take_finer_meshes();

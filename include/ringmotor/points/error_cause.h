@@ -96,6 +96,11 @@ namespace ringmotor
   /** All of them. */
   const PartList<ErrorCause> &all_error_causes();
 
+  /** The friction loss that an error of speed and torque brings with it, in W: a wave gives about
+   * the same power to a motor on other meshes or with other modes, and what less speed or torque
+   * leaves of it is lost in friction. */
+  PointError least_of_power(const CurvePoint &point, const PointError &error);
+
   /** Given shares of the speed of the crests (rad/s), if a torque is given, and of the loss. */
   PointError shares_of(const CurvePoint &point, const double crest_speed, const double of_speed,
                        const double of_loss);

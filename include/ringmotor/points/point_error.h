@@ -22,6 +22,8 @@ namespace ringmotor
 
     PointError &operator*=(const double factor);
     PointError &operator+=(const PointError &other);
+    /** Adds an error of an independent cause: the squares add up. */
+    PointError &add_independent(const PointError &other);
     /** Raises each number to at least that of @p least. */
     PointError &raise(const PointError &least);
 

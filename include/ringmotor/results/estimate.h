@@ -7,9 +7,9 @@
 namespace ringmotor
 {
   /**
-   * A number with its error bar, in the same unit, by causes. The parts of an error bar are bounds:
-   * they add up, whatever their signs may be, and pass through sums, products and quotients in
-   * first order.
+   * A number with its error bar, in the same unit, by causes. Errors of the same cause add up,
+   * whatever their signs may be, and pass through sums, products and quotients in first order.
+   * Causes are independent of each other: their squares add up.
    */
   class Estimate
   {
@@ -25,7 +25,7 @@ namespace ringmotor
     {
     }
 
-    /** The whole error bar. */
+    /** The whole error bar: the root of the sum of squares of all causes. */
     double error() const;
     /** The same relative to the value; 0 for the number 0. */
     double relative_error() const;

@@ -2,6 +2,7 @@
 #include <ringmotor/points/causes/list.h>
 #include <ringmotor/points/point_quantities.h>
 
+#include <algorithm>
 #include <array>
 
 namespace ringmotor
@@ -11,16 +12,18 @@ namespace ringmotor
     /** What meshes of a level were found to be off by where they agree with the next coarser one by
      * chance, see accuracy_and_cost.md: the coarsest ones are far from the regime of convergence,
      * only from level 3 on a change shows the division around the teeth, and the share of sticking
-     * nodes changes with every layer of cells. */
+     * nodes changes with every layer of cells. The fewer teeth touch, the more a node counts. */
     PointError least_error(const unsigned int level, const CurvePoint &point,
                            const double crest_speed)
     {
       constexpr std::array<double, ContactDiscretisation::finest_level + 1> of_speed{
           {5e-3, 5e-3, 2.5e-3, 0., 0.}},
           of_loss{{2e-2, 2e-2, 1e-2, 0., 0.}};
+      constexpr double of_sticking = 0.06, usual_teeth = 3.;
       PointError least        = shares_of(point, crest_speed, of_speed[level], of_loss[level]);
-      least["stick_fraction"] = 0.06;
-      return least;
+      least["stick_fraction"] = of_sticking;
+      const double teeth      = std::max(1., point.result.teeth_in_contact);
+      return std::max(1., usual_teeth / teeth) * least;
     }
 
     /** Meshes of bodies and interface: from the change from the next coarser ones, with a margin,
@@ -55,7 +58,8 @@ namespace ringmotor
           if (const CurvePoint *const before =
                   scene.table.find(scene.plain(coarser_level - 1), request))
             error.raise(margin / ratio * change(*before, coarser));
-        return error.raise(least_error(scene.level, point, scene.crest_speed(point)));
+        error.raise(least_error(scene.level, point, scene.crest_speed(point)));
+        return error.raise(least_of_power(point, error));
       }
     };
   } // namespace

@@ -37,16 +37,6 @@ namespace ringmotor
                        sharpness * of_loss[motor.modes_level]);
     }
 
-    /** A wave gives about the same power to other modes: what less speed or torque leaves of it is
-     * lost in friction. */
-    PointError least_of_power(const CurvePoint &point, const PointError &error)
-    {
-      PointError least;
-      least["friction_loss"] = std::abs(point.result.torque) * error["speed"] +
-                               std::abs(point.result.speed) * error["torque"];
-      return least;
-    }
-
     /** Vibrations of rotor and teeth: their mesh, and the harmonics left out. */
     class ErrorOfModes : public ErrorCause
     {
@@ -73,8 +63,8 @@ namespace ringmotor
         const CurvePoint &point        = scene.table.at(own, request),
                          &coarse       = scene.table.at(requested.with(coarse_modes), request),
                          &other        = scene.table.at(requested.with(other_harmonics), request);
-        PointError error =
-            of_mesh * scene.change_by(coarse_modes, request) + of_harmonics * change(coarse, other);
+        PointError error               = of_mesh * scene.change_by(coarse_modes, request);
+        error.add_independent(of_harmonics * change(coarse, other));
         const CondensedMotor &motor = scene.motor();
         if (motor.has_modes_of(ModePart::rotor) && !motor.dynamics.is_hysteretic)
           error.raise(least_error(point, motor, scene.crest_speed(point)));

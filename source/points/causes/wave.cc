@@ -15,7 +15,16 @@ namespace ringmotor
                                       motion[c] *= 1. + wave_error;
                                 }};
 
-    /** The stator's wave, as the program `stator` estimates its error. */
+    /** With all numbers of VoltageDrive off by their errors. */
+    const Variation stronger_drive{"stronger drive", nullptr, nullptr, true};
+
+    bool is_driven(const ErrorScene &scene)
+    {
+      return scene.parameters.wave.drive == Drive::voltage;
+    }
+
+    /** The stator's wave and the circuits that drive it, as the program `stator` estimates their
+     * errors: those of the same mesh. */
     class ErrorOfWave : public ErrorCause
     {
     public:
@@ -23,13 +32,30 @@ namespace ringmotor
 
       std::vector<Discretisation> needs(const ErrorScene &scene) const override
       {
-        return {scene.for_variations().with(larger_wave)};
+        std::vector<Discretisation> needed{scene.for_variations().with(larger_wave)};
+        if (is_driven(scene))
+          needed.push_back(scene.for_variations().with(stronger_drive));
+        return needed;
       }
 
       PointError of(const PointRequest &request, const Discretisation &,
                     const ErrorScene &scene) const override
       {
-        return scene.change_by(larger_wave, request);
+        PointError error = scene.change_by(larger_wave, request);
+        if (is_driven(scene))
+          error += scene.change_by(stronger_drive, request);
+        return error;
+      }
+
+      std::string remedy(const Parameters &parameters) const override
+      {
+        if (parameters.wave.drive != Drive::voltage)
+          return "";
+        return std::string(parameters.wave.frequency
+                               ? "; close to the resonance the frequency must be known well"
+                               : "") +
+               ": run the program stator with a smaller Accuracy/Target first, or choose a larger "
+               "Contact target";
       }
     };
   } // namespace

@@ -16,6 +16,5 @@ namespace ringmotor
     std::unique_ptr<const ErrorCause> of_wave();
     std::unique_ptr<const ErrorCause> of_effects();
     std::unique_ptr<const ErrorCause> of_algebra();
-    std::unique_ptr<const ErrorCause> of_circuits();
   } // namespace causes
 } // namespace ringmotor
