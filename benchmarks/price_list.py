@@ -21,7 +21,8 @@ from motor_run import OUTPUT_OFF, table, write_markdown  # noqa: E402
 from timed_run import AUTO, MOTOR, ROOT, arguments, limited_run, on_ranks, program  # noqa: E402
 
 ONE_COEFFICIENT = {"Friction/Law": "coulomb", "Friction/Static coefficient": "0.40"}
-RING60 = ROOT / "prm" / "ring60.prm"
+RING60, CANON = ROOT / "prm" / "ring60.prm", ROOT / "prm" / "canon_ring.prm"
+INERTIA = {"Effects/Rotor inertia": "on", "Effects/Tooth inertia": "on", "Effects/Damping": "on"}
 SOLID = {"Rotor/Flange element": "solid"}
 
 
@@ -37,7 +38,9 @@ ROWS = (
     stator("frequency of the wave", ("1e-2", "1e-3", "1e-4")) +
     stator("two frequencies each, 0 to 12 waves", ("1e-3",), **{"Modes/Nodal diameters": "0-12"}) +
     stator("two frequencies of the rotor, 7 waves", ("1e-2", "1e-3"), **{"Modes/Body": "rotor"}) +
-    contact("speed and torque, without inertia", ("0.1", "0.03", "0.01", "0.003")) +
+    contact("speed and torque of the reference motor", ("0.1", "0.03", "0.01"), motor=CANON) +
+    contact("the same, with inertia of rotor and teeth", ("0.1", "0.03"), motor=CANON, **INERTIA) +
+    contact("speed and torque, without inertia", ("0.1", "0.03", "0.01")) +
     contact("the same, one coefficient of friction", ("0.01", "0.003"), **ONE_COEFFICIENT) +
     contact("the same, flange solid", ("0.03", "0.01"), **SOLID) +
     contact("speed, torque and friction loss, without inertia", ("0.1", "0.03", "0.01"),
