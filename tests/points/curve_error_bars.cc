@@ -208,7 +208,10 @@ TEST(CurveErrorBars, OfMeshesAreLargerWhereFewTeethTouch)
     Search search({3.}, 0.5,
                   {0., 0.,
                    [number](CurvePoint &point, const Discretisation &, const CondensedMotor &)
-                   { point.result.teeth_in_contact = number; }});
+                   {
+                     point.result.teeth_in_contact = number;
+                     point.result.tangential_loss  = 0.5;
+                   }});
     const PointError &bars = search.find().points().front().errors.at(causes::meshes);
     EXPECT_NEAR(bars["stick_fraction"], factor * 0.06, 1e-12) << teeth;
     EXPECT_NEAR(bars["friction_loss"], factor * 0.02 * 0.5, 1e-12) << teeth;
