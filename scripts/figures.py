@@ -18,6 +18,7 @@ From CASE_DIR/contact, where it exists:
   contact_forces       of each tooth, without load and at 50 mN m or the point nearest to it (Fig. 10)
   friction_history     forces at a point while a crest passes, with stick and slip (Fig. 11)
   torque_speed         speed and friction loss against torque (Fig. 12), with the curves of the other cases
+  sensitivities        the entries that change each result most, after contact FILE.prm --sensitivities
   warped_displacement  normal displacement on the whole ring (Fig. 13), if it is warped at rest
 From CASE_DIR/losses, where it exists:
   losses               friction, inside stator and rotor, support and total against torque (Fig. 14)
@@ -38,6 +39,7 @@ from drawing.curve_figures import draw_lip_amplification, draw_torque_speed
 from drawing.loss_figures import draw_drive, draw_efficiency, draw_energy, draw_losses
 from drawing.response_figure import draw_response
 from drawing.section_figure import draw_sections
+from drawing.sensitivity_figure import draw_sensitivities
 from drawing.stator_figures import draw_admittance, draw_dispersion, draw_electrodes, draw_elliptic_paths, draw_tooth_edge
 from results.case import CaseError, run_script
 from results.contact_case import ContactCase
@@ -50,7 +52,8 @@ NEED_CIRCUITS = (draw_electrodes, draw_admittance)
 CONTACT_FIGURES = {"contact_shape": draw_contact_shape, "normal_displacement": draw_normal_displacement,
                    "contact_forces": draw_contact_forces, "friction_history": draw_friction_history,
                    "warped_displacement": draw_warped_displacement, "torque_speed": draw_torque_speed,
-                   "lip_amplification": draw_lip_amplification, "frequency_response": draw_response}
+                   "lip_amplification": draw_lip_amplification, "frequency_response": draw_response,
+                   "sensitivities": draw_sensitivities}
 LOSSES_FIGURES = {"losses": draw_losses, "efficiency": draw_efficiency, "energy": draw_energy, "drive": draw_drive}
 
 
@@ -77,7 +80,8 @@ def figures_of_stator(case, contact, folder):
 
 def figures_of_contact(case, others, folder):
     figures = {}
-    needed = {draw_warped_displacement: case.warp, draw_lip_amplification: case.lip, draw_response: case.response}
+    needed = {draw_warped_displacement: case.warp, draw_lip_amplification: case.lip, draw_response: case.response,
+              draw_sensitivities: case.sensitivities}
     for name, draw in CONTACT_FIGURES.items():
         if not needed.get(draw, True):
             remove_figure(folder, name)

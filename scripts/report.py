@@ -47,6 +47,8 @@ FIGURES = {
         "contact_forces": "Forces of the teeth on the rotor.",
         "friction_history": "Friction at a contact node while a crest passes.",
         "frequency_response": "Speed and amplitude against the frequency of the drive. Dotted: unstable.",
+        "sensitivities": "What changes most by one percent of an entry, in percent; radii: one percent of their distance from "
+                         "the next one.",
     },
     "losses": {
         "losses": "Power losses against torque.",

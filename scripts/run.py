@@ -137,18 +137,18 @@ def is_flag(word, flags):
     return any(word == flag or word.startswith(f"{flag}=") for flag in flags)
 
 
-def study(options, resume):
+def study(options, more):
     plan = described(PROGRAMS / "motor", *options)
     interruption = Interruption()
-    interruption.need(PROGRAMS / "stator", *options, "--study", *resume)
+    interruption.need(PROGRAMS / "stator", *options, "--study", *more)
     if plan["entries"]["Modes/Body"] != "stator":
         return 0
     interruption.need(PROGRAMS / "stator", *options)  # contact needs a wave, which a study leaves none of
-    interruption.need(PROGRAMS / "contact", *options, "--study", *resume)
+    interruption.need(PROGRAMS / "contact", *options, "--study", *more)
     return interruption.run(SCRIPTS / "study_figure.py", plan["folder"])
 
 
-def run(options, resume):
+def run(options, more):
     plan, launcher = plan_and_launcher(options)
     interruption = Interruption()
     folder = pathlib.Path(plan["folder"])
@@ -160,7 +160,7 @@ def run(options, resume):
     page.unlink(missing_ok=True)
     with tempfile.TemporaryDirectory(prefix="ringmotor_") as scratch:
         done = pathlib.Path(scratch) / "done.json"
-        command = (PROGRAMS / "motor", *options, *resume, "--done", done)
+        command = (PROGRAMS / "motor", *options, *more, "--done", done)
         status = interruption.run_on_ranks(launcher, done.parent, *command) if launcher else interruption.run(*command)
         if not done.exists():  # the stator has failed, or another run is there
             return status
@@ -205,9 +205,9 @@ def main(words):
         return check(words)
     if any(is_flag(word, ("--check", "--clear")) for word in words):
         os.execve(PROGRAMS / "motor", ["motor", *words], without_launcher(os.environ))
-    options = [word for word in words if word not in ("--study", "--resume")]
-    resume = ["--resume"] if "--resume" in words else []
-    return (study if "--study" in words else run)(options, resume)
+    more = [word for word in words if word in ("--resume", "--sensitivities")]
+    options = [word for word in words if word not in ("--study", *more)]
+    return (study if "--study" in words else run)(options, more)
 
 
 if __name__ == "__main__":

@@ -2,11 +2,11 @@
 # From a parameter file to a report: sets up and builds if needed, looks at the parameters of all programs, runs stator,
 # contact and losses one after the other; draws the figures and writes report.html (unless Output/Figures =
 # false) and prints a one-page summary. Options are those of the programs.
-# Usage: scripts/run.sh FILE.prm [--set 'Section/Entry = value']... [--output DIR] [--check] [--study] [--resume]
+# Usage: scripts/run.sh FILE.prm [--set 'Section/Entry = value']... [--output DIR] [--check] [--study] [--resume] [--sensitivities]
 # With --check: looks at the parameters, draws the cross-sections of both bodies, and nothing else. With --study: what
 # accuracy costs of stator and of contact, tables and figures, and nothing else. With --resume, contact and studies take
-# over what an interrupted run has found; the rest is computed again, which gives the same. With Modes/Body = rotor or
-# tooth: the modes of that body alone.
+# over what an interrupted run has found; the rest is computed again, which gives the same. With --sensitivities: also how
+# much each entry of the motor changes its results. With Modes/Body = rotor or tooth: the modes of that body alone.
 # What is not set-up is in scripts/run.py.
 set -euo pipefail
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)

@@ -13,7 +13,7 @@ from source_check import run_check
 
 # Each room may include itself and the rooms before it.
 ORDER = ["parameters", "results", "mesh", "elements", "algebra", "structure", "condensation", "contact", "contact/solve",
-         "motor", "wave", "points", "pictures", "balance", "output", "programs"]
+         "motor", "wave", "points", "pictures", "balance", "sensitivity", "output", "programs"]
 MAY_INCLUDE = {room: set(ORDER[: place + 1]) for place, room in enumerate(ORDER)}
 
 # Everyone may see these.

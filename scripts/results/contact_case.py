@@ -18,6 +18,7 @@ class ContactCase(Results):
     curve       list of dict, the rows of torque_speed.csv
     lip         list of dict, the rows of lip.csv; empty where inertia could not take part
     response    list of dict, the rows of response.csv; empty without Wave/Response torques
+    sensitivities  list of dict, the rows of sensitivities.csv, "" where nothing is known; empty without --sensitivities
     radius, angle  of the contact points of a tooth, in m and rad from the tooth's centre
     """
 
@@ -35,6 +36,10 @@ class ContactCase(Results):
         if self.has("response.csv"):
             self.load("response.csv", self.read_response)
 
+        self.sensitivities = []
+        if self.has("sensitivities.csv"):
+            self.load("sensitivities.csv", self.read_sensitivities)
+
     def read_summary(self, path):
         super().read_summary(path)
         self.friction_coefficient = float(self.parameters["Friction/Dynamic coefficient"])
@@ -50,6 +55,12 @@ class ContactCase(Results):
 
     def read_response(self, path):
         self.response = read_table(path, texts=["state"])
+
+    def read_sensitivities(self, path):
+        texts = ("entry", "unit", "remark")
+        with open(path, newline="", encoding="utf-8") as file:
+            self.sensitivities = [{key: text if key in texts or not text else float(text) for key, text in row.items()}
+                                  for row in csv.DictReader(file)]
 
     def read_contact_points(self, path):
         with h5py.File(path, "r") as file:

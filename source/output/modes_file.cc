@@ -8,8 +8,7 @@
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/parameters/fingerprint.h>
 #include <ringmotor/parameters/short_text.h>
-
-#include <deal.II/base/polynomial.h>
+#include <ringmotor/pictures/trace_motion.h>
 
 #include <cmath>
 #include <filesystem>
@@ -22,8 +21,6 @@ namespace ringmotor
 
   namespace
   {
-    using Complex = std::complex<double>;
-
     /** How many intervals a lattice of points has along each side of a face or cell. */
     unsigned int lattice_order(const Hdf5Reader &file, const std::string &group)
     {
@@ -37,81 +34,41 @@ namespace ringmotor
       return dims.empty() ? 1 : std::max<std::size_t>(1, dims[0]);
     }
 
-    /** A motion sampled face by face, to be interpolated in the plane (r, theta). */
-    class TraceInterpolation
+    /** A trace as write_modes_h5() has written it. */
+    SurfaceTrace read_trace(const Hdf5Reader &file, const std::string &surface)
     {
-    public:
-      TraceInterpolation(const Hdf5Reader &file, const std::string &group)
-          : order(lattice_order(file, group))
+      const std::string group = "/wave/" + surface;
+      SurfaceTrace trace;
+      trace.order                 = lattice_order(file, group);
+      trace.n_faces               = n_entities(file, group + "/points");
+      const std::size_t n_lattice = (trace.order + 1) * (trace.order + 1);
+      const std::vector<std::size_t> dims{trace.n_faces, n_lattice, 3};
+      const auto points    = file.read<double>(group + "/points", dims, "m");
+      const auto real      = file.read<double>(group + "/displacement_real", dims, "m");
+      const auto imaginary = file.read<double>(group + "/displacement_imaginary", dims, "m");
+      for (std::size_t i = 0; i < points.size(); i += 3)
       {
-        const std::size_t n_lattice = (order + 1) * (order + 1),
-                          n_faces   = n_entities(file, group + "/points");
-        const std::vector<std::size_t> dims{n_faces, n_lattice, 3};
-        const std::vector<double> points = file.read<double>(group + "/points", dims, "m");
-        const std::vector<double> real = file.read<double>(group + "/displacement_real", dims, "m");
-        const std::vector<double> imaginary =
-            file.read<double>(group + "/displacement_imaginary", dims, "m");
-        content = to_bytes(order) + to_bytes(points) + to_bytes(real) + to_bytes(imaginary);
-        for (std::size_t i = 0; i < real.size(); ++i)
-          values.emplace_back(real[i], imaginary[i]);
-        for (std::size_t face = 0; face < n_faces; ++face)
-        {
-          std::array<Point<2>, 4> corner;
-          for (unsigned int v = 0; v < 4; ++v)
-          {
-            const std::size_t lattice = v / 2 * order * (order + 1) + v % 2 * order;
-            const double *x           = points.data() + 3 * (face * n_lattice + lattice);
-            corner[v]                 = Point<2>(std::hypot(x[0], x[1]), std::atan2(x[1], x[0]));
-          }
-          corners.push_back(corner);
-        }
-        std::vector<Point<1>> support;
-        for (unsigned int i = 0; i <= order; ++i)
-          support.emplace_back(i / static_cast<double>(order));
-        basis = Polynomials::generate_complete_Lagrange_basis(support);
+        trace.points.emplace_back(points[i], points[i + 1], points[i + 2]);
+        trace.displacement.push_back({{{real[i], imaginary[i]},
+                                       {real[i + 1], imaginary[i + 1]},
+                                       {real[i + 2], imaginary[i + 2]}}});
       }
+      return trace;
+    }
 
-      /** The r, theta, z components at a point of the surface. */
-      std::array<Complex, 3> operator()(const Point<3> &x) const
-      {
-        const Point<2> place(std::hypot(x[0], x[1]), std::atan2(x[1], x[0]));
-        std::size_t nearest = 0;
-        Point<2> unit;
-        double distance = std::numeric_limits<double>::infinity();
-        for (std::size_t face = 0; face < corners.size(); ++face)
+    /** All that the motion of a trace depends on. */
+    std::string bytes_of(const SurfaceTrace &trace)
+    {
+      std::vector<double> points, real, imaginary;
+      for (std::size_t i = 0; i < trace.points.size(); ++i)
+        for (unsigned int c = 0; c < 3; ++c)
         {
-          const Point<2> candidate = unit_point(corners[face], place);
-          const double outside =
-              std::max({-candidate[0], candidate[0] - 1., -candidate[1], candidate[1] - 1.});
-          if (outside < distance)
-          {
-            distance = outside;
-            nearest  = face;
-            unit     = candidate;
-          }
+          points.push_back(trace.points[i][c]);
+          real.push_back(trace.displacement[i][c].real());
+          imaginary.push_back(trace.displacement[i][c].imag());
         }
-        std::array<Complex, 3> motion{};
-        const std::size_t n_lattice = (order + 1) * (order + 1);
-        for (unsigned int j = 0; j <= order; ++j)
-          for (unsigned int i = 0; i <= order; ++i)
-          {
-            const double weight = basis[i].value(unit[0]) * basis[j].value(unit[1]);
-            for (unsigned int c = 0; c < 3; ++c)
-              motion[c] += weight * values[3 * (nearest * n_lattice + j * (order + 1) + i) + c];
-          }
-        return motion;
-      }
-
-      /** All that the motion depends on. */
-      std::string bytes() const { return content; }
-
-    private:
-      const unsigned int order;
-      std::string content;
-      std::vector<std::array<Point<2>, 4>> corners;
-      std::vector<Complex> values;
-      std::vector<Polynomials::Polynomial<double>> basis;
-    };
+      return to_bytes(trace.order) + to_bytes(points) + to_bytes(real) + to_bytes(imaginary);
+    }
 
     const std::string &existing(const std::string &path)
     {
@@ -152,17 +109,6 @@ namespace ringmotor
               file.attribute<double>("/wave", "natural_frequency_error_Hz"), cause};
     }
 
-    std::shared_ptr<const TraceInterpolation> trace_of(const Hdf5Reader &file,
-                                                       const std::string &surface)
-    {
-      return std::make_shared<const TraceInterpolation>(file, "/wave/" + surface);
-    }
-
-    WaveMotion motion_of(const std::shared_ptr<const TraceInterpolation> &trace)
-    {
-      return [trace](const Point<3> &x) { return (*trace)(x); };
-    }
-
     /** A mode of the teeth may look like one of the ring; it drives no rotor.
      * @throws UserError for tooth tops that move far more along the ring than axially, or hardly */
     void check_drives(const double ratio, const StatorWave &wave)
@@ -200,17 +146,17 @@ namespace ringmotor
   {
     const Hdf5Reader &file = *reader;
     StatorWave wave;
-    wave.n_waves           = file.attribute<unsigned int>("/wave", "nodal_diameter");
-    wave.angular_frequency = file.attribute<double>("/wave", "angular_frequency_rad_per_s");
-    wave.amplitude         = file.attribute<double>("/wave", "amplitude_m");
-    const auto foot = trace_of(file, "tooth_foot"), top = trace_of(file, "tooth_top");
+    wave.n_waves            = file.attribute<unsigned int>("/wave", "nodal_diameter");
+    wave.angular_frequency  = file.attribute<double>("/wave", "angular_frequency_rad_per_s");
+    wave.amplitude          = file.attribute<double>("/wave", "amplitude_m");
+    const SurfaceTrace foot = read_trace(file, "tooth_foot"), top = read_trace(file, "tooth_top");
     wave.relative_error = file.attribute<double>("/wave", "relative_error");
     wave.strain_energy  = shape_number(file, "strain_energy").value;
     if (!parameters.motor.accepts_unusual_values)
       check_drives(shape_number(file, "A_t/A_n").value, wave);
     wave.foot        = motion_of(foot);
     wave.top         = motion_of(top);
-    wave.fingerprint = fingerprint(foot->bytes() + top->bytes() + to_bytes(wave.n_waves) +
+    wave.fingerprint = fingerprint(bytes_of(foot) + bytes_of(top) + to_bytes(wave.n_waves) +
                                    to_bytes(wave.angular_frequency));
     return wave;
   }
@@ -226,7 +172,7 @@ namespace ringmotor
     energies.piezoceramic = shape_number(file, "strain_energy_piezoceramic");
     // The motion of the lower side is as accurate as the energy of the whole wave.
     energies.felt = felt_energy(parameters.support, stator_shape(parameters)->on_felt(),
-                                parameters.motor.n_teeth, motion_of(trace_of(file, "bottom"))) *
+                                parameters.motor.n_teeth, motion_of(read_trace(file, "bottom"))) *
                     shape_number(file, "strain_energy").relative();
     for (Estimate *energy : {&energies.metal, &energies.piezoceramic, &energies.felt})
       *energy = *energy * natural_frequency(file, causes::wave).relative(); // as losses scale

@@ -52,6 +52,7 @@ namespace ringmotor
              (has_several(process) ? " [--from PROGRAM]" : "") +
              (has_study(process) ? " [--study [--resume]]" : "") +
              (has(process, &Program::resume) ? " [--resume]" : "") +
+             (has(process, &Program::sensitivities) ? " [--sensitivities]" : "") +
              (has(process, &Program::clear) ? " [--clear]" : "");
     }
 
@@ -70,7 +71,9 @@ namespace ringmotor
     void check_options(const CommandLine &line, const Process &process)
     {
       const std::vector<std::tuple<std::string, bool, bool>> works{
-          {"--resume", line.resume && !line.study, has(process, &Program::resume)},
+          {"--resume", line.resume && !line.study && !line.sensitivities,
+           has(process, &Program::resume)},
+          {"--sensitivities", line.sensitivities, has(process, &Program::sensitivities)},
           {"--study", line.study, has_study(process)},
           {"--clear", line.clear, has(process, &Program::clear)},
           {"--check", line.check, true}};
@@ -104,13 +107,14 @@ namespace ringmotor
       return optarg;
     }
 
-    const std::array<option, 11> options{{{"set", required_argument, nullptr, 's'},
+    const std::array<option, 12> options{{{"set", required_argument, nullptr, 's'},
                                           {"output", required_argument, nullptr, 'o'},
                                           {"from", required_argument, nullptr, 'f'},
                                           {"check", optional_argument, nullptr, 'k'},
                                           {"study", no_argument, nullptr, 't'},
                                           {"resume", no_argument, nullptr, 'r'},
                                           {"clear", no_argument, nullptr, 'c'},
+                                          {"sensitivities", no_argument, nullptr, 'e'},
                                           {"help", optional_argument, nullptr, 'h'},
                                           {"version", no_argument, nullptr, 'v'},
                                           {"done", required_argument, nullptr, 'd'},
@@ -143,6 +147,9 @@ namespace ringmotor
         return true;
       case 'c':
         line.clear = true;
+        return true;
+      case 'e':
+        line.sensitivities = true;
         return true;
       case 'h':
         line.help = true;
@@ -214,6 +221,10 @@ namespace ringmotor
     if (has(process, &Program::resume))
       out << "\n# --resume continues after an interruption: finished operating points are not "
              "computed again.";
+    if (has(process, &Program::sensitivities))
+      out << "\n# --sensitivities also computes how much each entry of the motor changes its "
+             "results, "
+             "percent\n# per percent; with --resume after an interruption.";
     if (has(process, &Program::clear))
       out << "\n# --clear removes the files kept for later runs, and computes nothing.";
     out << "\n# A parameter file looks like this; the values are the defaults.\n\n";

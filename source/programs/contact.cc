@@ -23,6 +23,7 @@
 #include <ringmotor/programs/interruption.h>
 #include <ringmotor/programs/program.h>
 #include <ringmotor/programs/run_results.h>
+#include <ringmotor/programs/run_sensitivities.h>
 #include <ringmotor/programs/run_study.h>
 #include <ringmotor/programs/time_limit.h>
 
@@ -48,8 +49,9 @@ namespace ringmotor
     {
     public:
       explicit ContactProgram(const Parameters &parameters);
-      /** @param resumes whether operating points that an earlier run has found are reused */
-      void run(const bool resumes);
+      /** @param resumes whether operating points that an earlier run has found are reused
+       * @param with_sensitivities whether those of the results are found, too */
+      void run(const bool resumes, const bool with_sensitivities = false);
       /** @param resumes whether settings that an earlier study has computed are reused */
       void study(const bool resumes);
 
@@ -64,6 +66,9 @@ namespace ringmotor
       void warn_of_weak_waves(const CurveSearch &search);
       /** Those for `Wave/Response torques`, by one rank alone. */
       void find_responses(const CurveSearch &search);
+      void find_sensitivities(const CurveSearch &search);
+      /** That of motors which are only compared with each other. */
+      Discretisation coarse_discretisation(const CurveSearch &search) const;
 
       void write_results(const CurveSearch &search);
       void write_fields(const CurveSearch &search);
@@ -128,8 +133,10 @@ namespace ringmotor
       return chosen;
     }
 
-    void ContactProgram::run(const bool resumes)
+    void ContactProgram::run(const bool resumes, const bool with_sensitivities)
     {
+      if (with_sensitivities)
+        check_for_sensitivities(parameters);
       ContactKeep keep(folder, parameters, wave, resumes, log, MPI_COMM_WORLD);
       if (is_root_rank)
         tell_when_interrupted(
@@ -144,6 +151,28 @@ namespace ringmotor
       time_limit.reset();
       write_results(search);
       keep.report();
+      if (with_sensitivities)
+        find_sensitivities(search);
+    }
+
+    Discretisation ContactProgram::coarse_discretisation(const CurveSearch &search) const
+    {
+      constexpr unsigned int finest_level = 2;
+      constexpr double n_steps            = 180.; // in a period: nodes stick and slip as a whole
+      Discretisation coarse               = search.discretisation();
+      coarse.level                        = std::min(coarse.level, finest_level);
+      coarse.modes_level = std::min(coarse.modes_level, RotorVibration::usual_level);
+      if (!motor_model(parameters).has_inertia())
+        coarse.steps = StepChoice(parameters, search.motor().period()).at_least(n_steps);
+      return coarse;
+    }
+
+    void ContactProgram::find_sensitivities(const CurveSearch &search)
+    {
+      if (search.rotor_sticks())
+        log.line("no sensitivities, as the wave does not turn the rotor");
+      else
+        run_sensitivities(folder, parameters, coarse_discretisation(search), log);
     }
 
     void ContactProgram::study(const bool resumes)
@@ -257,7 +286,8 @@ namespace ringmotor
       {
         const auto scope = phases.measure("output");
         prepare_results(
-            folder, "(used|fixed)\\.prm|torque_speed\\.csv|response\\.csv|lip\\.csv|history\\."
+            folder, "(used|fixed)\\.prm|torque_speed\\.csv|sensitivities\\.csv|response\\.csv|"
+                    "lip\\.csv|history\\."
                     "csv|contact\\.h5|"
                     "summary\\.json|(contact|motor)\\.pvd|(contact|rotor|teeth|base)_[0-9]+\\.vtu");
         write_used_prm(folder + "used.prm", "contact", given);
@@ -329,6 +359,8 @@ namespace ringmotor
             [](const Parameters &parameters) {
               return std::vector<std::string>{
                   describe_faces(rough_rest_gap(parameters), parameters)};
-            }};
+            },
+            [](const Parameters &parameters, const bool resumes)
+            { ContactProgram(parameters).run(resumes, true); }};
   }
 } // namespace ringmotor

@@ -56,6 +56,8 @@ namespace ringmotor
     {
       if (line.study)
         program.study(parameters, line.resume);
+      else if (line.sensitivities && program.sensitivities)
+        program.sensitivities(parameters, line.resume);
       else if (line.resume && program.resume)
         program.resume(parameters);
       else if (!line.clear)

@@ -17,7 +17,8 @@ namespace ringmotor
     std::vector<std::string> overrides; ///< `Section/Entry = value`
     std::optional<std::string> from;    ///< the program to begin with; none: the first one
     std::optional<std::string> done;    ///< file for the names of the programs that have run
-    bool check = false, study = false, resume = false, clear = false, help = false, version = false;
+    bool check = false, study = false, resume = false, clear = false, sensitivities = false,
+         help = false, version = false;
     /** Form of what `--check` or `--help` print: "json", "lines", "sections"; empty for people. */
     std::string form;
   };

@@ -21,6 +21,8 @@ namespace ringmotor
     std::function<void(const Parameters &)> resume = {}, clear = {};
     /** What the option `--check` says besides, found by a small computation; a line each. */
     std::function<std::vector<std::string>(const Parameters &)> remarks = {};
+    /** The option `--sensitivities`, alone or with `--resume`: the work, and then that. */
+    std::function<void(const Parameters &, bool resumes)> sensitivities = {};
   };
 
   /** Natural modes of the stator and its travelling wave, or the modes of the rotor or a tooth. */
