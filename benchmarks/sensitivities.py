@@ -22,7 +22,7 @@ sys.dont_write_bytecode = True
 from motor_run import OUTPUT_OFF, RowFile, certified_run, operating_points, table, write_markdown  # noqa: E402
 from timed_run import PAPERS_MODEL, ROOT, arguments, limited_run, program  # noqa: E402
 
-MOTORS = {"canon_ring": {}, "soft_spring": {}, "ring60": {"Effects/Friction lining": "on"}}
+MOTORS = {"canon_ring": {}, "soft_spring": {}, "ring60": {"Effects/Friction lining": "on", "Time/Snapshots": "4"}}
 BASE = {**PAPERS_MODEL, **OUTPUT_OFF, "Effects/Stator compliance": "off", "Effects/Piezoelectric coupling": "off",
         "Loading/Number of curve points": "2"}
 FINE = {"Accuracy/Mode": "fixed", "Accuracy/Polynomial degree": "3", "Accuracy/Refinement": "2",
@@ -50,7 +50,7 @@ def sensitivities_of(name, folder):
 def values_of(name, entries, folder):
     """The quantities of one motor, by complete runs."""
     motor = ROOT / "prm" / f"{name}.prm"
-    entries = {**BASE, **MOTORS[name], **FINE, **entries}
+    entries = {**BASE, **FINE, **MOTORS[name], **entries}
     certified_run("stator", motor, folder, entries)
     ends, _ = operating_points(motor, folder, entries)
     stall = 1e-3 * ends[-1]["torque_mNm"]

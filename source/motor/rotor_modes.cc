@@ -178,7 +178,7 @@ namespace ringmotor
   VibrationSetting RotorVibration::setting(const unsigned int level) const
   {
     constexpr std::array<unsigned int, finest_level + 1> n_low{{9, 13, 20, 30}},
-        n_harmonics{{20, 45, 45, 60}};
+        n_harmonics{{45, 45, 45, 60}};
     return {level, n_low.at(level), moves_as_a_whole ? n_low[level] : n_harmonics[level]};
   }
 

@@ -137,7 +137,7 @@ namespace ringmotor
   {
   public:
     static constexpr unsigned int finest_level = 3;
-    /** To estimate what effects change: with the harmonics that move a rotor by much. */
+    /** To estimate what effects change. */
     static constexpr unsigned int rough_level = 0;
     /** For tight targets, to begin with. */
     static constexpr unsigned int usual_level = 2;
