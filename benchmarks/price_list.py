@@ -21,7 +21,7 @@ from motor_run import OUTPUT_OFF, table, write_markdown  # noqa: E402
 from timed_run import MOTOR, ROOT, arguments, limited_run, on_ranks, program  # noqa: E402
 
 ONE_COEFFICIENT = {"Friction/Law": "coulomb", "Friction/Static coefficient": "0.40"}
-RING60, CANON = ROOT / "prm" / "ring60.prm", ROOT / "prm" / "canon_ring.prm"
+CANON = ROOT / "prm" / "canon_ring.prm"
 INERTIA = {"Effects/Rotor inertia": "on", "Effects/Tooth inertia": "on", "Effects/Damping": "on"}
 
 
@@ -40,8 +40,7 @@ ROWS = (
     contact("speed and torque of the reference motor", ("0.1", "0.03", "0.01"), motor=CANON) +
     contact("the same, with inertia of rotor and teeth", ("0.1", "0.03"), motor=CANON, **INERTIA) +
     contact("speed and torque, static rotor with a soft spring", ("0.03", "0.01")) +
-    contact("the same, one coefficient of friction", ("0.01",), **ONE_COEFFICIENT) +
-    contact("speed and torque, 60 mm motor", ("0.03", "0.01"), motor=RING60))
+    contact("the same, one coefficient of friction", ("0.01",), **ONE_COEFFICIENT))
 
 
 def run(row, folder, n_ranks, most_seconds):
