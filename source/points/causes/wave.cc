@@ -18,9 +18,9 @@ namespace ringmotor
     /** With all numbers of VoltageDrive off by their errors. */
     const Variation stronger_drive{"stronger drive", nullptr, nullptr, true};
 
-    bool is_driven(const ErrorScene &scene)
+    bool is_driven(const Parameters &parameters)
     {
-      return scene.parameters.wave.drive == Drive::voltage;
+      return parameters.wave.drive == Drive::voltage;
     }
 
     /** The stator's wave and the circuits that drive it, as the program `stator` estimates their
@@ -33,7 +33,7 @@ namespace ringmotor
       std::vector<Discretisation> needs(const ErrorScene &scene) const override
       {
         std::vector<Discretisation> needed{scene.for_variations().with(larger_wave)};
-        if (is_driven(scene))
+        if (is_driven(scene.parameters))
           needed.push_back(scene.for_variations().with(stronger_drive));
         return needed;
       }
@@ -42,14 +42,14 @@ namespace ringmotor
                     const ErrorScene &scene) const override
       {
         PointError error = scene.change_by(larger_wave, request);
-        if (is_driven(scene))
+        if (is_driven(scene.parameters))
           error += scene.change_by(stronger_drive, request);
         return error;
       }
 
       std::string remedy(const Parameters &parameters) const override
       {
-        if (parameters.wave.drive != Drive::voltage)
+        if (!is_driven(parameters))
           return "";
         return std::string(parameters.wave.frequency
                                ? "; close to the resonance the frequency must be known well"
