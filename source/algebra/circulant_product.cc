@@ -114,13 +114,33 @@ namespace ringmotor
       entry /= n_sectors;
   }
 
+  std::vector<CirculantProduct::Columns>
+  CirculantProduct::loaded_columns(const double *forces, const unsigned int n_rings) const
+  {
+    std::vector<bool> is_loaded(width, false);
+    for (std::size_t sector = 0; sector < static_cast<std::size_t>(n_sectors) * n_rings; ++sector)
+      for (int i = 0; i < width; ++i)
+        if (forces[sector * width + i] != 0.)
+          is_loaded[i] = true;
+    std::vector<Columns> columns;
+    for (int i = 0; i < width; ++i)
+      if (is_loaded[i])
+      {
+        if (i == 0 || !is_loaded[i - 1])
+          columns.push_back({i, 0});
+        ++columns.back().number;
+      }
+    return columns;
+  }
+
   void CirculantProduct::add(const double *forces, double *motions,
                              const unsigned int n_rings) const
   {
     if (width == 0)
       return;
-    const int n_harmonics = n_sectors / 2 + 1, of_ring = n_harmonics * width, columns = n_rings;
-    const std::complex<double> one(1.), zero(0.);
+    const int n_harmonics = n_sectors / 2 + 1, of_ring = n_harmonics * width, stride = 1;
+    const std::complex<double> one(1.);
+    const std::vector<Columns> loaded = loaded_columns(forces, n_rings);
     std::vector<std::complex<double>> by_harmonic(static_cast<std::size_t>(of_ring) * n_rings),
         moved(by_harmonic.size());
     const std::size_t ring = static_cast<std::size_t>(n_sectors) * width;
@@ -129,12 +149,12 @@ namespace ringmotor
     for (int k = 0; k < n_harmonics; ++k)
     {
       const std::complex<double> *matrix = &harmonics[static_cast<std::size_t>(k) * width * width];
-      if (columns == 1) // for which zgemm would copy the matrix
-        zgemv_("N", &width, &width, &one, matrix, &width, &by_harmonic[k * width], &columns, &zero,
-               &moved[k * width], &columns);
-      else
-        zgemm_("N", "N", &width, &columns, &width, &one, matrix, &width, &by_harmonic[k * width],
-               &of_ring, &zero, &moved[k * width], &of_ring);
+      // zgemm would copy the matrix, which pays off with many columns only.
+      for (unsigned int r = 0; r < n_rings; ++r)
+        for (const auto &[first, n_columns] : loaded)
+          zgemv_("N", &width, &n_columns, &one, matrix + first * width, &width,
+                 &by_harmonic[r * of_ring + k * width + first], &stride, &one,
+                 &moved[r * of_ring + k * width], &stride);
     }
     std::vector<double> of_sectors(ring);
     for (unsigned int r = 0; r < n_rings; ++r)

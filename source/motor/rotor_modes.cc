@@ -109,8 +109,8 @@ namespace ringmotor
 
   LipModes::LipModes(const Parameters &parameters, const unsigned int level, const double frequency,
                      const unsigned int n_harmonics, const MPI_Comm communicator,
-                     const HarmonicRange &range, const LipModes *const fewer)
-      : n_teeth(parameters.motor.n_teeth), n_harmonics(n_harmonics), modes(n_teeth / 2 + 1)
+                     const HarmonicRange &range, Known *const known)
+      : n_teeth(parameters.motor.n_teeth), modes(n_teeth / 2 + 1)
   {
     RotorModeSolver solver(parameters, level, frequency, n_harmonics, range);
     lip                        = solver.body.whole_lip;
@@ -119,20 +119,26 @@ namespace ringmotor
     unsigned int next_rank     = 0;
     const auto is_mine         = [&]
     { return next_rank++ % n_ranks == Utilities::MPI::this_mpi_process(communicator); };
-    auto done = harmonics_by_diameter(parameters.motor, fewer ? fewer->n_harmonics : 0);
-    for (const auto &[k, harmonics] : solver.diameters())
-      if ((harmonics.empty() || harmonics != done[k]) && is_mine())
+    std::vector<std::vector<LipMode>> found(modes.size());
+    for (const auto &diameter : solver.diameters())
+    {
+      const unsigned int k = diameter.first;
+      if (known && known->count(diameter) > 0)
+        modes[k] = known->at(diameter);
+      else if (is_mine())
         for (const Mode &mode : solver.modes(k))
-          modes[k].push_back(on_lip(solver.body, mode, gives_way_along));
-    if (n_ranks > 1)
-      for (const auto &of_rank : of_all_ranks(modes, communicator))
-        for (std::size_t k = 0; k < modes.size(); ++k)
-          if (!of_rank[k].empty())
-            modes[k] = of_rank[k];
-    if (fewer)
+          found[k].push_back(on_lip(solver.body, mode, gives_way_along));
+    }
+    const auto of_ranks = n_ranks > 1 ? of_all_ranks(found, communicator)
+                                      : std::vector<std::vector<std::vector<LipMode>>>{found};
+    for (const auto &of_rank : of_ranks)
       for (std::size_t k = 0; k < modes.size(); ++k)
-        if (modes[k].empty())
-          modes[k] = fewer->modes[k];
+        if (!of_rank[k].empty())
+          modes[k] = of_rank[k];
+    if (known)
+      for (const auto &diameter : solver.diameters())
+        if (!diameter.second.empty())
+          known->emplace(diameter, modes[diameter.first]);
   }
 
   LipModes::LipMode LipModes::on_lip(const RotorBody &body, const Mode &mode,
@@ -262,15 +268,8 @@ namespace ringmotor
     const auto &[mesh, n_harmonics, range] = part;
     std::shared_ptr<const LipModes> &modes = known[{mesh, range.first, range.last, n_harmonics}];
     if (!modes)
-    {
-      const LipModes *fewer = nullptr;
-      for (const auto &[key, other] : known)
-        if (other && std::get<0>(key) == mesh && std::get<1>(key) == range.first &&
-            std::get<2>(key) == range.last && std::get<3>(key) < n_harmonics)
-          fewer = other.get();
       modes = std::make_shared<const LipModes>(parameters, mesh, frequency, n_harmonics,
-                                               communicator, range, fewer);
-    }
+                                               communicator, range, &known_by_mesh[mesh]);
     return *modes;
   }
 } // namespace ringmotor

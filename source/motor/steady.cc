@@ -158,6 +158,16 @@ namespace ringmotor
 
   StepState SteadyDriver::from_rest(const RotorLoad &load) const
   {
+    if (step.n_samples > 1)
+      try
+      {
+        const OperatingState coarse = SteadyDriver(motor, friction, SteadyStep()).at(load);
+        return start_from(RingContact(motor, load, step), load, coarse.solution);
+      }
+      catch (const ComputationError &)
+      {
+        // There may be a state with short steps only.
+      }
     // Without load the rotor turns somewhat slower than the wave's crests.
     const RotorLoad with_speed{
         load.preload, {}, load.torque ? 0.97 * motor.bodies.crest_speed(motor.wave) : load.speed};

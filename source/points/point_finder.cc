@@ -38,10 +38,9 @@ namespace ringmotor
                                    const CurvePoint *start_before)
   {
     const RotorLoad load = load_of(parameters.loading, request);
-    // With inertia the neighbour on the curve is closer than the same point with other steps, but
-    // not closer than that with a slightly different wave or modes.
-    const bool neighbour_is_nearer =
-        model.has_inertia() && steady.has_state() && variation.name.empty();
+    // With inertia the neighbour on the curve, changed as known states change from it to this
+    // point, is closer than any of these states.
+    const bool neighbour_is_nearer = model.has_inertia() && steady.has_state();
     if (start.fields.state.force.empty())
     {
       steady.start_from_rest();
@@ -103,8 +102,9 @@ namespace ringmotor
       }
     };
     CurvePoint point = model.is_marched ? find_marched(parameters, motor, request, n_joined)
-                       : start && variation.starts_from_neighbours ? anew()
-                                                                   : from_start();
+                       : start && variation.starts_from_neighbours && !steady.has_state()
+                           ? anew()
+                           : from_start();
     point.request    = request;
     point.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
     if (memory)

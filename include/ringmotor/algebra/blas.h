@@ -12,10 +12,6 @@ extern "C"
   void dgemv_(const char *transpose, const int *m, const int *n, const double *alpha,
               const double *a, const int *lda, const double *x, const int *incx, const double *beta,
               double *y, const int *incy);
-  void zgemm_(const char *transpose_a, const char *transpose_b, const int *m, const int *n,
-              const int *k, const std::complex<double> *alpha, const std::complex<double> *a,
-              const int *lda, const std::complex<double> *b, const int *ldb,
-              const std::complex<double> *beta, std::complex<double> *c, const int *ldc);
   void zgemv_(const char *transpose, const int *m, const int *n, const std::complex<double> *alpha,
               const std::complex<double> *a, const int *lda, const std::complex<double> *x,
               const int *incx, const std::complex<double> *beta, std::complex<double> *y,

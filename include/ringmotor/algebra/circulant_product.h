@@ -38,6 +38,14 @@ namespace ringmotor
 
   private:
     class Transforms;
+    /** Consecutive ones of the matrices. */
+    struct Columns
+    {
+      int first, number;
+    };
+
+    /** Those with a force in any sector: most points of a motor never touch. */
+    std::vector<Columns> loaded_columns(const double *forces, const unsigned int n_rings) const;
 
     int width = 0, n_sectors = 0;
     std::shared_ptr<const Transforms> transforms;

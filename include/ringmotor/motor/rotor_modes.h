@@ -80,20 +80,6 @@ namespace ringmotor
   class LipModes
   {
   public:
-    /** @param level of the mesh; @param frequency rad/s, of the wave; @param n_harmonics of the
-     * wave that may matter; @param communicator of the ranks that share the nodal diameters;
-     * @param range of the nodal diameters that have modes here; @param fewer the same with fewer
-     * harmonics, if known: many nodal diameters have no more */
-    LipModes(const Parameters &parameters, const unsigned int level, const double frequency,
-             const unsigned int n_harmonics, MPI_Comm communicator = MPI_COMM_SELF,
-             const HarmonicRange &range = {}, const LipModes *fewer = nullptr);
-
-    /** The rotor's discretisation for its modes at a level. */
-    static ContactDiscretisation discretisation(const unsigned int level);
-
-    /** At the contact points on @p tooth_top. @param lip_turn see ContactDiscretisation */
-    RingModes at(const ContactSurface &tooth_top, const double lip_turn) const;
-
     struct LipMode
     {
       double angular_frequency;
@@ -105,6 +91,25 @@ namespace ringmotor
         archive &angular_frequency &motion;
       }
     };
+    /** Those of nodal diameters that have been computed on a mesh, with the harmonics of the wave
+     * that excite them. */
+    using Known =
+        std::map<std::pair<const unsigned int, std::vector<unsigned int>>, std::vector<LipMode>>;
+
+    /** @param level of the mesh; @param frequency rad/s, of the wave; @param n_harmonics of the
+     * wave that may matter; @param communicator of the ranks that share the nodal diameters;
+     * @param range of the nodal diameters that have modes here; @param known with the same
+     * parameters on this mesh: taken over if they have the same harmonics, and added to */
+    LipModes(const Parameters &parameters, const unsigned int level, const double frequency,
+             const unsigned int n_harmonics, MPI_Comm communicator = MPI_COMM_SELF,
+             const HarmonicRange &range = {}, Known *known = nullptr);
+
+    /** The rotor's discretisation for its modes at a level. */
+    static ContactDiscretisation discretisation(const unsigned int level);
+
+    /** At the contact points on @p tooth_top. @param lip_turn see ContactDiscretisation */
+    RingModes at(const ContactSurface &tooth_top, const double lip_turn) const;
+
     const std::vector<LipMode> &of_diameter(const unsigned int k) const { return modes[k]; }
 
     /** A mode of @p body on its half sector's lip; friction does not excite it if the rotor does
@@ -115,7 +120,7 @@ namespace ringmotor
                               const MortarCoupling &mortar, const double turn);
 
   private:
-    const unsigned int n_teeth, n_harmonics;
+    const unsigned int n_teeth;
     SectorSurface lip;
     std::vector<std::vector<LipMode>> modes; ///< by nodal diameter
   };
@@ -197,6 +202,7 @@ namespace ringmotor
     mutable std::map<std::tuple<unsigned int, unsigned int, unsigned int, unsigned int>,
                      std::shared_ptr<const LipModes>>
         known;
+    mutable std::map<unsigned int, LipModes::Known> known_by_mesh;
     mutable std::optional<double> known_loss_factor;
   };
 } // namespace ringmotor

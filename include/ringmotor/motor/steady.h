@@ -92,6 +92,9 @@ namespace ringmotor
      * the previous one. Adds the number of systems solved to @p n_iterations. */
     StepState by_coefficients(const RingContact &contact, StepState start, RowSolver &solver,
                               unsigned int &n_iterations) const;
+    /** The start of a search without any known state: with several time samples the state with a
+     * single one, in a fraction of their time; else the motor pressed down, and with inertia
+     * through the state without it. */
     StepState from_rest(const RotorLoad &load) const;
     /** The start from a state, with the time samples of @p contact. */
     StepState start_from(const RingContact &contact, const RotorLoad &load,
