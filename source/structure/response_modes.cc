@@ -103,7 +103,8 @@ namespace ringmotor
     }
   } // namespace
 
-  ResponseModes::ResponseModes(const CyclicSector &sector) : sector(sector), factors(sector)
+  ResponseModes::ResponseModes(const CyclicSector &sector)
+      : sector(sector), at_rest(sector), at_frequency(sector)
   {
     // Complex unknowns would need all loads a second time, times i.
     Assert(!sector.is_complex(), ExcMessage("not on a whole sector"));
@@ -113,6 +114,7 @@ namespace ringmotor
                                                   const std::vector<double> &loads,
                                                   const double frequency)
   {
+    CyclicFactors &factors = frequency == 0. ? at_rest : at_frequency;
     factors.factorise(k, frequency * frequency);
     Response response{frequency, loads};
     factors.solve(response.motions);
@@ -122,7 +124,7 @@ namespace ringmotor
   ResponseModes::Response ResponseModes::beside_resonance(const unsigned int k,
                                                           const std::vector<double> &loads,
                                                           const double frequency,
-                                                          const Response &at_rest)
+                                                          const Response &rest)
   {
     // Next to a resonance all responses are nearly the same mode, and rounding hides how they
     // differ. Farther away that mode is found as well.
@@ -135,7 +137,7 @@ namespace ringmotor
     for (unsigned int attempt = 0; attempt < n_attempts; ++attempt, beside *= elsewhere)
     {
       Response found = response(k, loads, beside);
-      if (work(found) < too_strong * work(at_rest))
+      if (work(found) < too_strong * work(rest))
         return found;
     }
     throw ComputationError("nodal diameter " + std::to_string(k) +

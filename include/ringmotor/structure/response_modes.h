@@ -42,10 +42,10 @@ namespace ringmotor
                       const double frequency);
     /** At a frequency, or next to it if that is a resonance. */
     Response beside_resonance(const unsigned int k, const std::vector<double> &loads,
-                              const double frequency, const Response &at_rest);
+                              const double frequency, const Response &rest);
 
     const CyclicSector &sector;
-    CyclicFactors factors;
+    CyclicFactors at_rest, at_frequency; ///< what does not depend on k is computed once at rest
   };
 
   /** Without the vectors far above a @p frequency (rad/s). Up to a ninth they respond as at rest;

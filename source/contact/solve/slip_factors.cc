@@ -4,6 +4,7 @@
 
 #include <deal.II/base/symmetric_tensor.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ringmotor
@@ -73,44 +74,60 @@ namespace ringmotor
   void SlipFactors::assemble(const ContactRows &rows)
   {
     const unsigned int n_nodes = nodes.size(), n_columns = 3 * n_nodes + n_rigid;
-    FullMatrix<double> derivatives;
-    rows.contact_problem().derivatives(touching, touching, derivatives);
-    std::vector<double> line(n_columns);
+    constexpr unsigned int together = 8; // the rows of so many nodes stay in the cache
+    FullMatrix<double> derivatives, lines;
+    for (unsigned int begin = 0; begin < n_nodes; begin += together)
+    {
+      const unsigned int end = std::min(begin + together, n_nodes);
+      rows.contact_problem().derivatives({touching.begin() + begin, touching.begin() + end},
+                                         touching, derivatives);
+      lines.reinit(first[end] - first[begin], n_columns);
+      for (unsigned int a = begin; a < end; ++a)
+        for (unsigned int k = 0; k < nodes[a].n_kept; ++k)
+        {
+          const Tensor<1, 3> by_motion = nodes[a].row[k] * rows.row_of(a).by_motion,
+                             by_force  = nodes[a].row[k] * rows.row_of(a).by_force;
+          double *const line           = &lines(first[a] - first[begin] + k, 0);
+          for (unsigned int d = 0; d < 3; ++d)
+            if (const double factor = by_motion[d]; factor != 0.)
+            {
+              const double *const derivative = &derivatives(3 * (a - begin) + d, 0);
+              for (unsigned int j = 0; j < n_columns; ++j)
+                line[j] += factor * derivative[j];
+            }
+          for (unsigned int d = 0; d < 3; ++d)
+            line[3 * a + d] += by_force[d];
+        }
+      set_lines(first[begin], lines);
+    }
+    if (n_rigid == 0)
+      return;
+    lines.reinit(n_rigid, n_columns);
+    for (unsigned int r = 0; r < n_rigid; ++r)
+      for (unsigned int j = 0; j < n_columns; ++j)
+        lines(r, j) = rows.balance_of(r, j);
+    set_lines(first.back(), lines);
+  }
+
+  void SlipFactors::set_lines(const unsigned int first_line, const FullMatrix<double> &lines)
+  {
     // Not transposed, although that would be faster to write: rows are in N, but unknowns in any
     // unit, and pivots are compared within a column.
-    const auto add_line = [&](const unsigned int i)
-    {
-      for (unsigned int b = 0; b < n_nodes; ++b)
-        for (unsigned int l = 0; l < nodes[b].n_kept; ++l)
-        {
-          double entry = 0.;
-          for (unsigned int d = 0; d < 3; ++d)
-            entry += line[3 * b + d] * nodes[b].force[d][l];
-          factors(i, first[b] + l) = entry;
-        }
-      for (unsigned int r = 0; r < n_rigid; ++r)
-        factors(i, first.back() + r) = line[3 * n_nodes + r];
-    };
-    for (unsigned int a = 0; a < n_nodes; ++a)
-      for (unsigned int k = 0; k < nodes[a].n_kept; ++k)
+    for (unsigned int b = 0; b < nodes.size(); ++b)
+      for (unsigned int l = 0; l < nodes[b].n_kept; ++l)
       {
-        const Tensor<1, 3> by_motion = nodes[a].row[k] * rows.row_of(a).by_motion,
-                           by_force  = nodes[a].row[k] * rows.row_of(a).by_force;
-        std::fill(line.begin(), line.end(), 0.);
-        for (unsigned int d = 0; d < 3; ++d)
-          if (by_motion[d] != 0.)
-            for (unsigned int j = 0; j < n_columns; ++j)
-              line[j] += by_motion[d] * derivatives(3 * a + d, j);
-        for (unsigned int d = 0; d < 3; ++d)
-          line[3 * a + d] += by_force[d];
-        add_line(first[a] + k);
+        const Tensor<1, 3> force(
+            {nodes[b].force[0][l], nodes[b].force[1][l], nodes[b].force[2][l]});
+        float *const column = &factors(first_line, first[b] + l); // contiguous
+        for (unsigned int i = 0; i < lines.m(); ++i)
+        {
+          const double *const by_node = &lines(i, 3 * b);
+          column[i] = by_node[0] * force[0] + by_node[1] * force[1] + by_node[2] * force[2];
+        }
       }
     for (unsigned int r = 0; r < n_rigid; ++r)
-    {
-      for (unsigned int j = 0; j < n_columns; ++j)
-        line[j] = rows.balance_of(r, j);
-      add_line(first.back() + r);
-    }
+      for (unsigned int i = 0; i < lines.m(); ++i)
+        factors(first_line + i, first.back() + r) = lines(i, 3 * nodes.size() + r);
   }
 
   bool SlipFactors::fit(const ContactRows &rows) const

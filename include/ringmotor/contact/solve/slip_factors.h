@@ -43,6 +43,9 @@ namespace ringmotor
     };
     static Node node_of(const ContactRow &row);
     void assemble(const ContactRows &rows);
+    /** Sets consecutive rows of the matrix, from derivatives by all components of the forces and by
+     * rigid motions. */
+    void set_lines(const unsigned int first_line, const dealii::FullMatrix<double> &lines);
 
     std::vector<unsigned int> touching, unknowns; ///< of the rows
     unsigned int n_rigid;
