@@ -158,7 +158,7 @@ namespace ringmotor
       responses.push_back(beside_resonance(k, all_loads, frequency, responses.front()));
 
     const std::size_t n = sector.n_unknowns();
-    std::vector<double> motions, inertia, squares, motion(n);
+    std::vector<double> motions, inertia, squares;
     for (const Response &response : responses)
     {
       motions.insert(motions.end(), response.motions.begin(), response.motions.end());
@@ -176,14 +176,15 @@ namespace ringmotor
         stiffness(i, j) = work(i, j % loads.size()) + mass(i, j) * squares[j];
 
     const RitzVectors ritz(stiffness, mass);
+    Matrix weights(ritz.weights.m(), ritz.weights.n()), combined(n, ritz.weights.n());
+    weights = ritz.weights;
+    columns.mmult(combined, weights);
     std::vector<Mode> modes;
     for (unsigned int r = 0; r < ritz.values.size(); ++r)
     {
-      std::fill(motion.begin(), motion.end(), 0.);
-      for (unsigned int i = 0; i < ritz.weights.m(); ++i)
-        for (std::size_t row = 0; row < n; ++row)
-          motion[row] += ritz.weights(i, r) * motions[i * n + row];
-      modes.push_back({k, ritz.values[r], /*rigid =*/false, sector.expand(k, motion), 0.});
+      const double *const begin = &combined(0, r);
+      modes.push_back(
+          {k, ritz.values[r], /*rigid =*/false, sector.expand(k, {begin, begin + n}), 0.});
     }
     return modes;
   }
