@@ -105,6 +105,16 @@ namespace ringmotor
     return motor_model(parameters).is_marched;
   }
 
+  MotorModel certain_model(Parameters parameters)
+  {
+    const Parameters given = parameters;
+    for (const auto &effect : all_effects())
+      if (effect->choice(given) == EffectChoice::automatic &&
+          effect->indicator({given, nullptr, {}}))
+        parameters.effects[effect->name] = EffectChoice::off;
+    return motor_model(parameters);
+  }
+
   namespace
   {
     /** A voltage makes a wave if the ceramic has a potential, and if the wave is steady. */
@@ -125,17 +135,6 @@ namespace ringmotor
                         "(Time/Scheme = marching, or a warped ring), in which the amplitude "
                         "takes hundreds of periods to settle; allowed: Time/Scheme = steady "
                         "without Effects/Initial deformation, or Wave/Drive = amplitude");
-    }
-
-    /** The model without effects that `auto` may leave out by a formula of the parameters. */
-    MotorModel certain_model(Parameters parameters)
-    {
-      const Parameters given = parameters;
-      for (const auto &effect : all_effects())
-        if (effect->choice(given) == EffectChoice::automatic &&
-            effect->indicator({given, nullptr, {}}))
-          parameters.effects[effect->name] = EffectChoice::off;
-      return motor_model(parameters);
     }
 
     void check_tangential_compliance(const Parameters &parameters, const MotorModel &model)

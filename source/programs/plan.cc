@@ -5,6 +5,7 @@
 #include <ringmotor/parameters/prm_file.h>
 #include <ringmotor/programs/plan.h>
 #include <ringmotor/programs/run_results.h>
+#include <ringmotor/programs/run_sensitivities.h>
 #include <ringmotor/version.h>
 
 #include <deal.II/base/mpi.h>
@@ -111,6 +112,11 @@ namespace ringmotor
     {
       speaker = program.name;
       program.check(parameters);
+    }
+    if (line.sensitivities)
+    {
+      speaker = "contact";
+      check_for_sensitivities(parameters);
     }
     speaker = process.name;
     return plan;

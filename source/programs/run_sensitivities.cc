@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/effect.h>
 #include <ringmotor/motor/motor_model.h>
 #include <ringmotor/output/sensitivity_files.h>
 #include <ringmotor/output/text.h>
@@ -9,7 +10,7 @@ namespace ringmotor
 {
   void check_for_sensitivities(const Parameters &parameters)
   {
-    if (is_marched(parameters))
+    if (certain_model(parameters).is_marched)
       throw UserError(
           "--sensitivities needs the steady state of a uniform ring, but Time/Scheme or "
           "Initial deformation/Amplitude asks for marching; allowed: Time/Scheme = "

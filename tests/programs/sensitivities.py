@@ -58,9 +58,13 @@ class Sensitivities(WithWave):
             self.assertIn("--sensitivities is not available for the program stator", done.stderr)
         done = self.contact("--sensitivities", "--study")
         self.assertIn("--sensitivities cannot be combined with --study", done.stderr)
-        done = self.contact("--sensitivities", entries=(*COARSE, "Time/Scheme = marching"))
-        self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
-        self.assertIn("--sensitivities needs the steady state", done.stderr)
+        with tempfile.TemporaryDirectory() as folder:  # before anything is computed or looked for
+            for entry, reason in (("Time/Scheme = marching", "--sensitivities needs the steady state"),
+                                  ("Wave/Drive = voltage", "Wave/Drive = voltage is not available with --sensitivities")):
+                with self.subTest(entry=entry):
+                    done = self.contact("--sensitivities", entries=(*COARSE, "Wave/Voltage = 40", "Effects/Piezoelectric coupling = on", entry), folder=folder)
+                    self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
+                    self.assertIn(reason, done.stderr)
 
 
 if __name__ == "__main__":

@@ -111,6 +111,9 @@ namespace ringmotor
   /** All of them, in the order of the entries. */
   const PartList<Effect> &all_effects();
 
+  /** The model without effects that `auto` may leave out by a formula of the parameters. */
+  MotorModel certain_model(Parameters parameters);
+
   /** Checks all effects up to a stage that are not off, and the model that they make. @throws
    * UserError */
   void check_effects(const Parameters &parameters, const EffectStage last);

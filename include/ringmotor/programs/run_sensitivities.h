@@ -8,7 +8,8 @@
 
 namespace ringmotor
 {
-  /** @throws UserError for a motor whose sensitivities are not computed */
+  /** Before anything is computed, and again when its effects are chosen. @throws UserError for a
+   * motor whose sensitivities are not computed */
   void check_for_sensitivities(const Parameters &parameters);
 
   /**
