@@ -5,8 +5,8 @@
 usage: benchmarks/inertia_bars.py [--resume] [--csv FILE] [--markdown FILE] [MOTOR ...]
 
 Three motors, one coefficient of friction, at 50 and 100 mN m (the short spring at 100). From a common setting one thing at a
-time is made finer; no change of a speed or a friction loss may exceed its error bar in the common setting. Five to ten minutes for
-each motor; with --resume the rows of the CSV file are kept.
+time is made finer; nineteen of twenty changes of a speed or a friction loss have to be within its error bar in the common setting.
+Five minutes for each motor; with --resume the rows of the CSV file are kept.
 """
 import argparse
 import pathlib
