@@ -20,13 +20,14 @@ that is a figure keeps its text; its command writes $IMAGES/NAME.png. These word
 
 INPUTS stands for what a part depends on: the parameters of all motors that its command and the script in it name (as the
 programs read them: comments do not matter), the script, and for a dear part the values in the tables of operating points in
-doc/walk.md, to two digits: a dear part that shows error bars has to be made again by hand (--only) where only these change.
+doc/walk.md, to two digits: a dear part that shows error bars has to be asked for (--only) where only these change.
 CONTENT stands for the part itself, and its figures.
 
 --check runs the cheap commands again and compares their numbers with the page within the error bars; of each part it checks
 that nobody has changed it by hand, and that it was made after the last change of its inputs. The exit status is 1 if not.
 --write makes those cheap parts again that --check would complain of, with --dear those of the others, too. A part that agrees
-with its page within the error bars stays as it is. --only: parts whose command has this text.
+with its page within the error bars stays as it is. --only: parts whose command has this text; --write makes these again in any
+case.
 """
 import pathlib
 import sys
@@ -135,10 +136,11 @@ class Documents:
             found += [apart] if apart else []
         return found, text
 
-    def written(self, block, text):
-        """The block as it has to be in its page, with a text that its command has made; its own where both agree and are
-        made of the same: beyond that, what agrees within error bars may still be that of another motor."""
-        is_same = block.content == block.content_now() and block.inputs == self.inputs_of(block)
+    def written(self, block, text, in_any_case=False):
+        """The block as it has to be in its page, with a text that its command has made; unless asked for in any case, its own
+        where both agree and are made of the same: beyond that, what agrees within error bars may still be that of another
+        motor."""
+        is_same = not in_any_case and block.content == block.content_now() and block.inputs == self.inputs_of(block)
         if is_same and not difference(block.text, text):
             text = block.text
         revision = subprocess.run(["git", "-C", ROOT, "rev-parse", "--short=7", "HEAD"], capture_output=True, check=True,
@@ -146,15 +148,15 @@ class Documents:
         return block.marked(text, datetime.date.today().isoformat(), revision, self.inputs_of(block))
 
 
-def write_page(documents, page, wanted):
-    """Writes those blocks again that are wrong; the page is read again for each, as they change places."""
+def write_page(documents, page, wanted, in_any_case):
+    """Writes those wanted blocks again that are wrong, or all of them; the page is read again for each, as they change places."""
     for number in range(len(blocks_of(page))):
         block = blocks_of(page)[number]
         wrong, made = documents.check(block) if wanted(block) else ([], None)
-        if not wrong:
+        if not wrong and not (in_any_case and wanted(block)):
             continue
         print(f"{block.place}: {block.command}", flush=True)
-        new = documents.written(block, made or documents.made(block))
+        new = documents.written(block, made or documents.made(block), in_any_case)
         text = page.read_text(encoding="utf-8")
         page.write_text(text[:block.span[0]] + new + text[block.span[1]:], encoding="utf-8")
 
@@ -182,7 +184,7 @@ def main():
         documents = Documents(options.programs, cases)
         for page in pages:
             if options.write:
-                write_page(documents, page, wanted)
+                write_page(documents, page, wanted, in_any_case=bool(options.only))
                 continue
             for block in blocks_of(page):
                 wrong = documents.check(block)[0] if options.check and wanted(block) else []

@@ -98,6 +98,18 @@ class Pages(unittest.TestCase):
         self.assertEqual(self.documents("--write").returncode, 0)
         self.assertIn("99.0 +- 2.8", self.page.read_text())
 
+    def test_part_asked_for(self):
+        """Of a dear part nobody notices that its error bars have changed."""
+        self.write("dear")
+        self.said.write_text("speed 77.6 +- 1.4 rpm")
+        self.assertEqual(self.documents("--write", "--dear").returncode, 0)
+        self.assertIn("77.6 +- 2.8", self.page.read_text())
+        self.assertEqual(self.documents("--write", "--dear", "--only", "other").returncode, 0)
+        self.assertIn("77.6 +- 2.8", self.page.read_text())
+        self.assertEqual(self.documents("--write", "--dear", "--only", "cat").returncode, 0)
+        self.assertIn("77.6 +- 1.4", self.page.read_text())
+        self.assertEqual(self.documents("--check").returncode, 0)
+
     def test_script_that_has_changed(self):
         script = ROOT / "scripts" / "development" / "document_tables.py"
         self.write("dear", words="# scripts/development/document_tables.py")
