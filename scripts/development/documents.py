@@ -152,8 +152,10 @@ def write_page(documents, page, wanted, in_any_case):
     """Writes those wanted blocks again that are wrong, or all of them; the page is read again for each, as they change places."""
     for number in range(len(blocks_of(page))):
         block = blocks_of(page)[number]
-        wrong, made = documents.check(block) if wanted(block) else ([], None)
-        if not wrong and not (in_any_case and wanted(block)):
+        if not wanted(block):
+            continue
+        wrong, made = documents.check(block)
+        if not wrong and not in_any_case:
             continue
         print(f"{block.place}: {block.command}", flush=True)
         new = documents.written(block, made or documents.made(block), in_any_case)

@@ -119,7 +119,6 @@ namespace ringmotor
     unsigned int next_rank     = 0;
     const auto is_mine         = [&]
     { return next_rank++ % n_ranks == Utilities::MPI::this_mpi_process(communicator); };
-    std::vector<std::vector<LipMode>> found(modes.size());
     for (const auto &diameter : solver.diameters())
     {
       const unsigned int k = diameter.first;
@@ -127,14 +126,13 @@ namespace ringmotor
         modes[k] = known->at(diameter);
       else if (is_mine())
         for (const Mode &mode : solver.modes(k))
-          found[k].push_back(on_lip(solver.body, mode, gives_way_along));
+          modes[k].push_back(on_lip(solver.body, mode, gives_way_along));
     }
-    const auto of_ranks = n_ranks > 1 ? of_all_ranks(found, communicator)
-                                      : std::vector<std::vector<std::vector<LipMode>>>{found};
-    for (const auto &of_rank : of_ranks)
-      for (std::size_t k = 0; k < modes.size(); ++k)
-        if (!of_rank[k].empty())
-          modes[k] = of_rank[k];
+    if (n_ranks > 1)
+      for (const auto &of_rank : of_all_ranks(modes, communicator))
+        for (std::size_t k = 0; k < modes.size(); ++k)
+          if (!of_rank[k].empty())
+            modes[k] = of_rank[k];
     if (known)
       for (const auto &diameter : solver.diameters())
         if (!diameter.second.empty())

@@ -33,7 +33,7 @@ class Sensitivities(WithWave):
         self.assertIn("Stator/Base thickness", rows)
         self.assertFalse({"Time/Spectral radius", "Accuracy/Target", "Stator/Target plate cross-section"} & set(rows),
                          "of the run, or of no effect here")
-        for name in ("Friction/Dynamic coefficient", "Rotor/Flange thickness"):
+        for name in ("Loading/Preload", "Friction/Dynamic coefficient", "Rotor/Flange thickness"):
             with self.subTest(entry=name):
                 self.compare(rows[name], name)
 

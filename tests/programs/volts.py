@@ -138,11 +138,11 @@ class Volts(unittest.TestCase):
 
     def test_amplitude_from_the_voltage(self):
         """The voltage that an amplitude needs gives that amplitude, from whatever amplitude the search begins."""
-        beside = f"Wave/Frequency = {1.01 * self.circuit['A']['short_circuit_frequency_Hz']}"
-        for change, amplitudes in (("Wave/Frequency = mode", (1e-6,)), ("Effects/Damping = on", (3e-6,)), (beside, (1e-6, 3e-6))):
+        for change in ("Wave/Frequency = mode", "Effects/Damping = on",
+                       f"Wave/Frequency = {1.01 * self.circuit['A']['short_circuit_frequency_Hz']}"):
             common = ("Loading/Values = 0.1", change, *FIXED)
             (given,), _ = self.drive_with(*common)
-            for amplitude in amplitudes:
+            for amplitude in (1e-6, 3e-6):
                 (found,), _ = self.drive_with("Wave/Drive = voltage", f"Wave/Voltage = {given['voltage_V']:.15g}",
                                               f"Wave/Amplitude = {amplitude}", *common)
                 for name in ("amplitude_um", "speed_rpm", "drive_frequency_Hz", "current_mA", "electrical_input_mW"):
