@@ -27,7 +27,13 @@ namespace ringmotor
 
     void check_modes(const Parameters &parameters)
     {
-      const Motor &motor         = parameters.motor;
+      const Motor &motor = parameters.motor;
+      if (parameters.modes.domain == Domain::ring && parameters.modes.body == Body::tooth)
+        throw UserError("Modes/Domain = ring is incompatible with Modes/Body = tooth; allowed: "
+                        "stator or rotor");
+      if (parameters.modes.domain == Domain::ring && !parameters.modes.nodal_diameters.empty())
+        throw UserError("Modes/Nodal diameters is given, but Modes/Domain = ring finds all waves "
+                        "near Modes/Frequency target; allowed: wave, the default");
       const unsigned int largest = nodal_diameters_of(parameters).back();
       if (2 * largest > motor.n_teeth)
         throw UserError(entry("Modes/Nodal diameters", largest) + " is incompatible with " +

@@ -74,11 +74,16 @@ namespace ringmotor
         prm, "Body", body,
         selection<Body>({{"stator", Body::stator}, {"rotor", Body::rotor}, {"tooth", Body::tooth}}),
         "The body whose modes are computed.");
+    add_entry(
+        prm, "Domain", domain,
+        selection<Domain>({{"sector", Domain::sector}, {"ring", Domain::ring}}),
+        "What is meshed: one sector of a ring of equal sectors, or the whole ring, which need "
+        "not have equal sectors.");
     add_entry(prm, "Nodal diameters", nodal_diameters, nodal_diameter_list(),
               "The numbers of waves around the ring for which modes are computed; \"wave\" means "
               "that of the motor.");
     add_entry(prm, "Number of modes", n_modes, whole_number(1, 1000),
-              "Number of elastic modes for each nodal diameter.");
+              "Number of elastic modes for each nodal diameter, or of the whole ring.");
     add_entry(prm, "Frequency target", frequency_target, plausible(non_negative_number(), 10., 1e7),
               "The modes nearest to this frequency are computed; 0 selects the lowest elastic "
               "ones. Units: Hz.");

@@ -20,7 +20,10 @@ namespace ringmotor
 
   std::string results_folder(const std::string &program, const Parameters &parameters)
   {
-    const std::string name = program == "stator" ? to_string(parameters.modes.body) : program;
+    const Modes &modes     = parameters.modes;
+    const std::string name = program != "stator"              ? program
+                             : modes.domain == Domain::sector ? to_string(modes.body)
+                                                              : "ring_of_" + to_string(modes.body);
     return parameters.output.directory + "/" + name + "/";
   }
 

@@ -11,6 +11,7 @@
 #include <ringmotor/parameters/accuracy_budget.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/programs/program.h>
+#include <ringmotor/programs/ring.h>
 #include <ringmotor/programs/run_results.h>
 #include <ringmotor/programs/run_study.h>
 #include <ringmotor/programs/time_limit.h>
@@ -376,8 +377,18 @@ namespace ringmotor
               if (parameters.modes.body == Body::stator)
                 check_effects(parameters, EffectStage::stator);
             },
-            [](const Parameters &parameters) { StatorProgram(parameters).run(); },
+            [](const Parameters &parameters)
+            {
+              if (parameters.modes.domain == Domain::ring)
+                run_on_whole_ring(parameters);
+              else
+                StatorProgram(parameters).run();
+            },
             [](const Parameters &parameters, const bool resumes)
-            { StatorProgram(parameters).study(resumes); }};
+            {
+              if (parameters.modes.domain == Domain::ring)
+                throw UserError("Modes/Domain = ring has no study of accuracy; allowed: sector");
+              StatorProgram(parameters).study(resumes);
+            }};
   }
 } // namespace ringmotor

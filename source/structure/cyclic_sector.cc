@@ -16,10 +16,20 @@ namespace ringmotor
                              const unsigned int degree, const LowerElectrode lower_electrode)
       : SectorElements(mesh, materials, degree, lower_electrode)
   {
-    if (mesh.form == SectorForm::half)
+    for (auto &field_terms : terms)
+      field_terms.resize(n_dofs());
+    switch (mesh.form)
+    {
+    case SectorForm::half:
       number_half_sector();
-    else
+      break;
+    case SectorForm::whole:
       number_whole_sector();
+      break;
+    case SectorForm::ring:
+      number_ring();
+      break;
+    }
     number_fields();
   }
 
@@ -27,9 +37,7 @@ namespace ringmotor
 
   void CyclicSector::number_half_sector()
   {
-    using Factor = Term::Factor;
-    for (auto &field_terms : terms)
-      field_terms.resize(n_dofs());
+    using Factor                             = Term::Factor;
     std::array<std::vector<Terms>, 2> &field = terms;
 
     for (Dof dof = 0; dof < n_dofs(); ++dof)
@@ -56,8 +64,6 @@ namespace ringmotor
   void CyclicSector::number_whole_sector()
   {
     using Factor = Term::Factor;
-    for (auto &field_terms : terms)
-      field_terms.resize(n_dofs());
 
     const auto is_master = [&](const Dof dof)
     { return !dependent().is_constrained(dof) && !nodes().on(dof, ids::cut_high); };
@@ -85,6 +91,13 @@ namespace ringmotor
       terms[1][high].add(imaginary, Factor::cosine);
       terms[1][high].add(real, Factor::minus_sine);
     }
+  }
+
+  void CyclicSector::number_ring()
+  {
+    for (Dof dof = 0; dof < n_dofs(); ++dof)
+      if (!dependent().is_constrained(dof))
+        terms[0][dof].add(unknown_count++, Term::Factor::one);
   }
 
   void CyclicSector::number_fields()
@@ -186,19 +199,25 @@ namespace ringmotor
   {
     if (!mass)
       mass = std::make_unique<SectorMass>(*this);
+    const unsigned int n = n_fields();
     std::vector<double> fields; // of each vector the real one, then the imaginary one
+    fields.reserve(unknowns.size() / unknown_count * n * n_dofs());
     for (auto vector = unknowns.begin(); vector != unknowns.end(); vector += unknown_count)
-      for (const Vector<double> &field : fields_of(k, {vector, vector + unknown_count}))
-        fields.insert(fields.end(), field.begin(), field.end());
+    {
+      const auto of_vector = fields_of(k, {vector, vector + unknown_count});
+      for (unsigned int part = 0; part < n; ++part)
+        fields.insert(fields.end(), of_vector[part].begin(), of_vector[part].end());
+    }
     const std::vector<double> products = mass->multiply(fields);
     product.clear();
+    product.reserve(unknowns.size());
     for (auto next = products.begin(); next != products.end();)
     {
       std::array<Vector<double>, 2> of_vector;
-      for (Vector<double> &field : of_vector)
+      for (unsigned int part = 0; part < n; ++part)
       {
-        field.reinit(n_dofs());
-        std::copy_n(next, n_dofs(), field.begin());
+        of_vector[part].reinit(n_dofs());
+        std::copy_n(next, n_dofs(), of_vector[part].begin());
         next += n_dofs();
       }
       const std::vector<double> of_unknowns = to_unknowns(k, of_vector);

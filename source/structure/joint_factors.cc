@@ -19,7 +19,7 @@ namespace ringmotor
                                           const SectorStiffness &stiffness)
     {
       std::vector<unsigned int> row(sector.n_unknowns(), 0);
-      for (const unsigned int part : {0u, 1u})
+      for (unsigned int part = 0; part < sector.n_fields(); ++part)
       {
         const CyclicSector::RealField &field = sector.field(part);
         std::vector<unsigned int> unknown(field.size, none);
@@ -50,7 +50,7 @@ namespace ringmotor
 
   void JointFactors::follow_unknowns(const unsigned int k)
   {
-    for (const unsigned int part : {0u, 1u})
+    for (unsigned int part = 0; part < sector.n_fields(); ++part)
     {
       const CyclicSector::RealField &field = sector.field(part);
       std::vector<Sum> of_number(field.size);
@@ -105,7 +105,7 @@ namespace ringmotor
     follow_unknowns(k);
     SymmetricElements elements;
     for (const SectorStiffness::Element &element : stiffness.elements())
-      for (const unsigned int part : {0u, 1u})
+      for (unsigned int part = 0; part < sector.n_fields(); ++part)
         add(element, part, elements);
     sparse.factorise(std::move(elements));
   }
@@ -113,18 +113,19 @@ namespace ringmotor
   void JointFactors::solve(std::vector<double> &right_hand_sides)
   {
     const std::size_t n_unknowns = sector.n_unknowns(), n_dofs = sector.n_dofs(),
-                      n_sides = right_hand_sides.size() / n_unknowns, n_rows = count_rows(row);
+                      n_fields = sector.n_fields(), n_sides = right_hand_sides.size() / n_unknowns,
+                      n_rows = count_rows(row);
     // Of each side the real field, then the imaginary one.
     const auto for_each = [&](const auto &visit)
     {
       for (std::size_t side = 0; side < n_sides; ++side)
-        for (const unsigned int part : {0u, 1u})
+        for (unsigned int part = 0; part < n_fields; ++part)
           for (std::size_t dof = 0; dof < n_dofs; ++dof)
             for (const auto &[unknown, factor] : follows[part][dof])
               visit(side * n_unknowns + unknown, side * n_rows + row[unknown],
-                    (2 * side + part) * n_dofs + dof, stiffness.is_inner(dof), factor);
+                    (n_fields * side + part) * n_dofs + dof, stiffness.is_inner(dof), factor);
     };
-    std::vector<double> loads(2 * n_sides * n_dofs, 0.), on_rows(n_sides * n_rows, 0.);
+    std::vector<double> loads(n_fields * n_sides * n_dofs, 0.), on_rows(n_sides * n_rows, 0.);
     for_each(
         [&](const std::size_t unknown, std::size_t, const std::size_t dof, const bool is_inner,
             double)

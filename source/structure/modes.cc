@@ -37,27 +37,19 @@ namespace ringmotor
     return chosen;
   }
 
-  namespace
+  void sharpen_eigenvalues(const CyclicSector &sector, std::vector<Mode> &modes)
   {
-    /**
-     * Replaces the eigenvalues by Rayleigh quotients from the strains, which rounding errors of a
-     * large rigid motion barely affect. In the assembled stiffness they blur the eigenvalues of
-     * slow modes.
-     */
-    void sharpen_eigenvalues(const CyclicSector &sector, std::vector<Mode> &modes)
+    std::vector<const SectorMotion *> motions;
+    for (const Mode &mode : modes)
+      motions.push_back(&mode.motion);
+    const std::vector<MotionProducts> products = motion_products(sector, motions);
+    for (unsigned int mode = 0; mode < modes.size(); ++mode)
     {
-      std::vector<const SectorMotion *> motions;
-      for (const Mode &mode : modes)
-        motions.push_back(&mode.motion);
-      const std::vector<MotionProducts> products = motion_products(sector, motions);
-      for (unsigned int mode = 0; mode < modes.size(); ++mode)
-      {
-        const double sharp        = products[mode].total_stiffness() / products[mode].mass;
-        modes[mode].algebra_error = std::abs(modes[mode].eigenvalue / sharp - 1.);
-        modes[mode].eigenvalue    = sharp;
-      }
+      const double sharp        = products[mode].total_stiffness() / products[mode].mass;
+      modes[mode].algebra_error = std::abs(modes[mode].eigenvalue / sharp - 1.);
+      modes[mode].eigenvalue    = sharp;
     }
-  } // namespace
+  }
 
   ModeSolver::ModeSolver(const CyclicSector &sector) : sector(sector), factors(sector) {}
 

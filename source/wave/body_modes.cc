@@ -47,9 +47,8 @@ namespace ringmotor
      * shape_estimate(). */
     constexpr double wave_to_frequency_error = 3.;
 
-    /** The first pass: cheap, it locates the modes and shows how hard they are to resolve. */
-    constexpr unsigned int scout_degree = 2, scout_level = 0;
-    /** Largest relative error bar of the reference stator's modes of seven waves in that pass. */
+    /** Largest relative error bar of the reference stator's modes of seven waves in the first pass.
+     */
     constexpr double error_of_scout = 2.5e-3;
 
     /** The cheapest discretisation with which the modes of bodies like the reference motor's reach
@@ -69,6 +68,13 @@ namespace ringmotor
                                 : BodyDiscretisation{4, 3};
     }
   } // namespace
+
+  BodyDiscretisation discretisation_for(const Body body, const double target, const double found)
+  {
+    // Errors scale as (h k)^(2p), k a wave number: what is q times harder for degree 2 is q^2 times
+    // harder for degree 4.
+    return fit_for(body, target / std::max(1., std::pow(found / error_of_scout, 2)));
+  }
 
   BodyModes::BodyModes(const Parameters &all_parameters, MPI_Comm ranks)
       : given(all_parameters), parameters(relevant_for_modes(all_parameters)),
@@ -91,21 +97,19 @@ namespace ringmotor
     if (parameters.accuracy.mode == AccuracyMode::fixed)
     {
       const unsigned int degree = parameters.accuracy.polynomial_degree;
-      after_pass(compute({std::max(scout_degree, degree - 1), scout_level}));
+      after_pass(compute({std::max(scout.degree, degree - 1), scout.level}));
       after_pass(compute({degree, parameters.accuracy.refinement}));
       find_capacitances();
       return;
     }
 
-    after_pass(compute({scout_degree, scout_level}));
+    after_pass(compute(scout));
     const Accuracy &accuracy = parameters.accuracy;
     const double by_wave = wave() ? AccuracyBudget(accuracy).wave() / wave_to_frequency_error : 1.;
     aim_at(by_wave < accuracy.target);
-    // Errors scale as (h k)^(2p), k a wave number: what is q times harder for degree 2 is q^2 times
-    // harder for degree 4.
-    const double difficulty = std::pow(mode_search->worst_relative_error() / error_of_scout, 2);
-    const BodyDiscretisation discretisation = fit_for(
-        parameters.modes.body, std::min(accuracy.target, by_wave) / std::max(1., difficulty));
+    const BodyDiscretisation discretisation =
+        discretisation_for(parameters.modes.body, std::min(accuracy.target, by_wave),
+                           mode_search->worst_relative_error());
     if (is_generated())
       make_mesh(discretisation);
     after_pass(compute_pass(discretisation.degree));
@@ -128,9 +132,9 @@ namespace ringmotor
     if (circuits() == nullptr)
       return;
     const MotorModel model = motor_model(parameters);
-    for (const unsigned int degree : {scout_degree, scout_degree + 1})
+    for (const unsigned int degree : {scout.degree, scout.degree + 1})
     {
-      const SectorMesh coarse = stator_mesh({degree, scout_level}, model, MPI_COMM_SELF);
+      const SectorMesh coarse = stator_mesh({degree, scout.level}, model, MPI_COMM_SELF);
       const auto search       = new_search(model);
       search->compute(coarse, degree);
       motor_circuits->add_capacitances(*search);
@@ -209,19 +213,19 @@ namespace ringmotor
     if (parameters.modes.body != Body::stator ||
         std::none_of(all.begin(), all.end(), has_to_choose))
       return;
-    SectorMesh bare   = stator_mesh({scout_degree, scout_level}, MotorModel(), MPI_COMM_SELF);
+    SectorMesh bare   = stator_mesh(scout, MotorModel(), MPI_COMM_SELF);
     const auto search = new_search(MotorModel());
-    search->compute(bare, scout_degree);
+    search->compute(bare, scout.degree);
     choices_by(*search, parameters);
   }
 
   double BodyModes::shift_by_coupling(const MotorModel &coupled) const
   {
-    const SectorMesh bare = stator_mesh({scout_degree, scout_level}, MotorModel(), MPI_COMM_SELF);
+    const SectorMesh bare = stator_mesh(scout, MotorModel(), MPI_COMM_SELF);
     const auto frequency  = [&](const MotorModel &model)
     {
       const auto search = new_search(model);
-      search->compute(bare, scout_degree);
+      search->compute(bare, scout.degree);
       const FoundMode *wave = search->working_mode(parameters.motor.n_waves);
       return (wave ? *wave : search->modes().front()).frequency.value;
     };
@@ -262,7 +266,7 @@ namespace ringmotor
   void BodyModes::locate()
   {
     begin();
-    compute({scout_degree, scout_level});
+    compute(scout);
   }
 
   Pass BodyModes::compute(const BodyDiscretisation &discretisation)

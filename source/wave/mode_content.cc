@@ -20,11 +20,11 @@ namespace ringmotor
   {
     using Complex = std::complex<double>;
 
-    /** Motion at a quadrature point with the wave's phase removed: nearly constant around the
-     * ring. */
+    /** Motion at a quadrature point, for a nodal diameter with the wave's phase removed: nearly
+     * constant around the ring. */
     struct Sample
     {
-      double r, z, mass;
+      double r, theta, z, mass;
       std::array<Complex, 3> motion; ///< r, theta, z components times exp(i k theta)
     };
 
@@ -34,8 +34,10 @@ namespace ringmotor
     {
       const double r      = std::hypot(x[0], x[1]);
       const double cosine = x[0] / r, sine = x[1] / r;
-      const Complex phase = std::polar(1., nodal_diameter * std::atan2(x[1], x[0]));
+      const double theta  = std::atan2(x[1], x[0]);
+      const Complex phase = std::polar(1., nodal_diameter * theta);
       return {r,
+              theta,
               x[2],
               mass,
               {{phase * (cosine * u[0] + sine * u[1]), phase * (cosine * u[1] - sine * u[0]),
@@ -161,56 +163,138 @@ namespace ringmotor
                                fractions.begin());
   }
 
+  namespace
+  {
+    constexpr unsigned int n_motions = 6;
+
+    /**
+     * Rigid motions of the cross-section in (r, theta, z): axial shift and its tilt; radial and
+     * tangential shift and the rotation about the axis; torsion. They are orthonormalised in this
+     * order.
+     */
+    class CrossSectionMotions
+    {
+    public:
+      explicit CrossSectionMotions(const std::vector<Sample> &samples);
+
+      /** Their amplitudes, times the root of the mass, in a motion. */
+      std::array<Complex, n_motions> amplitudes(const std::vector<Sample> &samples) const;
+
+      /** Twice the kinetic energy at unit frequency. */
+      double energy() const { return all; }
+
+    private:
+      std::array<std::array<double, 3>, n_motions> at(const Sample &sample) const
+      {
+        const double r = sample.r - center_r, z = sample.z - center_z;
+        return {{{{0, 0, 1}}, {{0, z, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{0, r, 0}}, {{z, 0, -r}}}};
+      }
+
+      double center_r = 0., center_z = 0., all = 0.;
+      FullMatrix<double> lower; ///< Cholesky factor of their products
+    };
+
+    CrossSectionMotions::CrossSectionMotions(const std::vector<Sample> &samples)
+        : lower(n_motions, n_motions)
+    {
+      double mass = 0.;
+      for (const Sample &s : samples)
+      {
+        mass += s.mass;
+        center_r += s.mass * s.r;
+        center_z += s.mass * s.z;
+        all += s.mass * (std::norm(s.motion[0]) + std::norm(s.motion[1]) + std::norm(s.motion[2]));
+      }
+      center_r /= mass;
+      center_z /= mass;
+      FullMatrix<double> gram(n_motions, n_motions);
+      for (const Sample &s : samples)
+      {
+        const auto motions = at(s);
+        for (unsigned int i = 0; i < n_motions; ++i)
+          for (unsigned int j = 0; j < n_motions; ++j)
+            for (unsigned int d = 0; d < 3; ++d)
+              gram(i, j) += s.mass * motions[i][d] * motions[j][d];
+      }
+      lower.cholesky(gram);
+    }
+
+    std::array<Complex, n_motions>
+    CrossSectionMotions::amplitudes(const std::vector<Sample> &samples) const
+    {
+      std::array<Complex, n_motions> overlap{};
+      for (const Sample &s : samples)
+      {
+        const auto motions = at(s);
+        for (unsigned int i = 0; i < n_motions; ++i)
+          for (unsigned int d = 0; d < 3; ++d)
+            overlap[i] += s.mass * motions[i][d] * s.motion[d];
+      }
+      for (unsigned int i = 0; i < n_motions; ++i)
+      {
+        for (unsigned int j = 0; j < i; ++j)
+          overlap[i] -= lower(i, j) * overlap[j];
+        overlap[i] /= lower(i, i);
+      }
+      return overlap;
+    }
+
+    /** @param energy of which @p amplitudes are parts */
+    ModeContent content_of(const std::array<Complex, n_motions> &amplitudes, const double energy)
+    {
+      const auto fraction = [&](const unsigned int i) { return std::norm(amplitudes[i]) / energy; };
+      ModeContent content;
+      content.axial         = fraction(0) + fraction(1);
+      content.in_plane      = fraction(2) + fraction(3) + fraction(4);
+      content.torsion       = fraction(5);
+      content.cross_section = std::max(0., 1. - content.axial - content.in_plane - content.torsion);
+      return content;
+    }
+  } // namespace
+
   ModeContent mode_content(const CyclicSector &sector, const Mode &mode)
   {
     const std::vector<Sample> samples = sample(sector, mode);
-    double mass = 0., center_r = 0., center_z = 0., energy = 0.;
-    for (const Sample &s : samples)
-    {
-      mass += s.mass;
-      center_r += s.mass * s.r;
-      center_z += s.mass * s.z;
-      energy += s.mass * (std::norm(s.motion[0]) + std::norm(s.motion[1]) + std::norm(s.motion[2]));
-    }
-    center_r /= mass;
-    center_z /= mass;
-
-    // Rigid motions of the cross-section in (r, theta, z): axial shift and its tilt; radial and
-    // tangential shift and the rotation about the axis; torsion. They are orthonormalised in this
-    // order.
-    constexpr unsigned int n_motions = 6;
-    FullMatrix<double> gram(n_motions, n_motions);
-    std::array<Complex, n_motions> overlap{};
-    for (const Sample &s : samples)
-    {
-      const double r = s.r - center_r, z = s.z - center_z;
-      const double motions[n_motions][3] = {{0, 0, 1}, {0, z, 0}, {1, 0, 0},
-                                            {0, 1, 0}, {0, r, 0}, {z, 0, -r}};
-      for (unsigned int i = 0; i < n_motions; ++i)
-        for (unsigned int d = 0; d < 3; ++d)
-        {
-          overlap[i] += s.mass * motions[i][d] * s.motion[d];
-          for (unsigned int j = 0; j < n_motions; ++j)
-            gram(i, j) += s.mass * motions[i][d] * motions[j][d];
-        }
-    }
-    FullMatrix<double> lower(n_motions, n_motions);
-    lower.cholesky(gram);
-    std::array<double, n_motions> fraction;
-    for (unsigned int i = 0; i < n_motions; ++i)
-    {
-      for (unsigned int j = 0; j < i; ++j)
-        overlap[i] -= lower(i, j) * overlap[j];
-      overlap[i] /= lower(i, i);
-      fraction[i] = std::norm(overlap[i]) / energy;
-    }
-
-    ModeContent content;
-    content.axial         = fraction[0] + fraction[1];
-    content.in_plane      = fraction[2] + fraction[3] + fraction[4];
-    content.torsion       = fraction[5];
-    content.cross_section = std::max(0., 1. - content.axial - content.in_plane - content.torsion);
+    const CrossSectionMotions motions(samples);
+    ModeContent content   = content_of(motions.amplitudes(samples), motions.energy());
     content.nodal_circles = count_nodal_circles(samples);
     return content;
+  }
+
+  RingContent ring_content(const CyclicSector &ring, const Mode &mode,
+                           const unsigned int most_waves)
+  {
+    Mode as_it_is             = mode;
+    as_it_is.nodal_diameter   = 0;
+    std::vector<Sample> waves = sample(ring, as_it_is);
+    std::vector<Complex> turn; // by which one more wave turns each sample
+    for (const Sample &s : waves)
+      turn.push_back(std::polar(1., s.theta));
+    const CrossSectionMotions motions(waves);
+    RingContent found;
+    for (unsigned int n = 0; n <= most_waves; ++n)
+    {
+      // A standing wave is the sum of two that travel, each with half of its energy.
+      const auto amplitudes     = motions.amplitudes(waves);
+      const ModeContent content = content_of(amplitudes, motions.energy() * (n > 0 ? 0.5 : 1.));
+      if (const double share = content.axial + content.in_plane + content.torsion;
+          share > found.share)
+      {
+        const Complex largest       = *std::max_element(amplitudes.begin(), amplitudes.end(),
+                                                        [](const Complex &a, const Complex &b)
+                                                        { return std::norm(a) < std::norm(b); });
+        found.n_waves               = n;
+        found.share                 = share;
+        found.content               = content;
+        found.content.nodal_circles = count_nodal_circles(waves);
+        found.antinode              = n > 0 ? std::arg(largest) / n : 0.;
+        if (n > 0 && found.antinode < 0.)
+          found.antinode += numbers::PI / n;
+      }
+      for (std::size_t i = 0; i < waves.size(); ++i)
+        for (Complex &component : waves[i].motion)
+          component *= turn[i];
+    }
+    return found;
   }
 } // namespace ringmotor

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/parameters/errors.h>
-#include <ringmotor/structure/refinement_indicator.h>
+#include <ringmotor/wave/mesh_errors.h>
 #include <ringmotor/wave/mode_search.h>
 #include <ringmotor/wave/shared_modes.h>
 
@@ -26,15 +26,7 @@ namespace ringmotor
     missed                  = Utilities::MPI::sum(solver.n_counted() - solver.n_found(), ranks);
 
     const Sheets sheets(mesh);
-    std::vector<const SectorMotion *> motions;
-    for (const Mode &mode : modes)
-      motions.push_back(&mode.motion);
-    std::vector<std::vector<double>> indicators =
-        degree > 1 ? sheet_indicators(*model, sheets, motions)
-                   : std::vector(modes.size(), std::vector(sheets.n_sheets(), 0.));
-    for (unsigned int i = 0; i < modes.size(); ++i)
-      for (double &indicator : indicators[i])
-        indicator /= modes[i].eigenvalue;
+    const std::vector<std::vector<double>> indicators = relative_indicators(*model, sheets, modes);
 
     sheet_error.assign(sheets.n_sheets(), 0.);
     std::map<std::pair<unsigned int, Family>, unsigned int> rank;
@@ -114,27 +106,7 @@ namespace ringmotor
   void ModeSearch::refine(SectorMesh &mesh)
   {
     const Sheets sheets(mesh);
-    std::vector<double> n_cells(sheets.n_sheets(), 0.);
-    for (const auto &cell : mesh.triangulation->active_cell_iterators())
-      for (unsigned int direction = 0; direction < 3; ++direction)
-        n_cells[sheets.sheet(*cell, direction)] += 1.;
-
-    // Sheets with the most error per new cell first, until three fifths of the error are covered.
-    std::vector<unsigned int> order(sheets.n_sheets());
-    std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(),
-              [&](const unsigned int a, const unsigned int b)
-              { return sheet_error[a] / n_cells[a] > sheet_error[b] / n_cells[b]; });
-    const double total = std::accumulate(sheet_error.begin(), sheet_error.end(), 0.);
-    std::vector<bool> chosen(sheets.n_sheets(), false);
-    double covered = 0.;
-    for (const unsigned int sheet : order)
-      if (covered < 0.6 * total)
-      {
-        chosen[sheet] = true;
-        covered += sheet_error[sheet];
-      }
-
+    const std::vector<bool> chosen = sheets_with_most_error(mesh, sheets, sheet_error);
     model.reset();
     sheets.refine(mesh, chosen);
   }

@@ -12,6 +12,7 @@
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/lapack_full_matrix.h>
 #include <deal.II/lac/sparse_matrix.h>
 
 #include <support/triplets.h>
@@ -88,6 +89,27 @@ namespace ringmotor::tests
       std::vector<double> values;
       for (const Eigenpair &pair : eigenpairs(pencil, EigenvalueChoice::nearest, count, start))
         values.push_back(pair.value);
+      return values;
+    }
+
+    /** All eigenvalues, ascending, from dense matrices (LAPACK). */
+    std::vector<double> dense() const
+    {
+      dealii::LAPACKFullMatrix<double> k(n_unknowns(), n_unknowns()), m(n_unknowns(), n_unknowns());
+      for (unsigned int row = 0; row < n_unknowns(); ++row)
+        for (auto entry = stiffness.begin(free_dofs[row]); entry != stiffness.end(free_dofs[row]);
+             ++entry)
+          if (const unsigned int column = free_number[entry->column()];
+              column != dealii::numbers::invalid_unsigned_int)
+          {
+            k(row, column) = entry->value();
+            m(row, column) = mass(free_dofs[row], entry->column());
+          }
+      std::vector<dealii::Vector<double>> no_vectors;
+      k.compute_generalized_eigenvalues_symmetric(m, no_vectors);
+      std::vector<double> values;
+      for (unsigned int i = 0; i < n_unknowns(); ++i)
+        values.push_back(k.eigenvalue(i).real());
       return values;
     }
 

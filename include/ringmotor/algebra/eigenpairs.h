@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <deal.II/base/mpi.h>
+
 #include <functional>
 #include <vector>
 
@@ -43,4 +45,19 @@ namespace ringmotor
   std::vector<Eigenpair> eigenpairs(const ShiftInvertedPencil &pencil,
                                     const EigenvalueChoice choice, const unsigned int count,
                                     const std::vector<double> &start);
+
+  /**
+   * The same for a real pencil with multiple eigenvalues, of which a single sequence of vectors
+   * would find one vector each: by the block Krylov-Schur method of Trilinos (Anasazi). Vectors are
+   * distributed over the ranks of @p communicator meanwhile; the operators of @p pencil get whole
+   * ones, several one after the other, on all ranks.
+   * @param multiplicity the largest one
+   * @param residual relative, at which a pair is accepted; the error of the value is its square
+   * @throws ComputationError if Anasazi does not converge.
+   */
+  std::vector<Eigenpair> multiple_eigenpairs(const ShiftInvertedPencil &pencil,
+                                             const EigenvalueChoice choice,
+                                             const unsigned int count,
+                                             const unsigned int multiplicity, const double residual,
+                                             MPI_Comm communicator);
 } // namespace ringmotor

@@ -13,15 +13,17 @@ namespace ringmotor
   /** Which part of the cyclic body is meshed. */
   enum class SectorForm
   {
-    half, ///< theta in [0, alpha/2]; the plane theta = 0 is a mirror plane of the body
-    whole ///< a sector of angle alpha between two cuts that match under a rotation by alpha
+    half,  ///< theta in [0, alpha/2]; the plane theta = 0 is a mirror plane of the body
+    whole, ///< a sector of angle alpha between two cuts that match under a rotation by alpha
+    ring   ///< all of it, without cuts and whatever its symmetry
   };
 
   /**
    * The mesh of one sector (or half of one) of a body with n_sectors-fold symmetry about the z
-   * axis: solid cells, and where there are thin parts also the reference surface of a shell. Faces
-   * (of a shell: edges) carry the boundary ids and cells the material ids of mesh/ids.h. Every rank
-   * stores all cells; METIS determines which of them it owns.
+   * axis, or of a whole ring, with n_sectors = 1: solid cells, and where there are thin parts also
+   * the reference surface of a shell. Faces (of a shell: edges) carry the boundary ids and cells
+   * the material ids of mesh/ids.h. Every rank stores all cells; METIS determines which of them it
+   * owns.
    */
   struct SectorMesh
   {

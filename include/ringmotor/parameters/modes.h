@@ -23,17 +23,25 @@ namespace ringmotor
   /** Its name: `stator`, `rotor`, `tooth`. */
   std::string to_string(const Body body);
 
+  /** What is meshed for the modes. */
+  enum class Domain
+  {
+    sector, ///< one sector: one number of waves at a time
+    ring    ///< the whole ring, whatever its symmetry
+  };
+
   /** Which modes the program `stator` computes. */
   struct Modes
   {
-    Body body = Body::stator;
+    Body body     = Body::stator;
+    Domain domain = Domain::sector;
 
     /** Nodal diameters in ascending order, each once; empty for that of the motor's wave, or
      * #all_nodal_diameters alone. See nodal_diameters_of(). */
     std::vector<unsigned int> nodal_diameters;
     static constexpr unsigned int all_nodal_diameters = static_cast<unsigned int>(-1);
 
-    unsigned int n_modes    = 2;  ///< elastic modes for each nodal diameter
+    unsigned int n_modes    = 2;  ///< elastic modes for each nodal diameter, or of the whole ring
     double frequency_target = 0.; ///< Hz; modes nearest to it are taken, 0: the lowest ones
 
     /** Declares the entries; reading them changes the members. */

@@ -24,7 +24,8 @@ namespace ringmotor
    * with c = cos(k alpha/2) and s = sin(k alpha/2), the pair (real, imaginary) is (c, -s) a for the
    * r and z components and (s, c) a for the theta component: one unknown a instead of two, from
    * U(-theta) = S conj(U(theta)) and the cyclic condition;
-   * - whole sector: u(high cut) = exp(-i k alpha) u(low cut) in cylindrical components.
+   * - whole sector: u(high cut) = exp(-i k alpha) u(low cut) in cylindrical components;
+   * - whole ring: its motion is real, there is no imaginary field, and k does not matter.
    *
    * Unknowns of nodes on the cuts are cylindrical components at the node, all others Cartesian. A
    * sector without cuts is the same for all k.
@@ -53,6 +54,9 @@ namespace ringmotor
     /** True if the unknowns are the real parts, then the imaginary parts, of n_unknowns()/2 complex
      * numbers. */
     bool is_complex() const { return sector_mesh().form == SectorForm::whole; }
+
+    /** Two, the real field and the imaginary one, or one, if it is a whole ring. */
+    unsigned int n_fields() const { return sector_mesh().form == SectorForm::ring ? 1 : 2; }
 
     /** The degrees of freedom of one real field that are free before the condition on the cuts ties
      * some of them, across the cut and to the other field. */
@@ -145,6 +149,7 @@ namespace ringmotor
 
     void number_half_sector();
     void number_whole_sector();
+    void number_ring();
     void number_fields();
     /** Values of the factors one, cosine, sine, minus sine. */
     static std::array<double, 4> factors(const WaveFunctions &values)

@@ -24,7 +24,10 @@ namespace ringmotor
     void factorise(const unsigned int k, const double shift);
 
     /** Number of negative eigenvalues of the matrix, written in real numbers. */
-    unsigned int n_negative() const { return 2 * stiffness.n_negative() + sparse.n_negative(); }
+    unsigned int n_negative() const
+    {
+      return sector.n_fields() * stiffness.n_negative() + sparse.n_negative();
+    }
 
     /** Replaces right-hand sides, one or several one after the other, by the solutions. */
     void solve(std::vector<double> &right_hand_sides);

@@ -32,6 +32,13 @@ namespace ringmotor
   std::vector<Mode> nearest_elastic(const std::vector<Mode> &modes, const unsigned int n_wanted,
                                     const double target);
 
+  /**
+   * Replaces the eigenvalues by Rayleigh quotients from the strains, which rounding errors of a
+   * large rigid motion barely affect. In the assembled stiffness they blur the eigenvalues of slow
+   * modes.
+   */
+  void sharpen_eigenvalues(const CyclicSector &sector, std::vector<Mode> &modes);
+
   /** Shifts (rad^2/s^2) between two eigenvalues, well away from both. */
   struct ShiftWindow
   {

@@ -18,6 +18,13 @@ namespace ringmotor
     std::optional<SectorGrading> grading = {}; ///< of a generated stator, instead of the level
   };
 
+  /** That of the first pass: cheap, it locates the modes and shows how hard they are to resolve. */
+  inline const BodyDiscretisation scout{2, 0};
+
+  /** The cheapest one with which modes reach a relative error of @p target immediately, or nearly
+   * so, if those of the first pass have the largest relative error bar @p found. */
+  BodyDiscretisation discretisation_for(const Body body, const double target, const double found);
+
   /** One computation on the way to the requested accuracy. */
   struct Pass
   {
