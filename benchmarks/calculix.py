@@ -41,15 +41,16 @@ def with_middles(line):
     return numpy.insert(line, numpy.arange(1, len(line)), 0.5 * (line[1:] + line[:-1]))
 
 
-def extruded(section, stations, place, is_there=lambda material, station: True):
+def extruded(section, stations, place, is_there=lambda material, station: True, closed=False):
     """Bricks between stations over a section of quadrilaterals (four corners, material), whose two coordinates
     and that of the stations are right-handed in this order; `place` maps all three to r, theta, z. Middle nodes are
     mapped as well, so that they lie on curved surfaces. `is_there` tells by the station in the middle of a brick
-    whether the material reaches there."""
+    whether the material reaches there. If `closed`, the last station is the first one."""
     stations = with_middles(numpy.asarray(stations))
     numbers, places, bricks = {}, [], {}
 
     def number_of(point, station):
+        station = station % (len(stations) - 1) if closed else station
         key = (*(math.floor(x / CLOSE + 0.37) for x in point), station)  # 0.37: round decimals are not at a step
         if key not in numbers:
             numbers[key] = len(numbers) + 1

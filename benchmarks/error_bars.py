@@ -83,7 +83,8 @@ class Kind:
 
 
 WITHOUT_INERTIA = Kind("error_bars", {}, ("0.03", "0.01"), {"Accuracy/Interface refinement": "3"}, 720)
-WITH_INERTIA = Kind("error_bars_inertia", {f"Effects/{name}": "on" for name in INERTIA}, ("0.1", "0.03"),
+WITH_INERTIA = Kind("error_bars_inertia",
+                    {**{f"Effects/{name}": "on" for name in INERTIA}, "Accuracy/Time limit": "200"}, ("0.1", "0.03"),
                     {"Accuracy/Interface refinement": "2", "Accuracy/Rotor modes": "2"}, 240)
 
 

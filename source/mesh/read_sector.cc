@@ -215,7 +215,25 @@ namespace ringmotor
         }
     }
 
-    SectorForm form_of(const MeshFile &file, const Triangulation<3> &triangulation)
+    /** @throws UserError for a mesh that leaves more than a quarter of the circle empty */
+    void check_ring(const MeshFile &file, const Triangulation<3> &triangulation)
+    {
+      std::vector<double> angles;
+      for (const Point<3> &vertex : triangulation.get_vertices())
+        angles.push_back(cylindrical(vertex)[1]);
+      std::sort(angles.begin(), angles.end());
+      angles.push_back(angles.front() + 2. * numbers::PI);
+      constexpr double degree = numbers::PI / 180.;
+      for (std::size_t i = 0; i + 1 < angles.size(); ++i)
+        if (angles[i + 1] - angles[i] > 0.5 * numbers::PI)
+          file.refuse("it is not a whole ring: it has no nodes between the angles " +
+                          std::to_string(std::lround(angles[i] / degree)) + " and " +
+                          std::to_string(std::lround(angles[i + 1] / degree)) + " degrees",
+                      "mesh all of the ring or, of one sector, mark the cuts");
+    }
+
+    SectorForm form_of(const MeshFile &file, const Triangulation<3> &triangulation,
+                       const Domain domain)
     {
       const std::vector<types::boundary_id> found = triangulation.get_boundary_ids();
       const auto marked                           = [&](const types::boundary_id id)
@@ -224,17 +242,23 @@ namespace ringmotor
       const bool whole = marked(ids::cut_low) && marked(ids::cut_high);
       const bool mixed = half ? marked(ids::cut_low) || marked(ids::cut_high)
                               : marked(ids::mirror) || marked(ids::cut);
+      if (domain == Domain::ring && !half && !whole && !mixed)
+      {
+        check_ring(file, triangulation);
+        return SectorForm::ring;
+      }
       if ((!half && !whole) || mixed)
         file.refuse(half || whole ? "it has the surfaces of a half and of a whole sector"
                                   : "the cuts are not marked",
                     "mark either 11 (mirror plane theta = 0) and 12 (cut), or 13 and 14 (the two "
-                    "cuts), as physical surfaces");
+                    "cuts), as physical surfaces; a whole ring has none and needs Modes/Domain = "
+                    "ring");
       return half ? SectorForm::half : SectorForm::whole;
     }
   } // namespace
 
   SectorMesh read_sector(const std::string &file, const unsigned int n_sectors,
-                         MPI_Comm communicator, const BodyOf of)
+                         MPI_Comm communicator, const BodyOf of, const Domain domain)
   {
     GmshMesh gmsh = read_gmsh({file, of == BodyOf::stator ? "Stator/Mesh file" : "Rotor/Mesh file",
                                "hexahedra of first order (meshes/README.md)"});
@@ -249,7 +273,13 @@ namespace ringmotor
     check_cells(triangulation, gmsh.file);
     body.mark(triangulation);
     check_connections(triangulation, gmsh.file);
-    mesh.form = form_of(gmsh.file, triangulation);
+    mesh.form = form_of(gmsh.file, triangulation, domain);
+    if (mesh.form == SectorForm::ring)
+    {
+      mesh.n_sectors = 1;
+      mesh.has_cuts  = false;
+      return mesh;
+    }
     check_cuts(mesh, gmsh.file);
     if (of == BodyOf::stator)
       check_tooth(mesh, gmsh.file);

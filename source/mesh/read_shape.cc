@@ -86,8 +86,9 @@ namespace ringmotor
     class ReadShape : public Shape
     {
     public:
-      ReadShape(const BodyOrigin &origin, const unsigned int n_sectors, const BodyOf of)
-          : Shape(origin), mesh(read_sector(origin.file, n_sectors, MPI_COMM_SELF, of))
+      ReadShape(const BodyOrigin &origin, const Parameters &parameters, const BodyOf of)
+          : Shape(origin), mesh(read_sector(origin.file, parameters.motor.n_teeth, MPI_COMM_SELF,
+                                            of, parameters.modes.domain))
       {
       }
 
@@ -235,8 +236,7 @@ namespace ringmotor
     {
     public:
       explicit ReadRotor(const Parameters &parameters)
-          : ReadShape(origin_of(parameters, BodyOf::rotor), parameters.motor.n_teeth,
-                      BodyOf::rotor),
+          : ReadShape(origin_of(parameters, BodyOf::rotor), parameters, BodyOf::rotor),
             stiffness_of_bars(ringmotor::bar_stiffness(parameters, origin, height_of_bars()))
       {
         if (stiffness_of_bars > 0.)
@@ -276,8 +276,8 @@ namespace ringmotor
 
   std::unique_ptr<const StatorShape> read_stator(const Parameters &parameters)
   {
-    auto stator = std::make_unique<ReadStator>(origin_of(parameters, BodyOf::stator),
-                                               parameters.motor.n_teeth, BodyOf::stator);
+    auto stator = std::make_unique<ReadStator>(origin_of(parameters, BodyOf::stator), parameters,
+                                               BodyOf::stator);
     check_materials(parameters, stator->origin,
                     [&](const types::material_id part) { return stator->has_part(part); });
     check_felt(parameters, stator->origin, stator->has_face(ids::bottom));

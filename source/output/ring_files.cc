@@ -14,13 +14,13 @@ namespace ringmotor
   void write_frequencies(const std::string &path, const std::vector<FoundRingMode> &modes)
   {
     constexpr double degree = numbers::PI / 180.;
-    CsvTable table({"n", "family", "frequency_Hz", "error_Hz", "share_of_wave", "antinode_degrees",
-                    "axial", "in_plane", "torsion", "nodal_circles"});
+    CsvTable table({"n", "family", "frequency_Hz", "error_Hz", "computed_Hz", "share_of_wave",
+                    "antinode_degrees", "axial", "in_plane", "torsion", "nodal_circles"});
     for (const FoundRingMode &found : modes)
     {
       const RingContent &wave = found.content;
       table.add_row({wave.n_waves, to_string(wave.content.family()), found.frequency.value,
-                     found.frequency.error(), wave.share, wave.antinode / degree,
+                     found.frequency.error(), found.computed, wave.share, wave.antinode / degree,
                      wave.content.axial, wave.content.in_plane, wave.content.torsion,
                      wave.content.nodal_circles});
     }

@@ -124,6 +124,8 @@ namespace ringmotor
     /** The wave must be among the modes that the program stator computes. */
     void check_modes_for_contact(const Parameters &parameters)
     {
+      if (parameters.modes.domain == Domain::ring)
+        throw UserError("Modes/Domain = ring has no wave for contact and losses; allowed: sector");
       const std::vector<unsigned int> all = nodal_diameters_of(parameters);
       if (std::find(all.begin(), all.end(), parameters.motor.n_waves) == all.end())
         throw UserError("Modes/Nodal diameters do not include the wave of the motor, " +

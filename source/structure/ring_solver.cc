@@ -65,33 +65,49 @@ namespace ringmotor
     return multiple_eigenpairs(pencil, choice, count, block_size, residual, ring.communicator());
   }
 
-  ShiftWindow RingSolver::window_around(const unsigned int n_wanted, const double target)
+  std::optional<ShiftWindow> RingSolver::window_in(const std::vector<Eigenpair> &pairs,
+                                                   const unsigned int n_wanted, const double target,
+                                                   const bool has_lowest) const
   {
-    const double shift = target > 0. ? std::pow(2. * numbers::PI * target, 2) : -slow;
-    count_below(shift);
-    std::vector<double> values; // elastic ones
-    for (const Eigenpair &pair : pairs(shift, EigenvalueChoice::nearest,
-                                       n_wanted + 2 * n_spare + (target > 0. ? 0 : n_rigid), 1e-4))
+    const auto frequency = [](const double eigenvalue)
+    { return std::sqrt(eigenvalue) / (2. * numbers::PI); };
+    std::vector<double> values; // elastic ones, ascending
+    for (const Eigenpair &pair : pairs)
       if (pair.value > slow)
         values.push_back(pair.value);
-    const auto nearer = [&](const double a, const double b)
-    {
-      return std::abs(std::sqrt(a) - std::sqrt(std::max(0., shift))) <
-             std::abs(std::sqrt(b) - std::sqrt(std::max(0., shift)));
-    };
     std::vector<double> wanted = values;
-    std::sort(wanted.begin(), wanted.end(), nearer);
-    wanted.resize(std::min<std::size_t>(n_wanted, wanted.size()));
+    std::sort(wanted.begin(), wanted.end(),
+              [&](const double a, const double b)
+              { return std::abs(frequency(a) - target) < std::abs(frequency(b) - target); });
+    if (wanted.size() < n_wanted)
+      return {};
+    wanted.resize(n_wanted);
     const auto [lowest, highest] = std::minmax_element(wanted.begin(), wanted.end());
-    std::vector<double> down, up;
-    for (const double value : values)
+    const std::vector<double> up(std::find(values.begin(), values.end(), *highest), values.end());
+    const std::vector<double> down(std::find(values.rbegin(), values.rend(), *lowest),
+                                   values.rend());
+    if (up.size() < 2 || (down.size() < 2 && !has_lowest))
+      return {};
+    return ShiftWindow{down.size() < 2 ? slow : shift_beyond(down), shift_beyond(up)};
+  }
+
+  ShiftWindow RingSolver::window_around(const unsigned int n_wanted, const double target)
+  {
+    const double shift         = target > 0. ? std::pow(2. * numbers::PI * target, 2) : -slow;
+    const unsigned int n_below = count_below(shift);
+    // Near in the eigenvalue is not near in the frequency: it may take more.
+    for (unsigned int count = n_wanted + 2 * n_spare + n_rigid; 2 * count < ring.n_unknowns();
+         count *= 2)
     {
-      if (value <= *lowest)
-        down.insert(down.begin(), value);
-      if (value >= *highest)
-        up.push_back(value);
+      const std::vector<Eigenpair> found = pairs(shift, EigenvalueChoice::nearest, count, 1e-4);
+      const unsigned int n_found_below   = std::count_if(
+            found.begin(), found.end(), [&](const Eigenpair &pair) { return pair.value < shift; });
+      if (const auto window = window_in(found, n_wanted, target, n_found_below == n_below))
+        return *window;
     }
-    return {down.size() > 1 ? shift_beyond(down) : slow, shift_beyond(up)};
+    throw ComputationError("the whole ring, with " + std::to_string(ring.n_unknowns()) +
+                           " unknowns, has no gap in its spectrum around Modes/Number of modes = " +
+                           std::to_string(n_wanted) + " modes; choose fewer");
   }
 
   std::vector<Mode> RingSolver::between(const ShiftWindow &shifts)

@@ -95,18 +95,19 @@ namespace ringmotor
     }
     const Sheets sheets(mesh);
     const std::vector<std::vector<double>> indicators = relative_indicators(*model, sheets, modes);
+    const std::vector<RingContent> contents =
+        ring_contents(*model, modes, parameters.motor.n_teeth / 2);
     sheet_error.assign(sheets.n_sheets(), 0.);
     found.clear();
     for (std::size_t i = 0; i < modes.size(); ++i)
     {
       for (unsigned int sheet = 0; sheet < sheets.n_sheets(); ++sheet)
         sheet_error[sheet] += indicators[i][sheet];
-      const double indicator    = std::accumulate(indicators[i].begin(), indicators[i].end(), 0.);
-      const double frequency    = modes[i].frequency();
-      const RingContent content = ring_content(*model, modes[i], parameters.motor.n_teeth / 2);
-      modes[i].nodal_diameter   = content.n_waves;
-      found.push_back(
-          {std::move(modes[i]), content, frequency_estimate({degree, frequency, indicator})});
+      const double indicator  = std::accumulate(indicators[i].begin(), indicators[i].end(), 0.);
+      const double frequency  = modes[i].frequency();
+      modes[i].nodal_diameter = contents[i].n_waves;
+      found.push_back({std::move(modes[i]), contents[i],
+                       frequency_estimate({degree, frequency, indicator}), frequency});
     }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
     return {++n_passes, degree, level, mesh.n_cells(), model->n_dofs(), seconds.count()};

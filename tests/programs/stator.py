@@ -15,9 +15,10 @@ import tempfile
 import unittest
 
 import h5py
+import numpy
 
 sys.dont_write_bytecode = True  # a test leaves nothing in the source tree
-from program import STATIC_ROTOR, ROOT, on_ranks, rows_of, run, settings  # noqa: E402
+from program import STATIC_ROTOR, ROOT, on_ranks, rows_of, run, settings, vtu_array  # noqa: E402
 
 PROGRAM = sys.argv.pop(1)
 REFERENCE, UNCERTAINTY = 30004.0, 3.0
@@ -236,6 +237,77 @@ class Tooth(unittest.TestCase):
             folder = pathlib.Path(case) / "tooth"
             self.assertTrue((folder / "sector.vtu").exists())
             self.assertGreater(min(float(row["frequency_Hz"]) for row in rows_of(folder / "frequencies.csv")), 1e5)
+
+
+class WholeRing(unittest.TestCase):
+    """A ring with ears, from a mesh of all of it; against CalculiX in tests/wave/whole_ring.cc."""
+    MOTOR = (STATIC_ROTOR, *settings(f"Stator/Mesh file = {ROOT}/tests/wave/ring_with_ears.msh", "Accuracy/Target = 5e-3",
+                                     "Modes/Number of modes = 4", "Effects/Target plates = off"))
+    RING = settings("Modes/Domain = ring")
+
+    def test_has_modes_near_a_frequency(self):
+        rows = {}
+        for n_ranks in (1, 2):
+            with tempfile.TemporaryDirectory() as case:
+                done = run(*on_ranks(n_ranks), PROGRAM, *self.MOTOR, *self.RING, "--output", case,
+                           *settings("Modes/Frequency target = 4600"))
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                folder = pathlib.Path(case) / "ring_of_stator"
+                rows[n_ranks] = rows_of(folder / "frequencies.csv")
+                self.assertEqual({path.name for path in folder.iterdir()},
+                                 {"frequencies.csv", "modes.vtu", "summary.json", "used.prm"})
+                summary = json.loads((folder / "summary.json").read_text())
+                self.assertEqual([q["value"] for q in summary["quantities"]],
+                                 [float(row["frequency_Hz"]) for row in rows[n_ranks]])
+                for check in summary["certificate"]["checks"]:
+                    self.assertLessEqual(check["value"], check["limit"], check["name"])
+                for i in range(1, len(rows[n_ranks]) + 1):
+                    motion = vtu_array(folder / "modes.vtu", f"mode_{i}").reshape(-1, 3)
+                    self.assertAlmostEqual(numpy.linalg.norm(motion, axis=1).max() / 2e-6, 1, places=5)
+        self.assertGreaterEqual(len(rows[1]), 4)
+        for row, other in zip(rows[1], rows[2]):
+            self.assertAlmostEqual(float(row["frequency_Hz"]) / float(other["frequency_Hz"]), 1, places=9)
+            self.assertLessEqual(float(row["share_of_wave"]), 1. + 1e-9)
+            self.assertLess(float(row["frequency_Hz"]), float(row["computed_Hz"]))
+        self.assertEqual([row["n"] for row in rows[1] if abs(float(row["frequency_Hz"]) - 5400.) < 300.], ["3", "3"])
+
+    def test_repeats_a_sector(self):
+        with tempfile.TemporaryDirectory() as case:
+            few = ("Motor/Number of teeth = 16", "Motor/Number of waves = 7", "Stator/Slot width = 2e-3",
+                   "Accuracy/Mode = fixed", "Accuracy/Refinement = 0", "Accuracy/Polynomial degree = 2",
+                   "Effects/Felt support = off")
+            done = run(PROGRAM, STATIC_ROTOR, "--output", case, *settings(*few, "Output/VTU = false"))
+            self.assertEqual(done.returncode, 0, done.stderr)
+            wave = next(row for row in rows_of(pathlib.Path(case) / "stator" / "frequencies.csv")
+                        if row["family"] == "out-of-plane")
+            upper = float(wave["frequency_Hz"]) + float(wave["error_Hz"])
+            done = run(PROGRAM, STATIC_ROTOR, *self.RING, "--output", case,
+                       *settings(*few, f"Modes/Frequency target = {upper}", "Output/VTU = false"))
+            self.assertEqual(done.returncode, 0, done.stderr)
+            pair = [row for row in rows_of(pathlib.Path(case) / "ring_of_stator" / "frequencies.csv")
+                    if (row["n"], row["family"]) == ("7", "out-of-plane")]
+            self.assertEqual(len(pair), 2)
+            for row in pair:
+                self.assertAlmostEqual(float(row["computed_Hz"]) / upper, 1, places=6)
+
+    def test_refuses_what_it_cannot_be(self):
+        for arguments, expected in (
+                ((*self.MOTOR,), "a whole ring has none and needs Modes/Domain = ring"),
+                ((*self.MOTOR, *self.RING, *settings("Modes/Nodal diameters = 7")), "Modes/Nodal diameters"),
+                ((STATIC_ROTOR, *self.RING, *settings("Modes/Body = tooth")), "Modes/Body = tooth"),
+                ((STATIC_ROTOR, *self.RING, "--study"), "Modes/Domain = ring has no study")):
+            with self.subTest(expected), tempfile.TemporaryDirectory() as case:
+                done = run(PROGRAM, *arguments, "--output", case)
+                self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
+                self.assertIn(expected, done.stderr)
+        with tempfile.TemporaryDirectory() as case:  # an eighth of the ring
+            part = pathlib.Path(case) / "part.msh"
+            head, elements = (ROOT / "tests" / "wave" / "ring_with_ears.msh").read_text().split("$Elements\n")
+            kept = elements.splitlines()[1:13]
+            part.write_text("\n".join([f"{head}$Elements", str(len(kept)), *kept, "$EndElements"]) + "\n")
+            done = run(PROGRAM, STATIC_ROTOR, *self.RING, "--output", case, *settings(f"Stator/Mesh file = {part}"))
+            self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
+            self.assertIn("it is not a whole ring: it has no nodes between the angles", done.stderr)
 
 
 class Study(unittest.TestCase):

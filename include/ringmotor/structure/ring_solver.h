@@ -4,6 +4,7 @@
 #include <ringmotor/structure/joint_factors.h>
 #include <ringmotor/structure/modes.h>
 
+#include <optional>
 #include <vector>
 
 namespace ringmotor
@@ -23,6 +24,7 @@ namespace ringmotor
      * Shifts in gaps of the spectrum around the @p n_wanted elastic modes nearest to @p target (Hz;
      * 0: the lowest ones). No gap is between two eigenvalues of a pair, so that more modes may lie
      * between the shifts. Those found on a coarse mesh can be used on finer ones.
+     * @throws ComputationError if there are no such gaps
      */
     ShiftWindow window_around(const unsigned int n_wanted, const double target);
 
@@ -40,6 +42,11 @@ namespace ringmotor
   private:
     /** The number of eigenvalues below a shift, which the factors then belong to. */
     unsigned int count_below(const double shift);
+    /** The window in the eigenpairs nearest to a target, if they reach beyond it on both sides.
+     * @param has_lowest whether all below the target are among them */
+    std::optional<ShiftWindow> window_in(const std::vector<Eigenpair> &pairs,
+                                         const unsigned int n_wanted, const double target,
+                                         const bool has_lowest) const;
     std::vector<Eigenpair> pairs(const double shift, const EigenvalueChoice choice,
                                  const unsigned int count, const double residual);
 

@@ -35,19 +35,4 @@ namespace ringmotor
 
   /** Classifies @p mode, whatever its place in the spectrum. */
   ModeContent mode_content(const CyclicSector &sector, const Mode &mode);
-
-  /** A mode of a whole ring: a standing wave, more or less. */
-  struct RingContent
-  {
-    unsigned int n_waves = 0; ///< around the ring, of the wave with most of the kinetic energy
-    double share = 0.;        ///< of the kinetic energy that this wave has as a rigid motion of the
-                              ///< cross-section; 1 for a ring of many equal sectors
-    double antinode = 0.; ///< rad, the smallest angle from the x axis at which its largest motion
-                          ///< is largest
-    ModeContent content;  ///< of that wave
-  };
-
-  /** Finds the wave in a mode of a whole ring. @param most_waves that are looked for */
-  RingContent ring_content(const CyclicSector &ring, const Mode &mode,
-                           const unsigned int most_waves);
 } // namespace ringmotor

@@ -3,6 +3,7 @@
 
 #include <ringmotor/structure/ring_solver.h>
 #include <ringmotor/wave/body_modes.h>
+#include <ringmotor/wave/ring_content.h>
 
 #include <functional>
 #include <memory>
@@ -17,6 +18,7 @@ namespace ringmotor
     Mode mode;
     RingContent content;
     Estimate frequency; ///< Hz
+    double computed;    ///< Hz, on the mesh: an upper bound, with which pairs are compared
   };
 
   /**
