@@ -13,9 +13,9 @@ namespace ringmotor
     unsigned int n_waves = 0;  ///< around the ring
     double share         = 0.; ///< of the kinetic energy that this wave has as a motion of rigid
                                ///< cross-sections
-    double antinode = 0.;      ///< rad, the smallest angle from the x axis at which the largest
-                               ///< component of this wave is largest
-    ModeContent content;       ///< of that wave
+    double antinode = 0.; ///< rad, the smallest angle from the x axis at which the axial motion is
+                          ///< largest, in the plane the radial one, or the rotation of torsion
+    ModeContent content;  ///< of that wave
   };
 
   /**
