@@ -22,7 +22,8 @@ sys.dont_write_bytecode = True
 from motor_run import OUTPUT_OFF, RowFile, certified_run, operating_points, table, write_markdown  # noqa: E402
 from timed_run import PAPERS_MODEL, ROOT, arguments, limited_run, program  # noqa: E402
 
-MOTORS = {"canon_ring": {}, "soft_spring": {}, "ring60": {"Effects/Friction lining": "on", "Time/Snapshots": "4"}}
+# Waves of ring60 repeat after ten teeth: with one snapshot it would have ten steps in a period.
+MOTORS = {"canon_ring": {}, "soft_spring": {}, "ring60": {"Effects/Friction lining": "on", "Time/Snapshots": "18"}}
 BASE = {**PAPERS_MODEL, **OUTPUT_OFF, "Effects/Stator compliance": "off", "Effects/Piezoelectric coupling": "off",
         "Loading/Number of curve points": "2"}
 FINE = {"Accuracy/Mode": "fixed", "Accuracy/Polynomial degree": "3", "Accuracy/Refinement": "2",

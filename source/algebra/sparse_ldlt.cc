@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/algebra/nested_dissection.h>
 #include <ringmotor/algebra/sparse_ldlt.h>
 #include <ringmotor/parameters/errors.h>
 
@@ -18,6 +19,7 @@ namespace ringmotor
     DMUMPS_STRUC_C data{};
     /** Of the elements. MUMPS reads them in later phases, too, though not their values. */
     std::vector<int> begin, variables;
+    std::vector<int> places; ///< of the variables in the order of elimination, if it is given
 
     /** Control parameter @p i as numbered in the MUMPS manual. */
     int &control(const int i) { return data.icntl[i - 1]; }
@@ -62,8 +64,8 @@ namespace ringmotor
   } // namespace
 
   SparseLDLT::SparseLDLT(const unsigned int size, MPI_Comm communicator,
-                         const std::vector<unsigned int> &kept)
-      : mumps(std::make_unique<Mumps>()), communicator(communicator)
+                         const std::vector<unsigned int> &kept, const EliminationOrder order)
+      : mumps(std::make_unique<Mumps>()), communicator(communicator), order(order)
   {
     for (const unsigned int row : kept)
       kept_rows.push_back(1 + static_cast<int>(row));
@@ -140,8 +142,15 @@ namespace ringmotor
   {
     elements = gathered(std::move(elements), communicator);
     scale(elements);
+    if (!analysed && order == EliminationOrder::nested_dissection)
+      mumps->control(7) = 1; // on all ranks; the order is that of rank 0
     if (Utilities::MPI::this_mpi_process(communicator) == 0) // MUMPS tells the other ranks
     {
+      if (!analysed && order == EliminationOrder::nested_dissection)
+      {
+        mumps->places       = nested_dissection(elements, mumps->data.n);
+        mumps->data.perm_in = mumps->places.data();
+      }
       mumps->begin       = std::move(elements.begin);
       mumps->variables   = std::move(elements.variables);
       mumps->data.nelt   = static_cast<int>(mumps->begin.size()) - 1;

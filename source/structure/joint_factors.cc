@@ -36,6 +36,12 @@ namespace ringmotor
       return row;
     }
 
+    EliminationOrder order_for(const CyclicSector &sector)
+    {
+      return sector.sector_mesh().form == SectorForm::ring ? EliminationOrder::nested_dissection
+                                                           : EliminationOrder::minimum_fill;
+    }
+
     std::size_t count_rows(const std::vector<unsigned int> &row)
     {
       return row.size() - std::count(row.begin(), row.end(), none);
@@ -44,7 +50,8 @@ namespace ringmotor
 
   JointFactors::JointFactors(const CyclicSector &sector)
       : sector(sector), stiffness(sector, std::vector<bool>(sector.n_dofs(), false)),
-        row(number_rows(sector, stiffness)), sparse(count_rows(row), sector.communicator())
+        row(number_rows(sector, stiffness)),
+        sparse(count_rows(row), sector.communicator(), {}, order_for(sector))
   {
   }
 

@@ -96,8 +96,8 @@ namespace ringmotor
     const double shift         = target > 0. ? std::pow(2. * numbers::PI * target, 2) : -slow;
     const unsigned int n_below = count_below(shift);
     // Near in the eigenvalue is not near in the frequency: it may take more.
-    for (unsigned int count = n_wanted + 2 * n_spare + n_rigid; 2 * count < ring.n_unknowns();
-         count *= 2)
+    for (unsigned int count = n_wanted + 2 * n_spare + (target > 0. ? 0 : n_rigid);
+         2 * count < ring.n_unknowns(); count *= 2)
     {
       const std::vector<Eigenpair> found = pairs(shift, EigenvalueChoice::nearest, count, 1e-4);
       const unsigned int n_found_below   = std::count_if(

@@ -23,6 +23,13 @@ namespace ringmotor
     void add(const std::vector<unsigned int> &rows, const std::vector<double> &lower);
   };
 
+  /** In which order unknowns are eliminated. */
+  enum class EliminationOrder
+  {
+    minimum_fill,     ///< best for a sector
+    nested_dissection ///< best for a whole ring
+  };
+
   /**
    * L D L^T factorisation of a real symmetric indefinite sparse matrix by MUMPS, in parallel. Its
    * inertia counts the eigenvalues below a shift (Sylvester's law).
@@ -34,7 +41,8 @@ namespace ringmotor
   {
   public:
     SparseLDLT(const unsigned int size, MPI_Comm communicator,
-               const std::vector<unsigned int> &kept = {});
+               const std::vector<unsigned int> &kept = {},
+               const EliminationOrder order          = EliminationOrder::minimum_fill);
     ~SparseLDLT();
     SparseLDLT(const SparseLDLT &)            = delete;
     SparseLDLT &operator=(const SparseLDLT &) = delete;
@@ -86,6 +94,7 @@ namespace ringmotor
     std::vector<int> kept_rows;    ///< counted from 1
     std::vector<double> row_scale; ///< one for kept unknowns
     std::vector<double> schur, right_hand_sides;
+    const EliminationOrder order;
     bool analysed = false;
   };
 } // namespace ringmotor
