@@ -93,7 +93,9 @@ namespace ringmotor
 
   ShiftWindow RingSolver::window_around(const unsigned int n_wanted, const double target)
   {
-    const double shift         = target > 0. ? std::pow(2. * numbers::PI * target, 2) : -slow;
+    // A target may be a frequency that was computed before, where the matrix is singular.
+    constexpr double beside = 1.0003;
+    const double shift      = target > 0. ? std::pow(2. * numbers::PI * beside * target, 2) : -slow;
     const unsigned int n_below = count_below(shift);
     // Near in the eigenvalue is not near in the frequency: it may take more.
     for (unsigned int count = n_wanted + 2 * n_spare + (target > 0. ? 0 : n_rigid);
