@@ -15,7 +15,7 @@ sys.dont_write_bytecode = True
 from running import surroundings  # noqa: F401
 from motor_task import without_launcher
 from results.page_file import refuse_foreign
-from running.programs import PROGRAMS, CaseError, Refusal, described, refuse_pipe
+from running.programs import PROGRAMS, CaseError, Refusal, described, refuse_pipe, without_wave
 
 SCRIPTS = pathlib.Path(__file__).resolve().parent
 MOST_RANKS = 4  # that share the work of a motor; a fifth one would find little left of it
@@ -141,7 +141,7 @@ def study(options, more):
     plan = described(PROGRAMS / "motor", *options)
     interruption = Interruption()
     interruption.need(PROGRAMS / "stator", *options, "--study", *more)
-    if plan["entries"]["Modes/Body"] != "stator":
+    if without_wave(plan["entries"]):
         return 0
     interruption.need(PROGRAMS / "stator", *options)  # contact needs a wave, which a study leaves none of
     interruption.need(PROGRAMS / "contact", *options, "--study", *more)
@@ -152,7 +152,7 @@ def run(options, more):
     plan, launcher = plan_and_launcher(options)
     interruption = Interruption()
     folder = pathlib.Path(plan["folder"])
-    if plan["entries"]["Modes/Body"] != "stator":  # a rotor or a tooth, which have no figures
+    if without_wave(plan["entries"]):  # a rotor, a tooth or a whole ring, which have no figures
         return interruption.run(PROGRAMS / "stator", *options)
     # Where a program fails, the page tells so beside the results of those before it.
     page = folder / "report.html"

@@ -6,7 +6,8 @@
 # With --check: looks at the parameters, draws the cross-sections of both bodies, and nothing else. With --study: what
 # accuracy costs of stator and of contact, tables and figures, and nothing else. With --resume, contact and studies take
 # over what an interrupted run has found; the rest is computed again, which gives the same. With --sensitivities: also how
-# much each entry of the motor changes its results. With Modes/Body = rotor or tooth: the modes of that body alone.
+# much each entry of the motor changes its results. With Modes/Body = rotor or tooth, or
+# Modes/Domain = ring: the modes of that body alone.
 # What is not set-up is in scripts/run.py.
 set -euo pipefail
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)

@@ -13,7 +13,7 @@ import dask
 import motor_task
 from distributed import Client, LocalCluster, as_completed
 from motor_task import Outcome, Task, find_wave, known_outcome, run_motor
-from running.programs import CaseError, Identities, described, options_of
+from running.programs import CaseError, Identities, described, options_of, without_wave
 
 NO_FIELDS = {"Output/VTU": "false", "Output/Figures": "false"}
 RETRIES = 2  # where a worker is lost
@@ -66,9 +66,9 @@ class Family:
         program = self.programs / ("stator" if is_wave_only else "motor")
         said = described(program, self.prm, "--output", output, *options_of(self.settings))
         self.entries, self.missing = said["entries"], said["missing"]
-        if self.entries["Modes/Body"] != "stator":
-            raise CaseError(f"Modes/Body = {self.entries['Modes/Body']} has no wave, without which there is no motor; allowed: "
-                            "stator")
+        if entry := without_wave(self.entries):
+            raise CaseError(f"{entry} has no wave, without which there is no motor; allowed: Modes/Body = stator with "
+                            "Modes/Domain = sector")
         self.identity, self.output = said["identity"], pathlib.Path(said["folder"]).resolve()
         self.identities = Identities(program, self.prm)
 

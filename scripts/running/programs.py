@@ -74,6 +74,12 @@ def described(program, prm, *options, form="json", launcher=(), timeout=None):
         raise CaseError(f"{program} --check={form} has printed no JSON") from None
 
 
+def without_wave(entries):
+    """The entry with which `stator` finds no wave of a motor, or an empty text."""
+    return next((f"{entry} = {entries[entry]}" for entry, needed in (("Modes/Body", "stator"), ("Modes/Domain", "sector"))
+                 if entries[entry] != needed), "")
+
+
 def end(process):
     """A program that reads lines ends when there are no more."""
     for stream in (process.stdin, process.stdout, process.stderr):

@@ -31,7 +31,7 @@ namespace ringmotor
         programs.erase(programs.begin(), std::find_if(programs.begin(), programs.end(),
                                                       [&](const Program &program)
                                                       { return program.name == *line.from; }));
-      if (parameters.modes.body != Body::stator || parameters.modes.domain == Domain::ring)
+      if (!parameters.modes.can_have_wave())
         programs.resize(1, programs.front());
       return programs;
     }

@@ -223,6 +223,14 @@ class FromFileToPage(Installed):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(sorted(path.name for path in case.iterdir()), ["rotor"])
 
+    def test_modes_of_a_whole_ring_alone(self):
+        case = self.folder / "ring"
+        done = self.ringmotor("--output", case, *QUIET,
+                              *settings("Modes/Domain = ring", "Accuracy/Target = 0.1", "Effects/Target plates = off",
+                                        f"Stator/Mesh file = {ROOT}/tests/wave/ring_with_ears.msh"))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(sorted(path.name for path in case.iterdir()), ["ring_of_stator"])
+
 
 class Package(Installed):
     def test_the_links_of_the_readme_lead_somewhere(self):

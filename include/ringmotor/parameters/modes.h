@@ -44,6 +44,10 @@ namespace ringmotor
     unsigned int n_modes    = 2;  ///< elastic modes for each nodal diameter, or of the whole ring
     double frequency_target = 0.; ///< Hz; modes nearest to it are taken, 0: the lowest ones
 
+    /** Whether the wave of a motor can be among them: not among those of a rotor, a tooth or a
+     * whole ring. */
+    bool can_have_wave() const { return body == Body::stator && domain == Domain::sector; }
+
     /** Declares the entries; reading them changes the members. */
     void declare(dealii::ParameterHandler &prm);
   };
