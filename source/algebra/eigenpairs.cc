@@ -8,6 +8,7 @@
 #include <cmath>
 #include <complex>
 #include <numeric>
+#include <random>
 #include <string>
 #include <type_traits>
 
@@ -16,6 +17,15 @@
 
 namespace ringmotor
 {
+  std::vector<double> generic_vector(const std::size_t size)
+  {
+    std::mt19937 random;
+    std::vector<double> entries(size);
+    for (double &entry : entries)
+      entry = std::generate_canonical<double, 53>(random) - 0.5;
+    return entries;
+  }
+
   namespace
   {
     using Complex = std::complex<double>;

@@ -11,7 +11,6 @@
 #include <Epetra_Operator.h>
 
 #include <algorithm>
-#include <random>
 #include <string>
 
 namespace ringmotor
@@ -79,18 +78,6 @@ namespace ringmotor
       const MPI_Comm communicator;
       const Function function;
     };
-
-    /** Generic vectors, the same on any number of ranks. */
-    Teuchos::RCP<MultiVector> generic_vectors(const Epetra_Map &map, const unsigned int count)
-    {
-      std::mt19937 random;
-      std::vector<double> vectors(static_cast<std::size_t>(map.NumGlobalElements()) * count);
-      for (double &entry : vectors)
-        entry = std::generate_canonical<double, 53>(random) - 0.5;
-      auto distributed = Teuchos::rcp(new MultiVector(map, count));
-      take_own(vectors, *distributed);
-      return distributed;
-    }
   } // namespace
 
   std::vector<Eigenpair> multiple_eigenpairs(const ShiftInvertedPencil &pencil,
@@ -116,9 +103,10 @@ namespace ringmotor
       pencil.solve(solution);
       return solution;
     };
+    const auto start = Teuchos::rcp(new MultiVector(map, static_cast<int>(multiplicity)));
+    take_own(generic_vector(static_cast<std::size_t>(pencil.size) * multiplicity), *start);
     const auto problem = Teuchos::rcp(
-        new Problem(Teuchos::rcp(new FunctionOperator(map, communicator, shift_invert)),
-                    generic_vectors(map, multiplicity)));
+        new Problem(Teuchos::rcp(new FunctionOperator(map, communicator, shift_invert)), start));
     problem->setM(Teuchos::rcp(new FunctionOperator(map, communicator, mass)));
     problem->setHermitian(true);
     problem->setNEV(static_cast<int>(count));

@@ -26,13 +26,13 @@ namespace ringmotor
     {
     public:
       RepeatedManifold(const Manifold<dim, 3> &of_sector, const unsigned int n_sectors)
-          : of_sector(of_sector.clone()), pitch(2. * numbers::PI / n_sectors)
+          : of_sector(of_sector.clone()), n_sectors(n_sectors)
       {
       }
 
       std::unique_ptr<Manifold<dim, 3>> clone() const override
       {
-        return std::make_unique<RepeatedManifold<dim>>(*of_sector, n_sectors());
+        return std::make_unique<RepeatedManifold<dim>>(*of_sector, n_sectors);
       }
 
       Point<3> get_new_point(const ArrayView<const Point<3>> &points,
@@ -41,6 +41,7 @@ namespace ringmotor
         Point<3> mean;
         for (std::size_t i = 0; i < points.size(); ++i)
           mean += weights[i] * points[i];
+        const double pitch = 2. * numbers::PI / n_sectors;
         const double angle = pitch * std::round(cylindrical(mean)[1] / pitch);
         std::vector<Point<3>> of_first;
         for (const Point<3> &point : points)
@@ -49,10 +50,6 @@ namespace ringmotor
       }
 
     private:
-      unsigned int n_sectors() const
-      {
-        return static_cast<unsigned int>(std::round(2. * numbers::PI / pitch));
-      }
       static Point<3> turned(const Point<3> &x, const double angle)
       {
         const double cosine = std::cos(angle), sine = std::sin(angle);
@@ -60,7 +57,7 @@ namespace ringmotor
       }
 
       const std::unique_ptr<const Manifold<dim, 3>> of_sector;
-      const double pitch;
+      const unsigned int n_sectors;
     };
 
     /** The copies of the cells of solids (dim = 3) or of a shell (dim = 2). */

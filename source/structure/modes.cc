@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <string>
 
 namespace ringmotor
@@ -157,15 +156,9 @@ namespace ringmotor
     pencil.solve   = [&](std::vector<double> &x) { factors.solve(x); };
     pencil.mass    = [&](const std::vector<double> &x, std::vector<double> &product)
     { sector.multiply_mass(k, x, product); };
-    // Generic, so that no mode is orthogonal to it, and the same in every run.
-    std::vector<double> start(pencil.size);
-    std::mt19937 random;
-    for (double &entry : start)
-      entry = std::generate_canonical<double, 53>(random) - 0.5;
-
     const auto rigid = rigid_motions(sector, k);
     std::vector<Mode> modes;
-    for (const Eigenpair &pair : eigenpairs(pencil, choice, count, start))
+    for (const Eigenpair &pair : eigenpairs(pencil, choice, count, generic_vector(pencil.size)))
       modes.push_back({k, pair.value, rigid_fraction(sector, k, rigid, pair.vector) > 0.99,
                        sector.expand(k, pair.vector), 0.});
     sharpen_eigenvalues(sector, modes);

@@ -76,6 +76,26 @@ namespace ringmotor
     return fit_for(body, target / std::max(1., std::pow(found / error_of_scout, 2)));
   }
 
+  SectorMesh mesh_of_body(const Parameters &parameters, const BodyDiscretisation &discretisation,
+                          const MotorModel &model, const MPI_Comm ranks)
+  {
+    switch (parameters.modes.body)
+    {
+    case Body::rotor:
+      return rotor_shape(parameters)->sector(discretisation.level, ranks);
+    case Body::tooth:
+      return stator_shape(parameters)->tooth(discretisation.level, ranks);
+    case Body::stator:
+      break;
+    }
+    SectorMesh stator =
+        discretisation.grading
+            ? make_sector(stator_body(parameters), SectorForm::half, *discretisation.grading, ranks)
+            : stator_shape(parameters)->sector(discretisation.level, ranks);
+    add_to_stator(model, stator);
+    return stator;
+  }
+
   BodyModes::BodyModes(const Parameters &all_parameters, MPI_Comm ranks)
       : given(all_parameters), parameters(relevant_for_modes(all_parameters)),
         share_modes(request_for(parameters).nodal_diameters.size() > 1 ? ranks : MPI_COMM_SELF),
@@ -134,8 +154,9 @@ namespace ringmotor
     const MotorModel model = motor_model(parameters);
     for (const unsigned int degree : {scout.degree, scout.degree + 1})
     {
-      const SectorMesh coarse = stator_mesh({degree, scout.level}, model, MPI_COMM_SELF);
-      const auto search       = new_search(model);
+      const SectorMesh coarse =
+          mesh_of_body(parameters, {degree, scout.level}, model, MPI_COMM_SELF);
+      const auto search = new_search(model);
       search->compute(coarse, degree);
       motor_circuits->add_capacitances(*search);
     }
@@ -163,34 +184,10 @@ namespace ringmotor
     // half of its memory each.
     constexpr unsigned int few_cells = 500;
     level                            = discretisation.level;
-    mesh                             = body_mesh(discretisation, MPI_COMM_SELF);
+    const MotorModel model           = motor_model(parameters);
+    mesh = mesh_of_body(parameters, discretisation, model, MPI_COMM_SELF);
     if (mesh.n_cells() > few_cells && share_mesh != MPI_COMM_SELF)
-      mesh = body_mesh(discretisation, share_mesh);
-  }
-
-  SectorMesh BodyModes::body_mesh(const BodyDiscretisation &discretisation, MPI_Comm ranks) const
-  {
-    switch (parameters.modes.body)
-    {
-    case Body::rotor:
-      return rotor_shape(parameters)->sector(discretisation.level, ranks);
-    case Body::tooth:
-      return stator_shape(parameters)->tooth(discretisation.level, ranks);
-    case Body::stator:
-      break;
-    }
-    return stator_mesh(discretisation, motor_model(parameters), ranks);
-  }
-
-  SectorMesh BodyModes::stator_mesh(const BodyDiscretisation &discretisation,
-                                    const MotorModel &model, MPI_Comm ranks) const
-  {
-    SectorMesh stator =
-        discretisation.grading
-            ? make_sector(stator_body(parameters), SectorForm::half, *discretisation.grading, ranks)
-            : stator_shape(parameters)->sector(discretisation.level, ranks);
-    add_to_stator(model, stator);
-    return stator;
+      mesh = mesh_of_body(parameters, discretisation, model, share_mesh);
   }
 
   void BodyModes::begin()
@@ -213,7 +210,7 @@ namespace ringmotor
     if (parameters.modes.body != Body::stator ||
         std::none_of(all.begin(), all.end(), has_to_choose))
       return;
-    SectorMesh bare   = stator_mesh(scout, MotorModel(), MPI_COMM_SELF);
+    SectorMesh bare   = mesh_of_body(parameters, scout, MotorModel(), MPI_COMM_SELF);
     const auto search = new_search(MotorModel());
     search->compute(bare, scout.degree);
     choices_by(*search, parameters);
@@ -221,7 +218,7 @@ namespace ringmotor
 
   double BodyModes::shift_by_coupling(const MotorModel &coupled) const
   {
-    const SectorMesh bare = stator_mesh(scout, MotorModel(), MPI_COMM_SELF);
+    const SectorMesh bare = mesh_of_body(parameters, scout, MotorModel(), MPI_COMM_SELF);
     const auto frequency  = [&](const MotorModel &model)
     {
       const auto search = new_search(model);

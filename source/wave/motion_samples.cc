@@ -74,7 +74,6 @@ namespace ringmotor
                                       trace.displacement(q, section.offset), mode.nodal_diameter));
       }
     }
-
   } // namespace
 
   std::vector<MotionSample> motion_samples(const CyclicSector &sector, const Mode &mode)
@@ -95,6 +94,34 @@ namespace ringmotor
       }
     }
     return samples;
+  }
+
+  double energy_of(const std::vector<MotionSample> &samples)
+  {
+    double energy = 0.;
+    for (const MotionSample &s : samples)
+      energy += s.mass * (std::norm(s.motion[0]) + std::norm(s.motion[1]) + std::norm(s.motion[2]));
+    return energy;
+  }
+
+  CrossSections::CrossSections(const std::vector<MotionSample> &samples)
+  {
+    double mass = 0.;
+    for (const MotionSample &s : samples)
+    {
+      mass += s.mass;
+      center_r += s.mass * s.r;
+      center_z += s.mass * s.z;
+    }
+    center_r /= mass;
+    center_z /= mass;
+  }
+
+  std::array<std::array<double, 3>, CrossSections::n_motions>
+  CrossSections::at(const MotionSample &sample) const
+  {
+    const double r = sample.r - center_r, z = sample.z - center_z;
+    return {{{{0, 0, 1}}, {{0, z, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{0, r, 0}}, {{z, 0, -r}}}};
   }
 
   unsigned int count_nodal_circles(const std::vector<MotionSample> &samples)

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <ringmotor/wave/motion_samples.h>
 #include <ringmotor/wave/ring_content.h>
 
 #include <deal.II/base/numbers.h>
@@ -10,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <numeric>
 
 namespace ringmotor
 {
@@ -17,64 +17,44 @@ namespace ringmotor
 
   namespace
   {
-    constexpr unsigned int n_motions = 6; ///< of a rigid cross-section
+    constexpr unsigned int n_motions = CrossSections::n_motions;
     using OfMotions                  = std::array<double, n_motions>;
 
-    /** Products of motions of rigid cross-sections, see mode_content(), with something in the
-     * kinetic energy, at each quadrature point. */
-    class CrossSections
+    /** Products of these motions with each other in the kinetic energy, at each quadrature point:
+     * the lower triangle, row by row. */
+    using Products = std::vector<std::array<double, n_motions *(n_motions + 1) / 2>>;
+
+    Products products_of(const CrossSections &sections, const std::vector<MotionSample> &places)
     {
-    public:
-      explicit CrossSections(const std::vector<MotionSample> &places)
+      Products products;
+      for (const MotionSample &s : places)
       {
-        double mass = 0.;
-        for (const MotionSample &s : places)
-        {
-          mass += s.mass;
-          center_r += s.mass * s.r;
-          center_z += s.mass * s.z;
-        }
-        center_r /= mass;
-        center_z /= mass;
-        for (const MotionSample &s : places)
-        {
-          const auto motions = at(s);
-          products.emplace_back();
-          auto product = products.back().begin();
-          for (unsigned int i = 0; i < n_motions; ++i)
-            for (unsigned int j = 0; j <= i; ++j)
-              *product++ = s.mass * (motions[i][0] * motions[j][0] + motions[i][1] * motions[j][1] +
-                                     motions[i][2] * motions[j][2]);
-        }
+        const auto motions = sections.at(s);
+        products.emplace_back();
+        auto product = products.back().begin();
+        for (unsigned int i = 0; i < n_motions; ++i)
+          for (unsigned int j = 0; j <= i; ++j)
+            *product++ = s.mass * (motions[i][0] * motions[j][0] + motions[i][1] * motions[j][1] +
+                                   motions[i][2] * motions[j][2]);
       }
+      return products;
+    }
 
-      /** With each other: the lower triangle, row by row. */
-      std::vector<std::array<double, n_motions *(n_motions + 1) / 2>> products;
-
-      /** With a motion. */
-      std::vector<OfMotions> with(const std::vector<MotionSample> &samples) const
+    /** The same with the motion of a mode. */
+    std::vector<OfMotions> products_with(const CrossSections &sections,
+                                         const std::vector<MotionSample> &samples)
+    {
+      std::vector<OfMotions> products;
+      for (const MotionSample &s : samples)
       {
-        std::vector<OfMotions> products_with;
-        for (const MotionSample &s : samples)
-        {
-          const auto motions = at(s);
-          products_with.emplace_back();
-          for (unsigned int i = 0; i < n_motions; ++i)
-            for (unsigned int d = 0; d < 3; ++d)
-              products_with.back()[i] += s.mass * motions[i][d] * s.motion[d].real();
-        }
-        return products_with;
+        const auto motions = sections.at(s);
+        products.emplace_back();
+        for (unsigned int i = 0; i < n_motions; ++i)
+          for (unsigned int d = 0; d < 3; ++d)
+            products.back()[i] += s.mass * motions[i][d] * s.motion[d].real();
       }
-
-    private:
-      std::array<std::array<double, 3>, n_motions> at(const MotionSample &sample) const
-      {
-        const double r = sample.r - center_r, z = sample.z - center_z;
-        return {{{{0, 0, 1}}, {{0, z, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{0, r, 0}}, {{z, 0, -r}}}};
-      }
-
-      double center_r = 0., center_z = 0.;
-    };
+      return products;
+    }
 
     /** The one whose antinode is that of the wave. */
     unsigned int shown_motion(const Family family)
@@ -89,14 +69,14 @@ namespace ringmotor
     class StandingWaves
     {
     public:
-      StandingWaves(const unsigned int n, const CrossSections &sections, const Phases &phases)
+      StandingWaves(const unsigned int n, const Products &of_sections, const Phases &phases)
           : n(n), n_phases(n > 0 ? 2 : 1), lower(n_phases * n_motions, n_phases * n_motions)
       {
         FullMatrix<double> products(lower.m(), lower.m());
         for (std::size_t s = 0; s < phases.size(); ++s)
         {
           const std::array<double, 2> phase{{phases[s].real(), phases[s].imag()}};
-          auto product = sections.products[s].begin();
+          auto product = of_sections[s].begin();
           for (unsigned int i = 0; i < n_motions; ++i)
             for (unsigned int j = 0; j <= i; ++j, ++product)
               for (unsigned int p = 0; p < n_phases; ++p)
@@ -127,12 +107,9 @@ namespace ringmotor
           share[i / n_phases] += std::pow(orthonormal[i], 2) / energy;
 
         RingContent found;
-        found.n_waves               = n;
-        found.content.axial         = share[0] + share[1];
-        found.content.in_plane      = share[2] + share[3] + share[4];
-        found.content.torsion       = share[5];
-        found.share                 = found.content.axial + found.content.in_plane + share[5];
-        found.content.cross_section = std::max(0., 1. - found.share);
+        found.n_waves = n;
+        found.content = content_of(share);
+        found.share   = std::accumulate(share.begin(), share.end(), 0.);
         if (n > 0)
         {
           const unsigned int shown = shown_motion(found.content.family());
@@ -146,15 +123,6 @@ namespace ringmotor
       const unsigned int n, n_phases;
       FullMatrix<double> lower; ///< Cholesky factor of their products
     };
-
-    double energy_of(const std::vector<MotionSample> &samples)
-    {
-      double energy = 0.;
-      for (const MotionSample &s : samples)
-        energy +=
-            s.mass * (std::norm(s.motion[0]) + std::norm(s.motion[1]) + std::norm(s.motion[2]));
-      return energy;
-    }
   } // namespace
 
   std::vector<RingContent> ring_contents(const CyclicSector &ring, std::vector<Mode> modes,
@@ -163,21 +131,24 @@ namespace ringmotor
     std::vector<RingContent> best(modes.size());
     if (modes.empty())
       return best;
+    for (Mode &mode : modes)
+      mode.nodal_diameter = 0; // no phase is removed
     const std::vector<MotionSample> places = motion_samples(ring, modes.front());
     const CrossSections sections(places);
+    const Products of_sections = products_of(sections, places);
     std::vector<std::vector<OfMotions>> products;
     std::vector<double> energies;
-    for (Mode &mode : modes)
+    for (const Mode &mode : modes)
     {
-      mode.nodal_diameter                     = 0; // no phase is removed
-      const std::vector<MotionSample> samples = motion_samples(ring, mode);
-      products.push_back(sections.with(samples));
+      const std::vector<MotionSample> samples =
+          products.empty() ? places : motion_samples(ring, mode);
+      products.push_back(products_with(sections, samples));
       energies.push_back(energy_of(samples));
     }
     Phases phases(places.size(), 1.);
     for (unsigned int n = 0; n <= most_waves; ++n)
     {
-      const StandingWaves waves(n, sections, phases);
+      const StandingWaves waves(n, of_sections, phases);
       for (std::size_t i = 0; i < modes.size(); ++i)
         if (const RingContent content = waves.content(products[i], phases, energies[i]);
             content.share > best[i].share)

@@ -68,13 +68,12 @@ namespace ringmotor
   void RingSearch::make_mesh(const unsigned int new_level)
   {
     model.reset();
-    level           = new_level;
-    SectorMesh part = parameters.modes.body == Body::rotor
-                          ? rotor_shape(parameters)->sector(level, MPI_COMM_SELF)
-                          : stator_shape(parameters)->sector(level, MPI_COMM_SELF);
-    if (parameters.modes.body == Body::stator)
-      add_to_stator(motor_model(parameters), part);
-    mesh = whole_ring(part, communicator);
+    level = new_level;
+    // Its degree does not matter for the mesh.
+    const BodyDiscretisation discretisation{scout.degree, level};
+    mesh =
+        whole_ring(mesh_of_body(parameters, discretisation, motor_model(parameters), MPI_COMM_SELF),
+                   communicator);
   }
 
   Pass RingSearch::compute(const unsigned int degree)

@@ -19,7 +19,6 @@
 
 #include <cmath>
 #include <functional>
-#include <random>
 #include <vector>
 
 namespace ringmotor::tests
@@ -82,12 +81,9 @@ namespace ringmotor::tests
       pencil.solve = [&](std::vector<double> &x) { factorised->solve(x); };
       pencil.mass  = [&](const std::vector<double> &x, std::vector<double> &product)
       { product = multiply_mass(x); };
-      std::vector<double> start(pencil.size);
-      std::mt19937 random;
-      for (double &entry : start)
-        entry = std::generate_canonical<double, 53>(random) - 0.5;
       std::vector<double> values;
-      for (const Eigenpair &pair : eigenpairs(pencil, EigenvalueChoice::nearest, count, start))
+      for (const Eigenpair &pair :
+           eigenpairs(pencil, EigenvalueChoice::nearest, count, generic_vector(pencil.size)))
         values.push_back(pair.value);
       return values;
     }

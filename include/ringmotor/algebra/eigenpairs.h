@@ -29,6 +29,9 @@ namespace ringmotor
     std::vector<double> vector; ///< M-normalised
   };
 
+  /** Numbers to which no eigenvector is orthogonal, the same in every run. */
+  std::vector<double> generic_vector(const std::size_t size);
+
   enum class EigenvalueChoice
   {
     nearest, ///< those nearest to the shift

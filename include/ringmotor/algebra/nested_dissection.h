@@ -9,9 +9,9 @@ namespace ringmotor
 {
   /**
    * The order in which the variables of a matrix are eliminated by nested dissection (METIS): for
-   * each of @p size variables its place, from 1. On large meshes, such as that of a whole ring, it
-   * takes far fewer operations than minimum fill. Variables of the same elements are one node of
-   * the graph.
+   * each of @p size variables its place, from 1. On the mesh of a whole ring factors take as much
+   * time and memory as with minimum fill, or less: two thirds for the rotor of prm/canon_ring.prm.
+   * Variables of the same elements are one node of the graph.
    */
   std::vector<int> nested_dissection(const SymmetricElements &elements, const unsigned int size);
 } // namespace ringmotor

@@ -25,6 +25,11 @@ namespace ringmotor
    * so, if those of the first pass have the largest relative error bar @p found. */
   BodyDiscretisation discretisation_for(const Body body, const double target, const double found);
 
+  /** The mesh of a sector of the body whose modes are computed (`Modes/Body`), or of its tooth; of
+   * a stator with what @p model adds to it. Its cells are divided over @p ranks. */
+  SectorMesh mesh_of_body(const Parameters &parameters, const BodyDiscretisation &discretisation,
+                          const MotorModel &model, MPI_Comm ranks);
+
   /** One computation on the way to the requested accuracy. */
   struct Pass
   {
@@ -96,10 +101,6 @@ namespace ringmotor
      * Collective. */
     double shift_by_coupling(const MotorModel &coupled) const;
     void make_mesh(const BodyDiscretisation &discretisation);
-    SectorMesh body_mesh(const BodyDiscretisation &discretisation, MPI_Comm ranks) const;
-    /** The stator with what @p model adds to it; @p ranks share its cells. */
-    SectorMesh stator_mesh(const BodyDiscretisation &discretisation, const MotorModel &model,
-                           MPI_Comm ranks) const;
     /** Decides on effects set to `auto` from the modes of a coarse mesh without them.
      * Collective. */
     void choose_effects();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/structure/modes.h>
+#include <ringmotor/wave/motion_samples.h>
 
 #include <string>
 
@@ -32,6 +32,10 @@ namespace ringmotor
     /** The kind of motion with the largest fraction. */
     Family family() const;
   };
+
+  /** From the shares of the kinetic energy of the motions of CrossSections, orthonormalised in
+   * their order; without nodal circles. */
+  ModeContent content_of(const std::array<double, CrossSections::n_motions> &shares);
 
   /** Classifies @p mode, whatever its place in the spectrum. */
   ModeContent mode_content(const CyclicSector &sector, const Mode &mode);
