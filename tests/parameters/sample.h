@@ -3,6 +3,8 @@
 
 #include "support/paper_motor.h"
 
+#include <deal.II/base/utilities.h>
+
 #include <gtest/gtest.h>
 #include <ringmotor/motor/relevant.h>
 #include <ringmotor/parameters/errors.h>
@@ -33,15 +35,33 @@ namespace ringmotor::sample
     return read_parameters_from_text(complete_text(), "complete.prm", overrides);
   }
 
+  /** The values that an entry with a choice of words allows, as its message names them; otherwise
+   * none. */
+  inline std::vector<std::string> allowed_words(const std::string &entry)
+  {
+    try
+    {
+      with({entry + " = no such word"});
+    }
+    catch (const UserError &error)
+    {
+      const std::string message = error.what(), allowed = "; allowed: ";
+      const std::size_t at = message.rfind(allowed);
+      if (message.find(" | ", at) != std::string::npos)
+        return dealii::Utilities::split_string_list(message.substr(at + allowed.size()), " | ");
+    }
+    return {};
+  }
+
   /** `Section/Entry = value` with a value other than the reference motor's. */
   inline std::string changed(const std::string &entry)
   {
-    const std::string reference = text_of(with({}));
-    for (const std::string value :
-         {"3",     "3000",   "3e9",     "4",       "0.31",    "4e9",    "1e-5",  "off",
-          "on",    "true",   "false",   "solid",   "shell",   "stator", "rotor", "torque",
-          "speed", "mortar", "penalty", "coulomb", "voltage", "steady", "auto",  "adaptive",
-          "fixed", "accept", "lapped",  "0:0.034", "d",       "stress", "9e-9",  "text"})
+    const std::string reference     = text_of(with({}));
+    std::vector<std::string> values = allowed_words(entry);
+    for (const std::string value : {"3", "3000", "3e9", "4", "0.31", "4e9", "1e-5", "solid",
+                                    "shell", "speed", "lapped", "0:0.034", "9e-9", "text"})
+      values.push_back(value);
+    for (const std::string &value : values)
       try
       {
         const std::string change = entry + " = " + value;
