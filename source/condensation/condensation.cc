@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <ringmotor/algebra/blas.h>
 #include <ringmotor/algebra/dense_ldlt.h>
 #include <ringmotor/algebra/no_index.h>
-#include <ringmotor/condensation/condensation_reduced.h>
+#include <ringmotor/condensation/condensation_tied.h>
 #include <ringmotor/mesh/ids.h>
 
 #include <algorithm>
@@ -10,6 +9,18 @@
 namespace ringmotor
 {
   using namespace dealii;
+
+  namespace
+  {
+    /** Each degree of freedom alone. */
+    std::vector<LinearForm> single_forms(const std::vector<SectorNodes::Dof> &dofs)
+    {
+      std::vector<LinearForm> forms;
+      for (const SectorNodes::Dof dof : dofs)
+        forms.push_back({{dof, 1.}});
+      return forms;
+    }
+  } // namespace
 
   Condensation::Condensation(const CyclicSector &sector, const std::vector<LinearForm> &interface,
                              const std::vector<SectorNodes::Dof> &driven,
@@ -78,149 +89,97 @@ namespace ringmotor
       }
   }
 
-  Condensation::Reduced Condensation::layout(const unsigned int k,
-                                             const std::vector<unsigned int> &held) const
+  Condensation::Tied Condensation::tie(const unsigned int k,
+                                       const std::vector<unsigned int> &held) const
   {
-    Reduced reduced;
-    const unsigned int n_all = sector.n_unknowns() + supports.size();
-    std::vector<bool> stays(n_all, false), is_held(n_all, false);
+    Tied tied;
+    std::vector<unsigned int> places(sector.n_unknowns() + supports.size(), none);
+    std::vector<bool> is_held(supports.size(), false);
     for (const unsigned int support : held)
-      is_held[sector.n_unknowns() + support] = true;
-    for (const unsigned int part : {0u, 1u})
+      is_held[support] = true;
+    const auto add =
+        [&](std::vector<Tied::Part> &row, const unsigned int unknown, const double factor)
     {
-      const Field &field = fields[part];
-      auto &rows         = reduced.rows[part];
-      rows.resize(field.kept.size());
-      for (const CyclicSector::Tie &tie : sector.ties(part, k))
-        rows[tie.position].push_back({tie.unknown, tie.factor});
-      for (unsigned int row = 0; row < rows.size(); ++row)
-        if (const unsigned int unknown = field.unknown[row];
-            unknown != none && (unknown < sector.n_unknowns() || is_held[unknown]))
-          rows[row].push_back({unknown, 1.});
-      for (unsigned int row = 0; row < rows.size(); ++row)
-        if (field.unknown[row] != none)
-          for (const Reduced::Part &entry : rows[row])
-            stays[entry.unknown] = true;
-      for (const unsigned int row : field.row_of_dof)
-        if (row != none)
-          for (const Reduced::Part &entry : rows[row])
-            stays[entry.unknown] = true;
-    }
-    reduced.place.assign(n_all, none);
-    reduced.cut_place.assign(n_all, none);
-    for (const unsigned int part : {0u, 1u})
-      for (const auto &row : reduced.rows[part])
-        for (const Reduced::Part &entry : row)
-          if (stays[entry.unknown] && reduced.place[entry.unknown] == none)
-            reduced.place[entry.unknown] = reduced.size++;
-          else if (!stays[entry.unknown] && reduced.cut_place[entry.unknown] == none)
-            reduced.cut_place[entry.unknown] = reduced.n_cut++;
-    return reduced;
-  }
-
-  std::vector<double> Condensation::tied(const Reduced &reduced) const
-  {
-    const std::size_t n_all = reduced.n_cut + reduced.size;
-    std::vector<double> matrix(n_all * n_all, 0.);
-    struct Entry
-    {
-      std::size_t row, place;
-      double factor;
+      if (places[unknown] == none)
+        places[unknown] = tied.size++;
+      row.push_back({places[unknown], factor});
     };
     for (const unsigned int part : {0u, 1u})
     {
-      const std::size_t n_rows = reduced.rows[part].size();
+      const Field &field = fields[part];
+      auto &rows         = tied.rows[part];
+      rows.resize(field.kept.size());
+      for (const CyclicSector::Tie &tie : sector.ties(part, k))
+        add(rows[tie.position], tie.unknown, tie.factor);
+      for (unsigned int row = 0; row < rows.size(); ++row)
+        if (const unsigned int unknown = field.unknown[row];
+            unknown != none &&
+            (unknown < sector.n_unknowns() || is_held[unknown - sector.n_unknowns()]))
+          add(rows[row], unknown, 1.);
+    }
+    tied.supports.assign(places.begin() + sector.n_unknowns(), places.end());
+    return tied;
+  }
+
+  std::vector<double> Condensation::matrix(const Tied &tied) const
+  {
+    std::vector<double> matrix(static_cast<std::size_t>(tied.size) * tied.size, 0.);
+    struct Entry
+    {
+      std::size_t row;
+      Tied::Part part;
+    };
+    for (const unsigned int part : {0u, 1u})
+    {
+      const std::size_t n_rows = tied.rows[part].size();
       std::vector<Entry> entries;
       for (std::size_t row = 0; row < n_rows; ++row)
-        for (const Reduced::Part &entry : reduced.rows[part][row])
-        {
-          const unsigned int stays = reduced.place[entry.unknown];
-          entries.push_back(
-              {row, stays != none ? reduced.n_cut + stays : reduced.cut_place[entry.unknown],
-               entry.factor});
-        }
+        for (const Tied::Part &entry : tied.rows[part][row])
+          entries.push_back({row, entry});
       for (const Entry &column : entries)
       {
         const double *from = fields[part].matrix.data() + column.row * n_rows;
-        double *to         = matrix.data() + column.place * n_all;
+        double *to = matrix.data() + static_cast<std::size_t>(column.part.place) * tied.size;
         for (const Entry &row : entries)
-          to[row.place] += row.factor * column.factor * from[row.row];
+          to[row.part.place] += row.part.factor * column.part.factor * from[row.row];
       }
     }
     return matrix;
   }
 
-  Condensation::Reduced Condensation::reduce(const unsigned int k,
-                                             const std::vector<unsigned int> &held) const
-  {
-    Reduced reduced        = layout(k, held);
-    const std::size_t size = reduced.size, n_cut = reduced.n_cut, n_all = n_cut + size;
-    const std::vector<double> whole = tied(reduced);
-    std::vector<double> cut(n_cut * n_cut), across(n_cut * size);
-    for (std::size_t column = 0; column < n_cut; ++column)
-      std::copy_n(whole.begin() + column * n_all, n_cut, cut.begin() + column * n_cut);
-    reduced.matrix.resize(size * size);
-    for (std::size_t column = 0; column < size; ++column)
-    {
-      const auto from = whole.begin() + (n_cut + column) * n_all;
-      std::copy_n(from, n_cut, across.begin() + column * n_cut);
-      std::copy_n(from + n_cut, size, reduced.matrix.begin() + column * size);
-    }
-    if (n_cut > 0)
-    {
-      std::vector<double> &solved = reduced.cut_response;
-      solved                      = across;
-      DenseLDLT factors;
-      factors.factorise(n_cut, std::move(cut));
-      factors.solve(solved);
-      const int m = static_cast<int>(size), n = static_cast<int>(n_cut);
-      const double minus = -1., plus = 1.;
-      dgemm_("T", "N", &m, &m, &n, &minus, across.data(), &n, solved.data(), &n, &plus,
-             reduced.matrix.data(), &m);
-    }
-    return reduced;
-  }
-
-  std::vector<unsigned int> Condensation::driven_places(const Reduced &reduced) const
-  {
-    std::vector<unsigned int> places;
-    for (const SectorNodes::Dof dof : driven)
-      for (const unsigned int part : {0u, 1u})
-        for (const auto &entry : reduced.in_places(part, {{dof, 1.}}, fields[part]))
-          places.push_back(entry.first);
-    return places;
-  }
-
-  std::vector<double> Condensation::solutions(const Reduced &reduced,
+  std::vector<double> Condensation::solutions(const Tied &tied,
                                               const std::vector<unsigned int> &held,
                                               const std::vector<CondensationLoad> &loads) const
   {
-    const std::size_t size                 = reduced.size;
-    const std::vector<unsigned int> places = driven_places(reduced);
-    const auto forms                       = reduced.in_places(interface, fields);
-    std::vector<double> solutions(loads.size() * size, 0.);
+    const std::size_t size        = tied.size;
+    std::vector<double> stiffness = matrix(tied), solutions(loads.size() * size, 0.);
+    const auto forms              = tied.in_places(interface, fields),
+               driven_places      = tied.in_places(single_forms(driven), fields);
     for (std::size_t l = 0; l < loads.size(); ++l)
     {
       double *solution = solutions.data() + l * size;
       for (std::size_t i = 0; i < loads[l].forces.size(); ++i)
         for (const auto &[place, coefficient] : forms[i])
           solution[place] += coefficient * loads[l].forces[i];
-      // The prescribed motion of each driven unknown becomes loads on the others.
-      std::vector<double> given(size, 0.);
-      for (const unsigned int part : {0u, 1u})
-        for (std::size_t i = 0; i < loads[l].driven.size() / 2; ++i)
-          for (const auto &entry : reduced.in_places(part, {{driven[i], 1.}}, fields[part]))
-            given[entry.first] = loads[l].driven[part * driven.size() + i];
-      for (const unsigned int column : places)
-        for (std::size_t row = 0; row < size; ++row)
-          solution[row] -= reduced.matrix[column * size + row] * given[column];
-      for (const unsigned int place : places)
-        solution[place] = given[place];
       for (unsigned int i = 0; i < loads[l].supports.size(); ++i)
-        solution[reduced.place[sector.n_unknowns() + held[i]]] = loads[l].supports[i];
+        solution[tied.supports[held[i]]] = loads[l].supports[i];
+      // The prescribed motion of each driven unknown becomes loads on the others.
+      for (std::size_t i = 0; i < loads[l].driven.size(); ++i)
+        for (const auto &entry : driven_places[i])
+          for (std::size_t row = 0; row < size; ++row)
+            solution[row] -= stiffness[entry.first * size + row] * loads[l].driven[i];
     }
+    for (std::size_t i = 0; i < driven_places.size(); ++i)
+      for (const auto &entry : driven_places[i])
+      {
+        for (std::size_t j = 0; j < size; ++j)
+          stiffness[entry.first * size + j] = stiffness[j * size + entry.first] = 0.;
+        stiffness[entry.first * size + entry.first] = 1.;
+        for (std::size_t l = 0; l < loads.size(); ++l)
+          solutions[l * size + entry.first] = loads[l].driven.empty() ? 0. : loads[l].driven[i];
+      }
     DenseLDLT factors;
-    factors.factorise(size, reduced.with_held(places));
+    factors.factorise(size, std::move(stiffness));
     factors.solve(solutions);
     return solutions;
   }
@@ -228,15 +187,15 @@ namespace ringmotor
   std::vector<double> Condensation::prescribed_response(const unsigned int k,
                                                         const std::vector<double> &motion) const
   {
-    const Reduced reduced = reduce(k, {});
-    return interface_motion(reduced, solutions(reduced, {}, {{{}, motion, {}}}));
+    const Tied tied = tie(k, {});
+    return interface_motion(tied, solutions(tied, {}, {{{}, motion, {}}}));
   }
 
-  std::vector<double> Condensation::interface_motion(const Reduced &reduced,
+  std::vector<double> Condensation::interface_motion(const Tied &tied,
                                                      const std::vector<double> &unknowns) const
   {
     std::vector<double> motion;
-    for (const Reduced::Sum &sum : reduced.in_places(interface, fields))
+    for (const Tied::Sum &sum : tied.in_places(interface, fields))
     {
       motion.push_back(0.);
       for (const auto &[place, coefficient] : sum)
@@ -249,13 +208,12 @@ namespace ringmotor
                                              const std::vector<unsigned int> &held,
                                              const unsigned int support) const
   {
-    const Reduced reduced = reduce(k, held);
+    const Tied tied = tie(k, held);
     CondensationLoad load;
     for (const unsigned int other : held)
       load.supports.push_back(other == support ? 1. : 0.);
-    const std::vector<double> solution = solutions(reduced, held, {load});
+    const std::vector<double> solution = solutions(tied, held, {load});
     // The multiplier of the condition on the displacement is minus the load.
-    return {interface_motion(reduced, solution),
-            -solution[reduced.place[sector.n_unknowns() + support]]};
+    return {interface_motion(tied, solution), -solution[tied.supports[support]]};
   }
 } // namespace ringmotor

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/algebra/no_index.h>
-#include <ringmotor/condensation/condensation_reduced.h>
+#include <ringmotor/condensation/condensation_tied.h>
 
 #include <algorithm>
 
@@ -9,9 +9,9 @@ namespace ringmotor
   using namespace dealii;
 
   SectorFactors::PerField<std::vector<double>>
-  Condensation::field_solutions(const Reduced &reduced, const std::vector<double> &unknowns) const
+  Condensation::field_solutions(const Tied &tied, const std::vector<double> &unknowns) const
   {
-    const std::size_t n_loads = unknowns.size() / reduced.size;
+    const std::size_t n_loads = unknowns.size() / tied.size;
     SectorFactors::PerField<std::vector<double>> kept, no_loads;
     for (const unsigned int part : {0u, 1u})
     {
@@ -22,20 +22,11 @@ namespace ringmotor
       no_loads[part].assign(n_loads * (sector.field(part).size + n_supports), 0.);
     }
     for (std::size_t l = 0; l < n_loads; ++l)
-    {
-      const double *stays = unknowns.data() + l * reduced.size;
-      std::vector<double> cut(reduced.n_cut, 0.);
-      for (std::size_t column = 0; column < reduced.size; ++column)
-        for (std::size_t i = 0; i < cut.size(); ++i)
-          cut[i] -= reduced.cut_response[column * cut.size() + i] * stays[column];
       for (const unsigned int part : {0u, 1u})
         for (std::size_t row = 0; row < fields[part].kept.size(); ++row)
-          for (const Reduced::Part &entry : reduced.rows[part][row])
+          for (const auto &[place, factor] : tied.rows[part][row])
             kept[part][l * fields[part].kept.size() + row] +=
-                entry.factor * (reduced.place[entry.unknown] != none
-                                    ? stays[reduced.place[entry.unknown]]
-                                    : cut[reduced.cut_place[entry.unknown]]);
-    }
+                factor * unknowns[l * tied.size + place];
     factors->condense(no_loads);
     return factors->expand(kept);
   }
@@ -47,9 +38,8 @@ namespace ringmotor
     AssertThrow(factors, ExcMessage("the inside of this body has not been kept"));
     if (loads.empty())
       return {};
-    const Reduced reduced              = reduce(k, held);
-    const std::vector<double> unknowns = solutions(reduced, held, loads);
-    const auto solved                  = field_solutions(reduced, unknowns);
+    const Tied tied   = tie(k, held);
+    const auto solved = field_solutions(tied, solutions(tied, held, loads));
     std::vector<SectorMotion> motions;
     for (std::size_t l = 0; l < loads.size(); ++l)
     {

@@ -115,24 +115,25 @@ namespace ringmotor
     RotorModeSolver solver(parameters, level, frequency, n_harmonics, range);
     lip                        = solver.body.whole_lip;
     const bool gives_way_along = motor_model(parameters).rotor_gives_way_along;
-    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-    unsigned int next_rank     = 0;
-    const auto is_mine         = [&]
-    { return next_rank++ % n_ranks == Utilities::MPI::this_mpi_process(communicator); };
+    std::vector<unsigned int> missing;
     for (const auto &diameter : solver.diameters())
-    {
-      const unsigned int k = diameter.first;
       if (known && known->count(diameter) > 0)
-        modes[k] = known->at(diameter);
-      else if (is_mine())
-        for (const Mode &mode : solver.modes(k))
-          modes[k].push_back(on_lip(solver.body, mode, gives_way_along));
-    }
-    if (n_ranks > 1)
-      for (const auto &of_rank : of_all_ranks(modes, communicator))
-        for (std::size_t k = 0; k < modes.size(); ++k)
-          if (!of_rank[k].empty())
-            modes[k] = of_rank[k];
+        modes[diameter.first] = known->at(diameter);
+      else
+        missing.push_back(diameter.first);
+    std::vector<std::function<std::vector<LipMode>()>> tasks;
+    for (const unsigned int k : missing)
+      tasks.emplace_back(
+          [&, k]
+          {
+            std::vector<LipMode> on_the_lip;
+            for (const Mode &mode : solver.modes(k))
+              on_the_lip.push_back(on_lip(solver.body, mode, gives_way_along));
+            return on_the_lip;
+          });
+    const std::vector<std::vector<LipMode>> found = shared_work(tasks, communicator);
+    for (std::size_t i = 0; i < missing.size(); ++i)
+      modes[missing[i]] = found[i];
     if (known)
       for (const auto &diameter : solver.diameters())
         if (!diameter.second.empty())
@@ -182,7 +183,7 @@ namespace ringmotor
   VibrationSetting RotorVibration::setting(const unsigned int level) const
   {
     constexpr std::array<unsigned int, finest_level + 1> n_low{{9, 13, 20, 30}},
-        n_harmonics{{45, 45, 45, 60}};
+        n_harmonics{{30, 45, 45, 60}};
     return {level, n_low.at(level), moves_as_a_whole ? n_low[level] : n_harmonics[level]};
   }
 

@@ -215,22 +215,20 @@ namespace ringmotor
     if (body.is_clamped)
       harmonics[0]; // the mean forces
     StatorModeSolver solver(body, materials_of(parameters));
-    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-    unsigned int next_rank     = 0;
+    std::vector<unsigned int> diameters;
+    std::vector<std::function<std::vector<RingMode>()>> tasks;
     for (const auto &[k, of_diameter] : harmonics)
-      if (k >= body.least_diameter() &&
-          next_rank++ % n_ranks == Utilities::MPI::this_mpi_process(communicator))
+      if (k >= body.least_diameter())
       {
         std::vector<double> frequencies;
         for (const unsigned int harmonic : of_diameter)
           frequencies.push_back(harmonic * wave.angular_frequency);
-        modes[k] = solver.modes(k, frequencies);
+        diameters.push_back(k);
+        tasks.emplace_back([&solver, k = k, frequencies] { return solver.modes(k, frequencies); });
       }
-    if (n_ranks > 1)
-      for (const RingModes &of_rank : of_all_ranks(modes, communicator))
-        for (std::size_t k = 0; k < modes.size(); ++k)
-          if (!of_rank[k].empty())
-            modes[k] = of_rank[k];
+    const std::vector<std::vector<RingMode>> found = shared_work(tasks, communicator);
+    for (std::size_t i = 0; i < diameters.size(); ++i)
+      modes[diameters[i]] = found[i];
     of_wave = take_driven(modes.at(nodal_diameter_of_harmonic(parameters.motor, 1)), top, wave);
   }
 

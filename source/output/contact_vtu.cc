@@ -4,6 +4,7 @@
 #include <ringmotor/output/contact_vtu.h>
 #include <ringmotor/output/lattice_output.h>
 #include <ringmotor/output/vtu.h>
+#include <ringmotor/structure/shared_work.h>
 
 #include <deal.II/fe/fe_tools.h>
 
@@ -154,8 +155,8 @@ namespace ringmotor
     class BaseFiles
     {
     public:
-      BaseFiles(const std::string &folder, const StatorAtWave &stator)
-          : folder(folder), base(stator)
+      BaseFiles(const std::string &folder, const StatorAtWave &stator, const MPI_Comm ranks)
+          : folder(folder), base(stator), ranks(ranks)
       {
         std::vector<SectorField::Cell> &cells = base.field.cells;
         cells.erase(std::remove_if(cells.begin(), cells.end(),
@@ -165,12 +166,14 @@ namespace ringmotor
         leave_corners_of_many_cells();
       }
 
-      /** The name of that of a point at its last time sample, written if it is not there. */
+      /** The name of that of a point at its last time sample, written if it is not there.
+       * Collective. */
       std::string of(const CurvePoint &point)
       {
         const std::pair<double, double> position{point.result.amplitude, point.fields.times.back()};
-        const auto [known, is_new] = names.try_emplace(position, numbered("base", names.size()));
-        if (is_new)
+        const std::size_t number   = names.size();
+        const auto [known, is_new] = names.try_emplace(position, numbered("base", number));
+        if (is_new && is_my_turn(number, ranks))
         {
           SectorField moved = base.field;
           for (SectorField::Cell &cell : moved.cells)
@@ -213,45 +216,60 @@ namespace ringmotor
 
       const std::string folder;
       StatorAtWave base;
+      const MPI_Comm ranks;
       std::map<std::pair<double, double>, std::string> names; ///< by amplitude (m) and time (s)
     };
   } // namespace
 
   void write_contact_surfaces(const std::string &folder, const CondensedMotor &motor,
-                              const std::vector<CurvePoint> &points, const double height)
+                              const std::vector<CurvePoint> &points, const double height,
+                              const MPI_Comm ranks)
   {
     std::vector<std::pair<double, std::string>> files;
     for (unsigned int i = 0; i < points.size(); ++i)
     {
       files.emplace_back(torque_as_time(points[i]), numbered("contact", i));
-      write_surface(folder + files.back().second, {motor, points[i].fields, height});
+      if (is_my_turn(i, ranks))
+        write_surface(folder + files.back().second, {motor, points[i].fields, height});
     }
-    write_pvd(folder + "contact.pvd", files);
+    if (is_my_turn(0, ranks))
+      write_pvd(folder + "contact.pvd", files);
   }
 
   void write_motor_bodies(const std::string &folder, const CondensedMotor &motor,
                           const MotorBodies &bodies, const StatorAtWave &stator,
-                          const std::vector<CurvePoint> &points, const double height)
+                          const std::vector<CurvePoint> &points, const double height,
+                          const MPI_Comm ranks)
   {
-    std::vector<PointSample> last;
-    for (const CurvePoint &point : points)
-      last.push_back({point.fields, static_cast<unsigned int>(point.fields.times.size() - 1),
-                      point.result.amplitude});
+    std::vector<PointSample> last, of_my_files;
+    for (unsigned int i = 0; i < points.size(); ++i)
+    {
+      const ContactFields &fields = points[i].fields;
+      last.push_back(
+          {fields, static_cast<unsigned int>(fields.times.size() - 1), points[i].result.amplitude});
+      if (is_my_turn(i, ranks))
+        of_my_files.push_back(last.back());
+    }
     const std::vector<RingBody::Displacement> rotor = bodies.rotor_motions(motor, last),
-                                              teeth = bodies.teeth_motions(last);
-    BaseFiles base(folder, stator);
+                                              teeth = bodies.teeth_motions(of_my_files);
+    auto my_teeth                                   = teeth.begin();
+    BaseFiles base(folder, stator, ranks);
     std::vector<std::pair<double, std::string>> files;
     for (unsigned int i = 0; i < points.size(); ++i)
     {
-      files.emplace_back(torque_as_time(points[i]), numbered("rotor", i));
-      write_body(folder + files.back().second, bodies.rotor(), {displacement_field(rotor[i])});
-      files.emplace_back(torque_as_time(points[i]), numbered("teeth", i));
+      const double time = torque_as_time(points[i]);
+      for (const std::string body : {"rotor", "teeth"})
+        files.emplace_back(time, numbered(body, i));
+      files.emplace_back(time, base.of(points[i]));
+      if (!is_my_turn(i, ranks))
+        continue;
+      write_body(folder + numbered("rotor", i), bodies.rotor(), {displacement_field(rotor[i])});
       std::vector<PointField> fields =
           fields_on_teeth(bodies.teeth(), {motor, points[i].fields, height});
-      fields.insert(fields.begin(), displacement_field(teeth[i]));
-      write_body(folder + files.back().second, bodies.teeth(), fields);
-      files.emplace_back(torque_as_time(points[i]), base.of(points[i]));
+      fields.insert(fields.begin(), displacement_field(*my_teeth++));
+      write_body(folder + numbered("teeth", i), bodies.teeth(), fields);
     }
-    write_pvd(folder + "motor.pvd", files);
+    if (is_my_turn(0, ranks))
+      write_pvd(folder + "motor.pvd", files);
   }
 } // namespace ringmotor

@@ -127,6 +127,8 @@ namespace ringmotor
         {"identity", {{"wave", summary.identity.wave}, {"motor", summary.identity.motor}}},
         {"seconds", seconds},
         {"peak_memory_MB", summary.peak_memory_MB},
+        {"ranks",
+         {{"shared_seconds", summary.ranks.by_rank}, {"longest_shares", summary.ranks.longest}}},
         {"dofs", summary.dofs},
         {"quantities", Json::array()},
         {"effects", list(summary.effects)},

@@ -2,6 +2,7 @@
 #include <ringmotor/mesh/body_shape.h>
 #include <ringmotor/pictures/motor_bodies.h>
 #include <ringmotor/structure/mirror.h>
+#include <ringmotor/structure/shared_work.h>
 
 #include <algorithm>
 #include <cmath>
@@ -65,11 +66,18 @@ namespace ringmotor
         sum += fields.modal[i][0];
       return sum / n;
     }
+    void add_those_of_other_ranks(RingBody::Displacement &displacement, const MPI_Comm ranks)
+    {
+      if (Utilities::MPI::n_mpi_processes(ranks) == 1 || displacement.empty())
+        return;
+      const ArrayView<double> numbers(displacement.front().begin_raw(), 3 * displacement.size());
+      Utilities::MPI::sum(ArrayView<const double>(numbers), ranks, numbers);
+    }
   } // namespace
 
   MotorBodies::MotorBodies(const Parameters &parameters, const StatorWave &wave,
                            const ContactDiscretisation &discretisation,
-                           const unsigned int n_subdivisions)
+                           const unsigned int n_subdivisions, const MPI_Comm ranks)
       : parameters(parameters), model(motor_model(parameters)), wave(wave),
         lip_turn(discretisation.lip_turn), tooth_body(parameters, discretisation),
         rotor_body(parameters, discretisation),
@@ -78,7 +86,7 @@ namespace ringmotor
         rotor_ring(rotor_body.sector, n_subdivisions,
                    rise_to_contact(*rotor_shape(parameters), *stator_shape(parameters)),
                    discretisation.lip_turn),
-        tooth_ring(tooth_body.sector, n_subdivisions)
+        tooth_ring(tooth_body.sector, n_subdivisions), ranks(ranks)
   {
   }
 
@@ -109,8 +117,8 @@ namespace ringmotor
     return amplitudes;
   }
 
-  std::vector<RingBody::Displacement>
-  MotorBodies::static_rotor_motions(const std::vector<PointSample> &samples) const
+  void MotorBodies::add_static_motion(const std::vector<PointSample> &samples,
+                                      std::vector<RingBody::Displacement> &displacements) const
   {
     const unsigned int n_teeth      = parameters.motor.n_teeth;
     const Condensation condensation = rotor_body.condensed(true);
@@ -124,8 +132,8 @@ namespace ringmotor
     }
     const double rounding = 1e-12 * *std::max_element(largest.begin(), largest.end());
 
-    std::vector<RingBody::Displacement> displacements(samples.size(), rotor_ring.at_rest());
-    for (unsigned int k = 0; 2 * k <= n_teeth; ++k)
+    TaskQueue diameters(largest.size(), ranks);
+    for (std::size_t k; diameters.take(k);)
     {
       if (k > 1 && largest[k] <= rounding) // as most where the forces repeat around the ring
         continue;
@@ -162,16 +170,19 @@ namespace ringmotor
                          amplitude, displacements[m]);
       }
     }
-    return displacements;
+    diameters.finish();
   }
 
   std::vector<RingBody::Displacement>
   MotorBodies::rotor_motions(const CondensedMotor &motor,
                              const std::vector<PointSample> &samples) const
   {
-    std::vector<RingBody::Displacement> displacements = static_rotor_motions(samples);
+    std::vector<RingBody::Displacement> displacements(samples.size(), rotor_ring.at_rest());
+    add_static_motion(samples, displacements);
     if (motor.has_modes_of(ModePart::rotor))
       add_vibration(motor, samples, displacements);
+    for (RingBody::Displacement &displacement : displacements)
+      add_those_of_other_ranks(displacement, ranks);
     // The stator is drawn in its wave alone. What else it does under contact forces is mostly to
     // sink under the preload: relative to it, the rotor rises.
     if (motor.has_modes_of(ModePart::stator))

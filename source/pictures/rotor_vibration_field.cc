@@ -2,6 +2,7 @@
 #include <ringmotor/motor/rotor_modes.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/pictures/motor_bodies.h>
+#include <ringmotor/structure/shared_work.h>
 
 #include <algorithm>
 #include <cmath>
@@ -133,10 +134,14 @@ namespace ringmotor
       const RingBody::Samples points = rotor_ring.samples_in(body.sector);
       const MortarCoupling of_modes =
           couple(tooth_body.whole_top.surface, body.whole_lip.surface, motor.pitch(), lip_turn);
+      std::vector<unsigned int> moving;
       for (const auto &[k, harmonics] : solver->diameters())
+        if (amplitudes.any(k))
+          moving.push_back(k);
+      TaskQueue diameters(moving.size(), ranks);
+      for (std::size_t task; diameters.take(task);)
       {
-        if (!amplitudes.any(k))
-          continue;
+        const unsigned int k          = moving[task];
         const std::vector<Mode> modes = modes_of(motor, k, *solver, of_modes);
         // Waves k and N - k are conjugate to each other; here one stands for both.
         const double weight = k == 0 || 2 * k == motor.n_teeth ? 1. : 2.;
@@ -151,6 +156,7 @@ namespace ringmotor
                            displacements[sample]);
         }
       }
+      diameters.finish();
     }
   }
 } // namespace ringmotor

@@ -94,8 +94,9 @@ namespace ringmotor
   {
     const StepChoice steps(setting.parameters, period);
     const Discretisation discretisation{0, setting.modes_level, steps.at_least(setting.n_steps)};
-    return find_points(setting.parameters, motor, discretisation, wave.drive, wanted,
-                       MPI_COMM_SELF);
+    return find_points({{setting.parameters, motor, discretisation, wave.drive, wanted}},
+                       MPI_COMM_SELF)
+        .front();
   }
 
   StudyRow ContactStudy::compute(const ContactSetting &setting)

@@ -77,7 +77,7 @@ namespace ringmotor
     std::vector<PointRequest> ends{stall};
     if (needs_shape()) // two ranks find both at the same time
       ends.push_back(no_load);
-    table.fill(first, ends, PointTable::Start::rest);
+    table.fill({{first, ends}}, PointTable::Start::rest);
     stalled           = find(stall);
     stall_torque      = stalled.result.torque;
     largest_amplitude = motor().wave.amplitude;
@@ -97,7 +97,7 @@ namespace ringmotor
     // Of several waves that a voltage may sustain, the one of a free rotor is the largest. Others
     // decay from it, whatever the load and the number of ranks.
     const PointRequest stall{Control::speed, 0.}, no_load{Control::torque, 0.};
-    table.fill(first, {no_load}, PointTable::Start::rest);
+    table.fill({{first, {no_load}}}, PointTable::Start::rest);
     outline           = {find(no_load)};
     largest_amplitude = outline.front().result.amplitude;
     stalled.request   = stall;
@@ -170,7 +170,7 @@ namespace ringmotor
     std::vector<PointRequest> rising;
     for (const double share : shares_for_shape())
       rising.push_back({Control::torque, share * stall_torque});
-    table.fill(first, rising);
+    table.fill({{first, rising}});
     outline.clear();
     for (const PointRequest &request : rising)
       outline.push_back(find(request));

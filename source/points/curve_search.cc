@@ -82,7 +82,7 @@ namespace ringmotor
         if (cause->cure == Cure::meshes)
         {
           for (const Discretisation &needed : cause->needs(scene))
-            table.fill(needed, requests->all());
+            table.fill({{needed, requests->all()}}); // from the one before
           for (const PointRequest &request : requests->all())
             worst = std::max(worst, errors->relative(cause->of(request, scene.plain(), scene)));
         }
@@ -94,17 +94,29 @@ namespace ringmotor
     }
   }
 
-  void CurveSearch::evaluate()
+  PointTable::Needs CurveSearch::all_needs() const
   {
-    // As many together as possible, to share them among the ranks.
-    for (const auto &cause : all_error_causes())
-      for (const Discretisation &needed : cause->needs(scene))
-        table.fill(needed, requests->all());
     std::map<Discretisation, std::vector<PointRequest>> by_steps;
     for (const PointRequest &request : requests->all())
       by_steps[own(request)].push_back(request);
-    for (const auto &[discretisation, these] : by_steps)
-      table.fill(discretisation, these);
+    PointTable::Needs needs(by_steps.begin(), by_steps.end());
+    for (const auto &cause : all_error_causes())
+    {
+      for (const Discretisation &needed : cause->needs(scene))
+        needs.emplace_back(needed, requests->all());
+      for (const auto &[of_these, these] : by_steps)
+        for (const Discretisation &needed : cause->needs_beside(of_these, scene))
+          needs.emplace_back(needed, these);
+    }
+    return needs;
+  }
+
+  void CurveSearch::evaluate()
+  {
+    // The points that others start from, then all the others together, to share them among ranks.
+    for (const Discretisation &start : {scene.plain(), scene.for_variations()})
+      table.fill({{start, requests->all()}});
+    table.fill(all_needs());
     results.clear();
     for (const PointRequest &request : requests->all())
     {

@@ -14,23 +14,45 @@ namespace ringmotor
 {
   namespace
   {
-    /** Points one after the other; none if a state is not found. */
-    std::vector<CurvePoint> points_if_found(const Parameters &parameters,
-                                            const CondensedMotor &motor,
-                                            const std::vector<PointRequest> &requests)
+    /** The motor with the effect, and without it. */
+    struct Compared
     {
-      OperatingPointFinder finder(parameters, motor);
-      std::vector<CurvePoint> points;
-      try
-      {
-        for (const PointRequest &request : requests)
-          points.push_back(finder.find(request));
-      }
-      catch (const ComputationError &)
-      {
-        points.clear();
-      }
-      return points;
+      Parameters parameters;
+      CondensedMotor motor;
+      bool has_effect;
+    };
+
+    /** A point to be found, from rest or from a known one. */
+    struct Wanted
+    {
+      const Compared &of;
+      PointRequest request;
+      const CurvePoint *start;
+    };
+
+    /** Points of several motors, shared by ranks. Without the effect there must be a state; with it
+     * there may be none. */
+    std::vector<std::vector<CurvePoint>> points_if_found(const std::vector<Wanted> &all,
+                                                         const MPI_Comm ranks)
+    {
+      std::vector<std::function<std::vector<CurvePoint>()>> tasks;
+      for (const Wanted &one : all)
+        tasks.emplace_back(
+            [&one]() -> std::vector<CurvePoint>
+            {
+              const auto &[of, request, start] = one;
+              try
+              {
+                return {OperatingPointFinder(of.parameters, of.motor).find(request, start)};
+              }
+              catch (const ComputationError &)
+              {
+                if (of.has_effect)
+                  return {};
+                throw;
+              }
+            });
+      return shared_work(tasks, ranks);
     }
   } // namespace
 
@@ -39,51 +61,50 @@ namespace ringmotor
                                   const MPI_Comm communicator)
   {
     constexpr unsigned int modes_level = RotorVibration::rough_level;
-    Parameters with = all_parameters, without = all_parameters;
-    with.time.scheme = without.time.scheme = TimeScheme::steady;
-    // It shall be cheap, and the same whatever the steps.
-    with.time.n_snapshots = without.time.n_snapshots = effect.n_snapshots_to_measure();
-    with.effects[effect.name]                        = EffectChoice::on;
-    without.effects[effect.name]                     = EffectChoice::off;
-    const auto condensed                             = [&](const Parameters &parameters)
+    Compared with{all_parameters, CondensedMotor(), true},
+        without{all_parameters, CondensedMotor(), false};
+    for (Compared *each : {&with, &without})
     {
-      return condense_motor(parameters, wave, ContactDiscretisation::level(0), modes_level,
+      Parameters &parameters          = each->parameters;
+      parameters.time.scheme          = TimeScheme::steady;
+      parameters.effects[effect.name] = each->has_effect ? EffectChoice::on : EffectChoice::off;
+      // It shall be cheap, and the same whatever the steps.
+      parameters.time.n_snapshots = effect.n_snapshots_to_measure();
+    }
+    vibration.prepare(motor_model(with.parameters), modes_level, ModeSets::own); // by all ranks
+    const auto condensed = [&](const Compared &each)
+    {
+      return condense_motor(each.parameters, wave, ContactDiscretisation::level(0), modes_level,
                             &vibration, ModeSets::own);
     };
-    vibration.prepare(motor_model(with), modes_level, ModeSets::own); // by all ranks together
-    const std::vector<CondensedMotor> motors = shared_work<CondensedMotor>(
+    std::vector<CondensedMotor> motors = shared_work<CondensedMotor>(
         {[&] { return condensed(with); }, [&] { return condensed(without); }}, communicator);
+    with.motor    = std::move(motors[0]);
+    without.motor = std::move(motors[1]);
 
-    OperatingPointFinder finder(without, motors[1]);
-    const CurvePoint stall   = finder.find({Control::speed, 0.}),
-                     no_load = finder.find({Control::torque, 0.});
-    CurvePoint middle        = finder.find({Control::torque, 0.5 * stall.result.torque});
-    if (with.loading.control == Control::speed)
-      middle.request = {Control::speed, middle.result.speed};
-
-    const std::vector<std::vector<CurvePoint>> without_it{{no_load, middle}, {stall}};
-    std::vector<std::function<std::vector<CurvePoint>()>> tasks;
-    for (const std::vector<CurvePoint> &points : without_it)
-      tasks.emplace_back(
-          [&]
-          {
-            std::vector<PointRequest> requests;
-            for (const CurvePoint &point : points)
-              requests.push_back(point.request);
-            return points_if_found(with, motors[0], requests);
-          });
-    const std::vector<std::vector<CurvePoint>> with_it = shared_work(tasks, communicator);
+    const PointRequest stall{Control::speed, 0.}, no_load{Control::torque, 0.};
+    const auto ends = points_if_found({{with, stall, nullptr},
+                                       {with, no_load, nullptr},
+                                       {without, stall, nullptr},
+                                       {without, no_load, nullptr}},
+                                      communicator);
     EffectOnPoints effect_on;
-    if (with_it[0].empty() || with_it[1].empty())
-    {
-      effect_on.relative = std::numeric_limits<double>::infinity();
+    effect_on.relative = std::numeric_limits<double>::infinity();
+    if (ends[0].empty() || ends[1].empty())
       return effect_on;
-    }
-    for (std::size_t i = 0; i < with_it.size(); ++i)
-      for (std::size_t j = 0; j < with_it[i].size(); ++j)
-        effect_on.change.raise(change(without_it[i][j], with_it[i][j]));
-    effect_on.relative = std::max(effect_on.change["speed"] / no_load.result.speed,
-                                  effect_on.change["torque"] / stall.result.torque);
+    const CurvePoint &at_stall = ends[2].front(), &at_no_load = ends[3].front();
+    const Control control = all_parameters.loading.control;
+    const PointRequest middle{control, 0.5 * (control == Control::speed ? at_no_load.result.speed
+                                                                        : at_stall.result.torque)};
+    const auto middles = points_if_found(
+        {{with, middle, &ends[1].front()}, {without, middle, &at_no_load}}, communicator);
+    if (middles[0].empty())
+      return effect_on;
+    effect_on.change.raise(change(at_stall, ends[0].front()));
+    effect_on.change.raise(change(at_no_load, ends[1].front()));
+    effect_on.change.raise(change(middles[1].front(), middles[0].front()));
+    effect_on.relative = std::max(effect_on.change["speed"] / at_no_load.result.speed,
+                                  effect_on.change["torque"] / at_stall.result.torque);
     return effect_on;
   }
 

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 
 namespace ringmotor
 {
@@ -205,33 +206,75 @@ namespace ringmotor
     return point;
   }
 
-  std::vector<CurvePoint> find_points(const Parameters &parameters, const MotorInUse &motor,
-                                      const Discretisation &discretisation,
-                                      const std::optional<VoltageDrive> &drive,
-                                      const std::vector<PointRequest> &requests,
-                                      MPI_Comm communicator, const std::vector<CurvePoint> &starts,
-                                      PointMemory *memory, Progress *progress)
+  namespace
   {
-    using namespace dealii::Utilities::MPI;
-    const unsigned int rank    = this_mpi_process(communicator),
-                       n_ranks = n_mpi_processes(communicator);
-    OperatingPointFinder finder(with_parts_of_a_step(parameters, discretisation.steps.n_parts),
-                                motor, discretisation, drive, memory);
-    // Neighbours on the curve to the same rank: each is the best start for the next one.
-    const auto first_of = [&](const unsigned int r) { return r * requests.size() / n_ranks; };
-    std::vector<CurvePoint> mine;
-    for (std::size_t i = first_of(rank); i < first_of(rank + 1); ++i)
+    /** Some neighbours of a job, whose points one rank finds. */
+    struct Block
     {
-      mine.push_back(finder.find(requests[i], starts.empty() ? nullptr : &starts[i],
-                                 starts.empty() || mine.empty() ? nullptr : &starts[i - 1]));
-      if (progress)
-        progress->after_point(mine.back());
+      std::size_t job, first, last; ///< without the last one
+    };
+
+    /** Enough blocks for all ranks to have work until the end, but not much shorter than it takes
+     * for neighbours to be the better starts. */
+    std::vector<Block> blocks_of(const std::vector<PointJob> &jobs, const std::size_t n_ranks)
+    {
+      constexpr std::size_t blocks_per_rank = 4, good_length = 3;
+      const auto ratio = [](const std::size_t a, const std::size_t b) { return (a + b - 1) / b; };
+      std::vector<Block> blocks;
+      for (std::size_t job = 0; job < jobs.size(); ++job)
+      {
+        const std::size_t n     = jobs[job].requests.size(),
+                          least = ratio(n_ranks, jobs.size()), // for each rank to have work at all
+            good = std::min(ratio(n, good_length), ratio(blocks_per_rank * n_ranks, jobs.size())),
+                          n_blocks = n_ranks == 1 ? 1
+                                                  : std::min(n, jobs[job].starts.empty()
+                                                                    ? least
+                                                                    : std::max(least, good));
+        for (std::size_t block = 0; block < n_blocks; ++block)
+          blocks.push_back({job, block * n / n_blocks, (block + 1) * n / n_blocks});
+      }
+      return blocks;
     }
-    if (n_ranks == 1) // nothing to be packed and unpacked
-      return mine;
-    std::vector<CurvePoint> points;
-    for (const std::vector<CurvePoint> &of_rank : of_all_ranks(mine, communicator))
-      points.insert(points.end(), of_rank.begin(), of_rank.end());
+
+    std::vector<CurvePoint> points_of(const PointJob &job, const Block &block,
+                                      Progress *const progress)
+    {
+      const Discretisation &discretisation = job.discretisation;
+      if (progress)
+      {
+        progress->enter("operating points, " + discretisation.text());
+        progress->before_points(discretisation, job.motor.bodies, block.last - block.first);
+      }
+      OperatingPointFinder finder(
+          with_parts_of_a_step(job.parameters, discretisation.steps.n_parts), job.motor,
+          discretisation, job.drive, job.memory.get());
+      std::vector<CurvePoint> points;
+      for (std::size_t i = block.first; i < block.last; ++i)
+      {
+        const bool has_start = !job.starts.empty();
+        points.push_back(finder.find(job.requests[i], has_start ? &job.starts[i] : nullptr,
+                                     has_start && i > block.first ? &job.starts[i - 1] : nullptr));
+        if (progress)
+          progress->after_point(points.back());
+      }
+      return points;
+    }
+  } // namespace
+
+  std::vector<std::vector<CurvePoint>> find_points(const std::vector<PointJob> &jobs,
+                                                   const MPI_Comm communicator,
+                                                   Progress *const progress)
+  {
+    const std::vector<Block> blocks =
+        blocks_of(jobs, dealii::Utilities::MPI::n_mpi_processes(communicator));
+    std::vector<std::function<std::vector<CurvePoint>()>> tasks;
+    for (const Block &block : blocks)
+      tasks.emplace_back([&, block] { return points_of(jobs[block.job], block, progress); });
+    std::vector<std::vector<CurvePoint>> of_blocks = shared_work(tasks, communicator),
+                                         points(jobs.size());
+    for (std::size_t i = 0; i < blocks.size(); ++i)
+      std::move(of_blocks[i].begin(), of_blocks[i].end(),
+                std::back_inserter(points[blocks[i].job]));
     return points;
   }
 } // namespace ringmotor

@@ -8,7 +8,7 @@
 #include <deal.II/base/timer.h>
 
 #include <map>
-#include <optional>
+#include <utility>
 
 namespace ringmotor
 {
@@ -75,25 +75,21 @@ namespace ringmotor
     return motors;
   }
 
-  std::vector<CurvePoint> ComputedPoints::points(const Discretisation &discretisation,
-                                                 const CondensedMotor &motor,
-                                                 const std::vector<PointRequest> &requests,
-                                                 const std::vector<CurvePoint> &starts)
+  std::vector<std::vector<CurvePoint>> ComputedPoints::points(const std::vector<PointSet> &sets)
   {
-    progress.enter("operating points, " + discretisation.text());
-    progress.before_points(discretisation, motor, requests.size());
-    const Variation variation = discretisation.changes();
-    std::optional<Parameters> other;
-    if (variation.change_parameters)
-      variation.change_parameters(other.emplace(parameters));
-    const Parameters &varied = other ? *other : parameters;
-    MotorInUse in_use        = motor;
-    if (variation.change_motor)
-      variation.change_motor(in_use, wave.relative_error);
-    const std::unique_ptr<PointMemory> memory = store.points(varied, discretisation);
-    std::vector<CurvePoint> points =
-        find_points(varied, in_use, discretisation, wave.drive, requests, communicator, starts,
-                    memory.get(), &progress);
+    std::vector<PointJob> jobs;
+    for (const auto &[discretisation, motor, requests, starts] : sets)
+    {
+      const Variation variation = discretisation.changes();
+      PointJob job{parameters, motor, discretisation, wave.drive, requests, starts};
+      if (variation.change_parameters)
+        variation.change_parameters(job.parameters);
+      if (variation.change_motor)
+        variation.change_motor(job.motor, wave.relative_error);
+      job.memory = store.points(job.parameters, discretisation);
+      jobs.push_back(std::move(job));
+    }
+    std::vector<std::vector<CurvePoint>> points = find_points(jobs, communicator, &progress);
     progress.leave();
     return points;
   }

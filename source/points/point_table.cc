@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace ringmotor
 {
@@ -45,29 +46,34 @@ namespace ringmotor
     }
   }
 
-  void PointTable::fill(const Discretisation &discretisation,
-                        const std::vector<PointRequest> &requests, const Start start)
+  void PointTable::fill(const Needs &needs, const Start start)
   {
-    std::vector<PointRequest> missing;
-    for (const PointRequest &request : requests)
-      if (!find(discretisation, request))
-        missing.push_back(request);
-    if (missing.empty())
-      return;
-    const Points starts = starts_for(discretisation, missing, start);
-    for (CurvePoint &point :
-         source.points(discretisation, motor(discretisation.level, discretisation.modes_level),
-                       missing, starts))
+    std::map<Discretisation, std::set<PointRequest>> asked;
+    std::vector<PointSet> sets;
+    for (const auto &[discretisation, requests] : needs)
     {
-      const PointRequest request      = point.request;
-      points[discretisation][request] = std::move(point);
+      std::vector<PointRequest> missing;
+      for (const PointRequest &request : requests)
+        if (!find(discretisation, request) && asked[discretisation].insert(request).second)
+          missing.push_back(request);
+      if (missing.empty())
+        continue;
+      Points starts = starts_for(discretisation, missing, start); // may fill others
+      sets.push_back({discretisation, motor(discretisation.level, discretisation.modes_level),
+                      std::move(missing), std::move(starts)});
     }
+    if (sets.empty())
+      return;
+    const std::vector<Points> found = source.points(sets);
+    for (std::size_t i = 0; i < sets.size(); ++i)
+      for (const CurvePoint &point : found[i])
+        insert(sets[i].discretisation, point);
   }
 
   const CurvePoint &PointTable::at(const Discretisation &discretisation,
                                    const PointRequest &request)
   {
-    fill(discretisation, {request});
+    fill({{discretisation, {request}}});
     return points.at(discretisation).at(request);
   }
 
@@ -152,7 +158,7 @@ namespace ringmotor
     for (const PointRequest &request : requests)
       if (!point_with_longer_steps(discretisation, request))
         without.push_back(request);
-    fill(with_longer_steps(discretisation), without, start);
+    fill({{with_longer_steps(discretisation), without}}, start);
     Points starts;
     for (const PointRequest &request : requests)
       starts.push_back(*point_with_longer_steps(discretisation, request));

@@ -71,6 +71,8 @@ namespace ringmotor
       Discretisation coarse_discretisation(const CurveSearch &search) const;
 
       void write_results(const CurveSearch &search);
+      void write_tables(const CurveSearch &search);
+      /** Collective. */
       void write_fields(const CurveSearch &search);
       Summary make_summary(const CurveSearch &search) const;
 
@@ -281,42 +283,51 @@ namespace ringmotor
     void ContactProgram::write_results(const CurveSearch &search)
     {
       require_certified(make_summary(search));
-      if (!is_root_rank)
-        return;
-      {
-        const auto scope = phases.measure("output");
-        prepare_results(
-            folder, "(used|fixed)\\.prm|torque_speed\\.csv|sensitivities\\.csv|response\\.csv|"
-                    "lip\\.csv|history\\."
-                    "csv|contact\\.h5|"
-                    "summary\\.json|(contact|motor)\\.pvd|(contact|rotor|teeth|base)_[0-9]+\\.vtu");
-        write_used_prm(folder + "used.prm", "contact", given);
-        write_used_prm(folder + "fixed.prm", "contact", search.frozen());
-        write_torque_speed(folder + "torque_speed.csv", search.points());
-        write_history(folder + "history.csv", search.motor(), search.points(),
-                      !is_marched(parameters), parameters.output.history_points);
-        if (std::any_of(responses.begin(), responses.end(),
-                        [](const FrequencyResponse &response) { return !response.points.empty(); }))
-          write_responses(folder + "response.csv", responses);
-        if (effects.lip)
-          write_lip(folder + "lip.csv", *effects.lip, wave.angular_frequency);
-        write_contact_h5(folder + "contact.h5", given, wave, search.motor(), search.points());
-      }
+      if (is_root_rank)
+        write_tables(search);
       if (parameters.output.vtu)
         write_fields(search);
+      if (!is_root_rank)
+        return;
       write_summary(folder + "summary.json", make_summary(search));
       log.line("results in " + folder);
+    }
+
+    void ContactProgram::write_tables(const CurveSearch &search)
+    {
+      const auto scope = phases.measure("output");
+      prepare_results(
+          folder, "(used|fixed)\\.prm|torque_speed\\.csv|sensitivities\\.csv|response\\.csv|"
+                  "lip\\.csv|history\\."
+                  "csv|contact\\.h5|"
+                  "summary\\.json|(contact|motor)\\.pvd|(contact|rotor|teeth|base)_[0-9]+\\.vtu");
+      write_used_prm(folder + "used.prm", "contact", given);
+      write_used_prm(folder + "fixed.prm", "contact", search.frozen());
+      write_torque_speed(folder + "torque_speed.csv", search.points());
+      write_history(folder + "history.csv", search.motor(), search.points(),
+                    !is_marched(parameters), parameters.output.history_points);
+      if (std::any_of(responses.begin(), responses.end(),
+                      [](const FrequencyResponse &response) { return !response.points.empty(); }))
+        write_responses(folder + "response.csv", responses);
+      if (effects.lip)
+        write_lip(folder + "lip.csv", *effects.lip, wave.angular_frequency);
+      write_contact_h5(folder + "contact.h5", given, wave, search.motor(), search.points());
     }
 
     void ContactProgram::write_fields(const CurveSearch &search)
     {
       const auto scope    = phases.measure("fields for ParaView");
+      const MPI_Comm all  = MPI_COMM_WORLD;
       const double height = stator_shape(parameters)->contact_line().highest;
-      write_contact_surfaces(folder, search.motor(), search.points(), height);
+      MPI_Barrier(all); // files of an earlier run have been removed
+      write_contact_surfaces(folder, search.motor(), search.points(), height, all);
+      constexpr unsigned int n_subdivisions = 1;
       const MotorBodies bodies(parameters, wave,
-                               ContactDiscretisation::level(search.discretisation().level));
+                               ContactDiscretisation::level(search.discretisation().level),
+                               n_subdivisions, all);
       const StatorAtWave stator{modes.body(), wave.amplitude, motor_model(parameters).warp};
-      write_motor_bodies(folder, search.motor(), bodies, stator, search.points(), height);
+      write_motor_bodies(folder, search.motor(), bodies, stator, search.points(), height, all);
+      MPI_Barrier(all); // all files are complete
     }
 
     Summary ContactProgram::make_summary(const CurveSearch &search) const

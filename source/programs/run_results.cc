@@ -90,6 +90,7 @@ namespace ringmotor
     summary.identity       = identity_of(parameters, this_version());
     summary.seconds        = phases.seconds();
     summary.peak_memory_MB = peak_memory_MB();
+    summary.ranks          = SharedSeconds::so_far();
     return summary;
   }
 } // namespace ringmotor

@@ -251,7 +251,8 @@ namespace
       Progress silent;
       const MotorVibration vibration(parameters, *wave);
       return ComputedPoints(parameters, *wave, vibration, store, silent, MPI_COMM_SELF)
-          .points({}, motor, wanted, {});
+          .points({{{}, motor, wanted, {}}})
+          .front();
     }
 
     static std::string without_seconds(std::vector<CurvePoint> points)

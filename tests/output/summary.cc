@@ -30,6 +30,7 @@ namespace
     summary.identity       = {"some wave", "some motor"};
     summary.seconds        = {{"mesh", 0.25}, {"factorise", 1.5}, {"assemble", 0.5}};
     summary.peak_memory_MB = 123.5;
+    summary.ranks          = {{2.5, 3.}, 3.25};
     summary.dofs           = 4294967296u;
 
     summary.results     = {{{"frequency", units::hertz,
@@ -55,6 +56,7 @@ TEST(Summary, HoldsEverythingUnderItsName)
     "identity": {"wave": "some wave", "motor": "some motor"},
     "seconds": {"mesh": 0.25, "factorise": 1.5, "assemble": 0.5},
     "peak_memory_MB": 123.5,
+    "ranks": {"shared_seconds": [2.5, 3.0], "longest_shares": 3.25},
     "dofs": 4294967296,
     "quantities": [{"name": "frequency", "n": 7, "family": "axial", "shift": 0.5,
                     "value": 30004.123456789012, "unit": "Hz", "error": 2.5,

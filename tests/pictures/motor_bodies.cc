@@ -91,7 +91,7 @@ namespace
     const CondensedMotor motor = with_modes(parameters, wave, discretisation);
     const ContactFields fields = OperatingPointFinder(parameters, motor).find(request).fields;
     const unsigned int last    = fields.times.size() - 1;
-    const MotorBodies bodies(parameters, wave, discretisation, motor.degree);
+    const MotorBodies bodies(parameters, wave, discretisation, motor.degree, MPI_COMM_WORLD);
     const RingBody::Displacement
         rotor = bodies.rotor_motions(motor, {{fields, last, motor.wave.amplitude}}).front(),
         teeth = bodies.teeth_motions({{fields, last, motor.wave.amplitude}}).front();

@@ -54,10 +54,17 @@ namespace
       return std::vector<TimedMotor>(levels.size(), {motor, 0.});
     }
 
-    std::vector<CurvePoint> points(const Discretisation &discretisation,
-                                   const CondensedMotor &motor,
-                                   const std::vector<PointRequest> &requests,
-                                   const std::vector<CurvePoint> &) override
+    std::vector<std::vector<CurvePoint>> points(const std::vector<PointSet> &sets) override
+    {
+      std::vector<std::vector<CurvePoint>> all;
+      for (const PointSet &set : sets)
+        all.push_back(points_of(set.discretisation, set.motor, set.requests));
+      return all;
+    }
+
+    std::vector<CurvePoint> points_of(const Discretisation &discretisation,
+                                      const CondensedMotor &motor,
+                                      const std::vector<PointRequest> &requests) const
     {
       const Steps &steps     = discretisation.steps;
       const bool larger_wave = variation_of(discretisation) == "larger wave";

@@ -287,8 +287,11 @@ TEST_F(VibratingMotor, IsTheSameFromTheChangeOfCoarseStates)
                                            {Control::torque, 0.08},
                                            {Control::torque, 0.1},
                                            {Control::speed, 40. * rpm}};
-  const auto points = [&](const unsigned int n_parts, const std::vector<CurvePoint> &starts) {
-    return find_points(parameters, motor, {0, 0, {n_parts}}, {}, requests, MPI_COMM_SELF, starts);
+  const auto points = [&](const unsigned int n_parts, const std::vector<CurvePoint> &starts)
+  {
+    return find_points({{parameters, motor, {0, 0, {n_parts}}, {}, requests, starts}},
+                       MPI_COMM_SELF)
+        .front();
   };
   const std::vector<CurvePoint> alone = points(2, {}), started = points(2, points(1, {}));
   for (std::size_t i = 1; i < requests.size(); ++i)

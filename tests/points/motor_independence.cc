@@ -180,8 +180,9 @@ TEST(MotorIndependenceRanks, SameResultsOnTwo)
   parameters.loading.values  = {0., 0.05, 0.1, 0.15, 0.17};
   const CondensedMotor motor = condense_motor(parameters, stator_wave(parameters), coarse());
   const std::vector<PointRequest> requests = listed_points(parameters.loading);
-  const auto curve_on                      = [&](MPI_Comm communicator)
-  { return find_points(parameters, motor, {}, {}, requests, communicator); };
+  const auto curve_on                      = [&](MPI_Comm communicator) {
+    return find_points({{parameters, motor, {}, {}, requests}}, communicator).front();
+  };
   const std::vector<CurvePoint> one = curve_on(MPI_COMM_SELF), two = curve_on(MPI_COMM_WORLD);
   ASSERT_EQ(one.size(), 5u);
   ASSERT_EQ(two.size(), 5u);

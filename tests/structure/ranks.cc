@@ -8,12 +8,15 @@
 #include <ringmotor/mesh/body_sector.h>
 #include <ringmotor/structure/modes.h>
 #include <ringmotor/structure/refinement_indicator.h>
+#include <ringmotor/structure/shared_work.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ctime>
+#include <functional>
 
 using namespace ringmotor;
 using namespace ringmotor::tests;
@@ -38,6 +41,40 @@ namespace
   {
   };
 } // namespace
+
+TEST(SharedWorkRanks, CarriesOutEachTaskOnce)
+{
+  using namespace dealii::Utilities::MPI;
+  constexpr unsigned int n_tasks   = 23;
+  const SharedSeconds before       = SharedSeconds::so_far();
+  unsigned int n_carried_out_by_me = 0;
+  std::vector<std::function<std::vector<unsigned int>()>> tasks;
+  for (unsigned int i = 0; i < n_tasks; ++i)
+    tasks.emplace_back(
+        [&, i]
+        {
+          ++n_carried_out_by_me;
+          for (const std::clock_t begin = std::clock();
+               std::clock() - begin < CLOCKS_PER_SEC / 500;)
+            ;
+          return std::vector<unsigned int>(i + 1, i * i);
+        });
+  const std::vector<std::vector<unsigned int>> results = shared_work(tasks, MPI_COMM_WORLD);
+  ASSERT_EQ(results.size(), n_tasks);
+  for (unsigned int i = 0; i < n_tasks; ++i)
+    EXPECT_EQ(results[i], std::vector<unsigned int>(i + 1, i * i));
+  EXPECT_EQ(sum(n_carried_out_by_me, MPI_COMM_WORLD), n_tasks);
+  EXPECT_TRUE(shared_work<int>({}, MPI_COMM_WORLD).empty());
+  if (n_mpi_processes(MPI_COMM_WORLD) == 1)
+    return;
+  const SharedSeconds &after = SharedSeconds::so_far();
+  double all                 = 0.;
+  for (std::size_t rank = 0; rank < after.by_rank.size(); ++rank)
+    all += after.by_rank[rank] - before.by_rank[rank];
+  EXPECT_GE(all, 0.99 * n_tasks / 500.);
+  EXPECT_GE(after.longest - before.longest, all / n_mpi_processes(MPI_COMM_WORLD));
+  EXPECT_LE(after.longest - before.longest, all);
+}
 
 TEST_P(Ranks, GiveTheSameModes)
 {

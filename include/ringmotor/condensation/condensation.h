@@ -30,8 +30,7 @@ namespace ringmotor
   /**
    * Static condensation of a cyclic sector: an elastic body (vibrating at one frequency) as seen
    * from its interface, see InterfaceCompliance. The two real fields of the sector are condensed to
-   * their interface and their cut once; each nodal diameter then only ties the cut and eliminates
-   * it.
+   * their interface and their cut once; each nodal diameter then only ties the cut.
    *
    * The condensation is exact: the results are those of a solution with all unknowns.
    */
@@ -79,27 +78,23 @@ namespace ringmotor
       std::vector<unsigned int> unknown;    ///< by row, of those not on the cut
       std::vector<double> matrix;           ///< by columns
     };
-    struct Reduced;
+    struct Tied;
 
     /** Which rows the matrix of a field has. */
     void choose_kept(const unsigned int part);
-    /** Which unknowns are retained when the cut is eliminated; how rows depend on all unknowns. */
-    Reduced layout(const unsigned int k, const std::vector<unsigned int> &held) const;
-    /** The matrix of the fields tied to each other at the cut: by columns, cut first. */
-    std::vector<double> tied(const Reduced &reduced) const;
-    /** The condensed body with the condition on its cut, which is eliminated off the interface. */
-    Reduced reduce(const unsigned int k, const std::vector<unsigned int> &held) const;
-    /** The interface displacements for given retained unknowns. */
-    std::vector<double> interface_motion(const Reduced &reduced,
+    /** The unknowns with the condition on the cut for a nodal diameter. */
+    Tied tie(const unsigned int k, const std::vector<unsigned int> &held) const;
+    /** The stiffness of the fields tied to each other: symmetric, by columns. */
+    std::vector<double> matrix(const Tied &tied) const;
+    /** The interface displacements for given unknowns. */
+    std::vector<double> interface_motion(const Tied &tied,
                                          const std::vector<double> &unknowns) const;
-    /** Places of the driven degrees of freedom in the reduced matrix. */
-    std::vector<unsigned int> driven_places(const Reduced &reduced) const;
-    /** The retained unknowns under each load, one after the other. */
-    std::vector<double> solutions(const Reduced &reduced, const std::vector<unsigned int> &held,
+    /** The unknowns under each load, one after the other. */
+    std::vector<double> solutions(const Tied &tied, const std::vector<unsigned int> &held,
                                   const std::vector<CondensationLoad> &loads) const;
-    /** All unknowns of each field under each load, from the retained ones. */
+    /** All entries of each field under each load, from the unknowns. */
     SectorFactors::PerField<std::vector<double>>
-    field_solutions(const Reduced &reduced, const std::vector<double> &unknowns) const;
+    field_solutions(const Tied &tied, const std::vector<double> &unknowns) const;
 
     const CyclicSector &sector;
     const std::vector<LinearForm> interface;

@@ -5,6 +5,7 @@
 #include <ringmotor/motor/relevant.h>
 #include <ringmotor/parameters/entries.h>
 #include <ringmotor/results/quantity.h>
+#include <ringmotor/structure/shared_work.h>
 
 #include <cstdint>
 #include <map>
@@ -48,7 +49,8 @@ namespace ringmotor
     Identity identity;           ///< of the motor, see identity_of()
     std::vector<std::pair<std::string, double>> seconds; ///< per phase, in the order of the run
     double peak_memory_MB = 0.;
-    std::uint64_t dofs    = 0;
+    SharedSeconds ranks; ///< by the number of MPI processes
+    std::uint64_t dofs = 0;
     std::vector<Result> results;
     std::vector<EffectRow> effects;
     std::vector<Check> certificate;

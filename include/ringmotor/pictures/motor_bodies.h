@@ -29,16 +29,18 @@ namespace ringmotor
   public:
     /** @param discretisation the same as that of the condensed motor
      *  @param n_subdivisions of a cell per direction, see RingBody
+     *  @param ranks share the nodal diameters of the rotor
      *
      *  The references must outlive this object. */
     MotorBodies(const Parameters &parameters, const StatorWave &wave,
-                const ContactDiscretisation &discretisation, const unsigned int n_subdivisions = 1);
+                const ContactDiscretisation &discretisation, const unsigned int n_subdivisions = 1,
+                MPI_Comm ranks = MPI_COMM_SELF);
 
     /** In its position at rest, with the lip's lower face in the plane of the tooth tops. */
     const RingBody &rotor() const { return rotor_ring; }
     const RingBody &teeth() const { return tooth_ring; }
 
-    /** The displacement of the rotor without its rotation, at each time sample.
+    /** The displacement of the rotor without its rotation, at each time sample. Collective.
      * @param motor in which the points were found: if its rotor has modes, these are computed
      * again, because only their motion at the contact nodes has been kept
      * @throws ComputationError if that finds others */
@@ -51,10 +53,11 @@ namespace ringmotor
   private:
     using Amplitudes = std::vector<std::array<std::complex<double>, 3>>;
 
-    /** The displacement by forces and rigid motions, as if the rotor had no inertia. */
-    std::vector<RingBody::Displacement>
-    static_rotor_motions(const std::vector<PointSample> &samples) const;
-    /** Adds what inertia and damping contribute. */
+    /** Adds this rank's share of the displacement by forces and rigid motions, as if the rotor had
+     * no inertia. */
+    void add_static_motion(const std::vector<PointSample> &samples,
+                           std::vector<RingBody::Displacement> &displacements) const;
+    /** Adds this rank's share of what inertia and damping contribute. */
     void add_vibration(const CondensedMotor &motor, const std::vector<PointSample> &samples,
                        std::vector<RingBody::Displacement> &displacements) const;
     /** The modes of the motor's rotor with @p k nodal diameters found again, of the whole sector.
@@ -73,5 +76,6 @@ namespace ringmotor
     const RotorBody rotor_body;
     const MortarCoupling mortar;
     const RingBody rotor_ring, tooth_ring;
+    const MPI_Comm ranks;
   };
 } // namespace ringmotor

@@ -67,6 +67,8 @@ namespace ringmotor
   private:
     /** Refines the meshes while their error alone is too large. */
     void refine_meshes();
+    /** What own points and their error bars need. */
+    PointTable::Needs all_needs() const;
     /** Computes all points of the reached level with their time steps and error bars. */
     void evaluate();
     /** Whether powers balance at all points; shortens the steps where they do not. */

@@ -80,6 +80,13 @@ namespace ringmotor
      * no such errors. */
     virtual std::vector<Discretisation> needs(const ErrorScene &) const { return {}; }
 
+    /** The same of points alone whose own discretisation is @p own. */
+    virtual std::vector<Discretisation> needs_beside(const Discretisation & /*own*/,
+                                                     const ErrorScene &) const
+    {
+      return {};
+    }
+
     /** The error of a point, each number not negative; empty if the motor has none. @param own the
      * discretisation of the point */
     virtual PointError of(const PointRequest &request, const Discretisation &own,

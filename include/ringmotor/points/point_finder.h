@@ -80,21 +80,27 @@ namespace ringmotor
     PointMemory *const memory;
   };
 
+  /** Several points of one motor, neighbours on a curve, to be found. */
+  struct PointJob
+  {
+    Parameters parameters; ///< of the varied motor, still with undivided steps
+    MotorInUse motor;      ///< with the mesh and the variation of the discretisation
+    Discretisation discretisation      = {};
+    std::optional<VoltageDrive> drive  = {};
+    std::vector<PointRequest> requests = {};
+    std::vector<CurvePoint> starts = {}; ///< see OperatingPointFinder::find(); one each, or none
+    std::shared_ptr<PointMemory> memory = {}; ///< consulted on the rank that finds a point
+  };
+
   /**
-   * Finds several points, distributed over the ranks of @p communicator and returned on all of
-   * them.
-   * @param motor with the mesh and the variation of @p discretisation, like the @p parameters;
-   * these still have undivided steps
-   * @param starts empty or one for each request, see OperatingPointFinder::find()
-   * @param memory consulted, and @p progress told, on the rank that finds a point
+   * The points of each job, shared by ranks block by block; within a block each point is the start
+   * of the next one, so that the values depend on the number of ranks, within what searches leave
+   * open. Collective.
+   * @param progress told on the rank that finds a point
    */
-  std::vector<CurvePoint> find_points(const Parameters &parameters, const MotorInUse &motor,
-                                      const Discretisation &discretisation,
-                                      const std::optional<VoltageDrive> &drive,
-                                      const std::vector<PointRequest> &requests,
-                                      MPI_Comm communicator,
-                                      const std::vector<CurvePoint> &starts = {},
-                                      PointMemory *memory = nullptr, Progress *progress = nullptr);
+  std::vector<std::vector<CurvePoint>> find_points(const std::vector<PointJob> &jobs,
+                                                   MPI_Comm communicator,
+                                                   Progress *progress = nullptr);
 
   /** What the contact at a point does to a wave that @p drive drives, at a frequency (rad/s). */
   WaveLoad wave_load(const CurvePoint &point, const VoltageDrive &drive, const double frequency);

@@ -11,6 +11,15 @@
 
 namespace ringmotor
 {
+  /** Operating points of one motor, which are neighbours on a curve. */
+  struct PointSet
+  {
+    Discretisation discretisation;
+    const CondensedMotor &motor; ///< not varied
+    std::vector<PointRequest> requests;
+    std::vector<CurvePoint> starts; ///< see OperatingPointFinder::find(); empty or one for each
+  };
+
   /** Computes motors and their operating points. Collective: called on all ranks. */
   class PointSource
   {
@@ -20,12 +29,8 @@ namespace ringmotor
     /** The motors on several meshes, with one level of vibrations. */
     virtual std::vector<TimedMotor> motors(const std::vector<unsigned int> &levels,
                                            const unsigned int modes_level) = 0;
-    /** The points of requests. @param motor not varied
-     * @param starts see OperatingPointFinder::find() */
-    virtual std::vector<CurvePoint> points(const Discretisation &discretisation,
-                                           const CondensedMotor &motor,
-                                           const std::vector<PointRequest> &requests,
-                                           const std::vector<CurvePoint> &starts) = 0;
+    /** The points of each set; the more sets, the better they can be shared. */
+    virtual std::vector<std::vector<CurvePoint>> points(const std::vector<PointSet> &sets) = 0;
   };
 
   /** Those of a real motor, shared by ranks; what a store knows is not computed again. */
@@ -39,10 +44,7 @@ namespace ringmotor
 
     std::vector<TimedMotor> motors(const std::vector<unsigned int> &levels,
                                    const unsigned int modes_level) override;
-    std::vector<CurvePoint> points(const Discretisation &discretisation,
-                                   const CondensedMotor &motor,
-                                   const std::vector<PointRequest> &requests,
-                                   const std::vector<CurvePoint> &starts) override;
+    std::vector<std::vector<CurvePoint>> points(const std::vector<PointSet> &sets) override;
 
   private:
     /** Each by one of the ranks. */

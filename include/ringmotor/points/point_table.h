@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace ringmotor
@@ -35,9 +36,10 @@ namespace ringmotor
       similar_point, ///< the nearest one of the first curve or else the one before
       rest
     };
-    /** Computes the points of several requests that are missing; ranks share them. */
-    void fill(const Discretisation &discretisation, const std::vector<PointRequest> &requests,
-              const Start start = Start::similar_point);
+    /** Requests by discretisation. */
+    using Needs = std::vector<std::pair<Discretisation, std::vector<PointRequest>>>;
+    /** Computes all points that are missing; ranks share them. */
+    void fill(const Needs &needs, const Start start = Start::similar_point);
     /** The point of a request, computed if it is missing. */
     const CurvePoint &at(const Discretisation &discretisation, const PointRequest &request);
     /** The same if it is known; else null. */

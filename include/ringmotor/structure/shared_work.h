@@ -23,8 +23,49 @@ namespace ringmotor
     return all;
   }
 
+  /** Whether this rank carries out a task, if ranks take turns. */
+  inline bool is_my_turn(const std::size_t task, const MPI_Comm ranks)
+  {
+    return task % dealii::Utilities::MPI::n_mpi_processes(ranks) ==
+           dealii::Utilities::MPI::this_mpi_process(ranks);
+  }
+
+  /** How ranks have shared their work so far, in seconds of the processor; all zero on one rank. */
+  struct SharedSeconds
+  {
+    std::vector<double> by_rank; ///< for the tasks of each
+    /** For the tasks of the rank that had most, added up over all times that work was shared: with
+     * a core for each rank, so long do they work together. */
+    double longest = 0.;
+
+    static const SharedSeconds &so_far();
+  };
+
+  /** Tasks 0, 1, ..., each handed out to the rank that asks first. */
+  class TaskQueue
+  {
+  public:
+    /** Collective. */
+    TaskQueue(const std::size_t n_tasks, const MPI_Comm ranks);
+
+    /** Takes the next task for this rank; false if none is left. */
+    bool take(std::size_t &task);
+    /** To be called when none is left: the rank that took each task. Collective. */
+    std::vector<unsigned int> finish();
+
+  private:
+    const MPI_Comm ranks;
+    const bool is_shared;
+    std::vector<unsigned int> taker; ///< by task, of those that this rank took
+    MPI_Win window = MPI_WIN_NULL;   ///< to the next task, on rank 0; not freed after an error, as
+                                     ///< other ranks would have to join
+    int next = 0;                    ///< task, if there is one rank
+    double begin;                    ///< seconds of the processor
+  };
+
   /**
-   * The results of all tasks, each of which one of the ranks carries out, on every rank.
+   * The results of all tasks, each of which one of the ranks carries out, on every rank. A rank
+   * takes the next task when it has finished one: long tasks should come first.
    * Collective: all ranks must have the same tasks, none of which may communicate.
    * @param Result can be serialised with Boost
    */
@@ -32,14 +73,14 @@ namespace ringmotor
   std::vector<Result> shared_work(const std::vector<std::function<Result()>> &tasks,
                                   const MPI_Comm ranks)
   {
-    const unsigned int rank    = dealii::Utilities::MPI::this_mpi_process(ranks),
-                       n_ranks = dealii::Utilities::MPI::n_mpi_processes(ranks);
     std::vector<Result> results(tasks.size());
-    for (std::size_t i = rank; i < tasks.size(); i += n_ranks)
-      results[i] = tasks[i]();
-    if (n_ranks > 1) // nothing to be packed and unpacked otherwise
-      for (std::size_t i = 0; i < tasks.size(); ++i)
-        results[i] = dealii::Utilities::MPI::broadcast(ranks, results[i], i % n_ranks);
+    TaskQueue queue(tasks.size(), ranks);
+    for (std::size_t task; queue.take(task);)
+      results[task] = tasks[task]();
+    const std::vector<unsigned int> taker = queue.finish();
+    if (dealii::Utilities::MPI::n_mpi_processes(ranks) > 1) // nothing to be packed otherwise
+      for (std::size_t task = 0; task < tasks.size(); ++task)
+        results[task] = dealii::Utilities::MPI::broadcast(ranks, results[task], taker[task]);
     return results;
   }
 } // namespace ringmotor

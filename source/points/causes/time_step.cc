@@ -43,10 +43,16 @@ namespace ringmotor
     public:
       ErrorOfTimeStep() : ErrorCause(causes::time_step, Cure::steps) {}
 
+      std::vector<Discretisation> needs_beside(const Discretisation &own,
+                                               const ErrorScene &scene) const override
+      {
+        return {own.with(compared_steps(own.steps, scene.steps.plain()))};
+      }
+
       PointError of(const PointRequest &request, const Discretisation &own,
                     const ErrorScene &scene) const override
       {
-        const Discretisation other = own.with(compared_steps(own.steps, scene.steps.plain()));
+        const Discretisation other = needs_beside(own, scene).front();
         const CurvePoint &point    = scene.table.at(own, request);
         // C / n with n steps per pitch: C follows from two values of n.
         const double n = own.steps.number(), of_other = other.steps.number();
