@@ -75,9 +75,9 @@ namespace ringmotor
 
   RotorModeSolver::RotorModeSolver(const Parameters &parameters, const unsigned int level,
                                    const double frequency, const unsigned int n_harmonics,
-                                   const HarmonicRange &range)
+                                   const HarmonicRange &range, ModesByDiameter<Mode> *const kept)
       : body(parameters, LipModes::discretisation(level)), frequency(frequency),
-        up_to(2. / 3. * n_harmonics * frequency)
+        up_to(2. / 3. * n_harmonics * frequency), kept(kept)
   {
     if (motor_model(parameters).rotor_moves_as_whole)
     {
@@ -94,6 +94,15 @@ namespace ringmotor
 
   std::vector<Mode> RotorModeSolver::modes(const unsigned int k)
   {
+    if (!kept || all)
+      return compute(k);
+    const auto known = kept->find(*excited.find(k));
+    return known == kept->end() ? kept->emplace(*excited.find(k), compute(k)).first->second
+                                : known->second;
+  }
+
+  std::vector<Mode> RotorModeSolver::compute(const unsigned int k)
+  {
     if (all)
       return all->below(k, std::pow(up_to, 2));
     // Low harmonics have few vibrations below three times their own frequency.
@@ -109,16 +118,17 @@ namespace ringmotor
 
   LipModes::LipModes(const Parameters &parameters, const unsigned int level, const double frequency,
                      const unsigned int n_harmonics, const MPI_Comm communicator,
-                     const HarmonicRange &range, Known *const known)
+                     const HarmonicRange &range, Known *const known, const bool keeps_whole)
       : n_teeth(parameters.motor.n_teeth), modes(n_teeth / 2 + 1)
   {
-    RotorModeSolver solver(parameters, level, frequency, n_harmonics, range);
+    RotorModeSolver solver(parameters, level, frequency, n_harmonics, range,
+                           known && keeps_whole ? &known->whole : nullptr);
     lip                        = solver.body.whole_lip;
     const bool gives_way_along = motor_model(parameters).rotor_gives_way_along;
     std::vector<unsigned int> missing;
     for (const auto &diameter : solver.diameters())
-      if (known && known->count(diameter) > 0)
-        modes[diameter.first] = known->at(diameter);
+      if (known && known->on_lip.count(diameter) > 0)
+        modes[diameter.first] = known->on_lip.at(diameter);
       else
         missing.push_back(diameter.first);
     std::vector<std::function<std::vector<LipMode>()>> tasks;
@@ -137,7 +147,7 @@ namespace ringmotor
     if (known)
       for (const auto &diameter : solver.diameters())
         if (!diameter.second.empty())
-          known->emplace(diameter, modes[diameter.first]);
+          known->on_lip.emplace(diameter, modes[diameter.first]);
   }
 
   LipModes::LipMode LipModes::on_lip(const RotorBody &body, const Mode &mode,
@@ -212,6 +222,12 @@ namespace ringmotor
 
   void RotorVibration::prepare(const unsigned int modes_level, const ModeSets sets) const
   {
+    const VibrationSetting own = setting(modes_level);
+    for (auto &[mesh, on_mesh] : known_by_mesh)
+      if (mesh != own.mesh && mesh != 0)
+        on_mesh.whole.clear();
+    for (const Part &part : parts(own))
+      modes_of(part, parameters.output.vtu);
     for (const VibrationSetting &each : settings(modes_level, sets))
       for (const Part &part : parts(each))
         modes_of(part);
@@ -257,18 +273,19 @@ namespace ringmotor
   {
     std::vector<std::unique_ptr<RotorModeSolver>> solvers;
     for (const auto &[mesh, n_harmonics, range] : parts(setting))
-      solvers.push_back(
-          std::make_unique<RotorModeSolver>(parameters, mesh, frequency, n_harmonics, range));
+      solvers.push_back(std::make_unique<RotorModeSolver>(parameters, mesh, frequency, n_harmonics,
+                                                          range, &known_by_mesh[mesh].whole));
     return solvers;
   }
 
-  const LipModes &RotorVibration::modes_of(const Part &part) const
+  const LipModes &RotorVibration::modes_of(const Part &part, const bool keeps_whole) const
   {
     const auto &[mesh, n_harmonics, range] = part;
     std::shared_ptr<const LipModes> &modes = known[{mesh, range.first, range.last, n_harmonics}];
     if (!modes)
-      modes = std::make_shared<const LipModes>(parameters, mesh, frequency, n_harmonics,
-                                               communicator, range, &known_by_mesh[mesh]);
+      modes =
+          std::make_shared<const LipModes>(parameters, mesh, frequency, n_harmonics, communicator,
+                                           range, &known_by_mesh[mesh], keeps_whole);
     return *modes;
   }
 } // namespace ringmotor

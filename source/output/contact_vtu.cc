@@ -237,9 +237,9 @@ namespace ringmotor
   }
 
   void write_motor_bodies(const std::string &folder, const CondensedMotor &motor,
-                          const MotorBodies &bodies, const StatorAtWave &stator,
-                          const std::vector<CurvePoint> &points, const double height,
-                          const MPI_Comm ranks)
+                          const MotorBodies &bodies, const RotorVibration &vibration,
+                          const StatorAtWave &stator, const std::vector<CurvePoint> &points,
+                          const double height, const MPI_Comm ranks)
   {
     std::vector<PointSample> last, of_my_files;
     for (unsigned int i = 0; i < points.size(); ++i)
@@ -250,7 +250,7 @@ namespace ringmotor
       if (is_my_turn(i, ranks))
         of_my_files.push_back(last.back());
     }
-    const std::vector<RingBody::Displacement> rotor = bodies.rotor_motions(motor, last),
+    const std::vector<RingBody::Displacement> rotor = bodies.rotor_motions(motor, vibration, last),
                                               teeth = bodies.teeth_motions(of_my_files);
     auto my_teeth                                   = teeth.begin();
     BaseFiles base(folder, stator, ranks);

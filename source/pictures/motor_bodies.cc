@@ -174,13 +174,13 @@ namespace ringmotor
   }
 
   std::vector<RingBody::Displacement>
-  MotorBodies::rotor_motions(const CondensedMotor &motor,
+  MotorBodies::rotor_motions(const CondensedMotor &motor, const RotorVibration &vibration,
                              const std::vector<PointSample> &samples) const
   {
     std::vector<RingBody::Displacement> displacements(samples.size(), rotor_ring.at_rest());
     add_static_motion(samples, displacements);
     if (motor.has_modes_of(ModePart::rotor))
-      add_vibration(motor, samples, displacements);
+      add_vibration(motor, vibration, samples, displacements);
     for (RingBody::Displacement &displacement : displacements)
       add_those_of_other_ranks(displacement, ranks);
     // The stator is drawn in its wave alone. What else it does under contact forces is mostly to

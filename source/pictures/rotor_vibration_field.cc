@@ -97,6 +97,19 @@ namespace ringmotor
     }
   } // namespace
 
+  std::vector<unsigned int> MotorBodies::keepers(const RotorModeSolver &solver) const
+  {
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(ranks),
+                       rank    = Utilities::MPI::this_mpi_process(ranks);
+    std::vector<unsigned int> first(parameters.motor.n_teeth / 2 + 1, n_ranks);
+    for (const auto &[k, harmonics] : solver.diameters())
+      if (solver.has_kept(k))
+        first[k] = rank;
+    Utilities::MPI::min(first, ranks, first);
+    std::replace(first.begin(), first.end(), n_ranks, numbers::invalid_unsigned_int);
+    return first;
+  }
+
   std::vector<Mode> MotorBodies::modes_of(const CondensedMotor &motor, const unsigned int k,
                                           RotorModeSolver &solver,
                                           const MortarCoupling &of_modes) const
@@ -122,11 +135,10 @@ namespace ringmotor
     return modes;
   }
 
-  void MotorBodies::add_vibration(const CondensedMotor &motor,
+  void MotorBodies::add_vibration(const CondensedMotor &motor, const RotorVibration &vibration,
                                   const std::vector<PointSample> &samples,
                                   std::vector<RingBody::Displacement> &displacements) const
   {
-    const RotorVibration vibration(parameters, wave.angular_frequency);
     const VibrationAmplitudes amplitudes(motor.modes, samples);
     for (const auto &solver : vibration.solvers(vibration.setting(motor.modes_level)))
     {
@@ -134,14 +146,8 @@ namespace ringmotor
       const RingBody::Samples points = rotor_ring.samples_in(body.sector);
       const MortarCoupling of_modes =
           couple(tooth_body.whole_top.surface, body.whole_lip.surface, motor.pitch(), lip_turn);
-      std::vector<unsigned int> moving;
-      for (const auto &[k, harmonics] : solver->diameters())
-        if (amplitudes.any(k))
-          moving.push_back(k);
-      TaskQueue diameters(moving.size(), ranks);
-      for (std::size_t task; diameters.take(task);)
+      const auto add = [&](const unsigned int k)
       {
-        const unsigned int k          = moving[task];
         const std::vector<Mode> modes = modes_of(motor, k, *solver, of_modes);
         // Waves k and N - k are conjugate to each other; here one stands for both.
         const double weight = k == 0 || 2 * k == motor.n_teeth ? 1. : 2.;
@@ -155,7 +161,20 @@ namespace ringmotor
             rotor_ring.add(sector, std::polar(1., -motor.pitch() * k * sector), amplitude,
                            displacements[sample]);
         }
-      }
+      };
+      const std::vector<unsigned int> keeper = keepers(*solver);
+      std::vector<unsigned int> to_be_found;
+      for (const auto &[k, harmonics] : solver->diameters())
+        if (amplitudes.any(k))
+        {
+          if (keeper[k] == Utilities::MPI::this_mpi_process(ranks))
+            add(k);
+          else if (keeper[k] == numbers::invalid_unsigned_int)
+            to_be_found.push_back(k);
+        }
+      TaskQueue diameters(to_be_found.size(), ranks);
+      for (std::size_t task; diameters.take(task);)
+        add(to_be_found[task]);
       diameters.finish();
     }
   }

@@ -326,7 +326,8 @@ namespace ringmotor
                                ContactDiscretisation::level(search.discretisation().level),
                                n_subdivisions, all);
       const StatorAtWave stator{modes.body(), wave.amplitude, motor_model(parameters).warp};
-      write_motor_bodies(folder, search.motor(), bodies, stator, search.points(), height, all);
+      write_motor_bodies(folder, search.motor(), bodies, effects.vibration().rotor, stator,
+                         search.points(), height, all);
       MPI_Barrier(all); // all files are complete
     }
 

@@ -92,8 +92,12 @@ namespace
     const ContactFields fields = OperatingPointFinder(parameters, motor).find(request).fields;
     const unsigned int last    = fields.times.size() - 1;
     const MotorBodies bodies(parameters, wave, discretisation, motor.degree, MPI_COMM_WORLD);
+    const RotorVibration vibration(parameters, wave.angular_frequency, MPI_COMM_WORLD);
+    if (motor.has_modes_of(ModePart::rotor)) // kept, unless they are those of all frequencies
+      vibration.prepare(motor.modes_level, ModeSets::own);
     const RingBody::Displacement
-        rotor = bodies.rotor_motions(motor, {{fields, last, motor.wave.amplitude}}).front(),
+        rotor =
+            bodies.rotor_motions(motor, vibration, {{fields, last, motor.wave.amplitude}}).front(),
         teeth = bodies.teeth_motions({{fields, last, motor.wave.amplitude}}).front();
 
     const ToothBody tooth_body(parameters, discretisation);
@@ -153,7 +157,10 @@ TEST(MotorBodies, TouchAStatorThatSinks)
       OperatingPointFinder(parameters, motor).find({Control::speed, 0.}).fields;
   const MotorBodies bodies(parameters, wave, coarse(), motor.degree);
   const RingBody::Displacement rotor =
-      bodies.rotor_motions(motor, {{fields, 0, motor.wave.amplitude}}).front();
+      bodies
+          .rotor_motions(motor, RotorVibration(parameters, wave.angular_frequency),
+                         {{fields, 0, motor.wave.amplitude}})
+          .front();
   const ToothBody tooth_body(parameters, coarse());
   const RotorBody rotor_body(parameters, coarse());
   const MortarCoupling mortar = couple(tooth_body.whole_top.surface, rotor_body.whole_lip.surface,

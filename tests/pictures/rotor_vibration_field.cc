@@ -99,7 +99,8 @@ namespace
       std::vector<PointSample> samples;
       for (const ContactFields &fields : of_points)
         samples.push_back({fields, 0, 0.});
-      return bodies.rotor_motions(motor, samples);
+      return bodies.rotor_motions(motor, RotorVibration(parameters, wave.angular_frequency),
+                                  samples);
     }
 
     RingBody::Displacement expected(const unsigned int k, const double frequency) const

@@ -40,16 +40,21 @@ namespace ringmotor
     }
   };
 
-  /**
-   * Finds the vibrations of LipModes, the rotor's interior included: those of one nodal diameter at
-   * a time, because all of them together need much memory.
-   */
+  /** Modes of nodal diameters on one mesh, by these and by the harmonics of the wave that excite
+   * them. */
+  template <typename ModeType>
+  using ModesByDiameter =
+      std::map<std::pair<const unsigned int, std::vector<unsigned int>>, std::vector<ModeType>>;
+
+  /** Finds the vibrations of LipModes, the rotor's interior included. */
   class RotorModeSolver
   {
   public:
-    /** See LipModes. */
+    /** See LipModes. @param kept modes that this rank has found on the same mesh, for pictures:
+     * those found here are added unless any frequency excites them; it must outlive this object */
     RotorModeSolver(const Parameters &parameters, const unsigned int level, const double frequency,
-                    const unsigned int n_harmonics, const HarmonicRange &range = {});
+                    const unsigned int n_harmonics, const HarmonicRange &range = {},
+                    ModesByDiameter<Mode> *kept = nullptr);
 
     /** The nodal diameters that have modes, with the harmonics of the wave that excite them; none
      * are named where the rotor moves as a whole, as any frequency does. */
@@ -57,6 +62,8 @@ namespace ringmotor
 
     /** The modes of one of these, sorted by frequency, normalised on the meshed half sector. */
     std::vector<Mode> modes(const unsigned int k);
+    /** Whether this rank has kept them. */
+    bool has_kept(const unsigned int k) const { return kept && kept->count(*excited.find(k)) > 0; }
 
     const RotorBody body;
 
@@ -65,6 +72,9 @@ namespace ringmotor
     std::map<unsigned int, std::vector<unsigned int>> excited;
     std::optional<ResponseModes> responses;
     std::optional<ModeSolver> all;
+    ModesByDiameter<Mode> *const kept;
+
+    std::vector<Mode> compute(const unsigned int k);
   };
 
   /**
@@ -91,18 +101,22 @@ namespace ringmotor
         archive &angular_frequency &motion;
       }
     };
-    /** Those of nodal diameters that have been computed on a mesh, with the harmonics of the wave
-     * that excite them. */
-    using Known =
-        std::map<std::pair<const unsigned int, std::vector<unsigned int>>, std::vector<LipMode>>;
+    /** What has been computed on one mesh. */
+    struct Known
+    {
+      ModesByDiameter<LipMode> on_lip; ///< the same on all ranks
+      ModesByDiameter<Mode> whole;     ///< those that this rank keeps
+    };
 
     /** @param level of the mesh; @param frequency rad/s, of the wave; @param n_harmonics of the
      * wave that may matter; @param communicator of the ranks that share the nodal diameters;
      * @param range of the nodal diameters that have modes here; @param known with the same
-     * parameters on this mesh: taken over if they have the same harmonics, and added to */
+     * parameters on this mesh: taken over if they have the same harmonics, and added to;
+     * @param keeps_whole adds the rotor's interior */
     LipModes(const Parameters &parameters, const unsigned int level, const double frequency,
              const unsigned int n_harmonics, MPI_Comm communicator = MPI_COMM_SELF,
-             const HarmonicRange &range = {}, Known *known = nullptr);
+             const HarmonicRange &range = {}, Known *known = nullptr,
+             const bool keeps_whole = false);
 
     /** The rotor's discretisation for its modes at a level. */
     static ContactDiscretisation discretisation(const unsigned int level);
@@ -169,12 +183,13 @@ namespace ringmotor
      */
     RingModes at(const VibrationSetting &setting, const ContactSurface &tooth_top,
                  const double lip_turn) const;
-    /** Those that find the modes of at() again, with the rotor's interior; each nodal diameter has
-     * modes in one of them at most. */
+    /** Those that find the modes of at() again, with the rotor's interior, or have kept them; each
+     * nodal diameter has modes in one of them at most. */
     std::vector<std::unique_ptr<RotorModeSolver>> solvers(const VibrationSetting &setting) const;
     /** That of a level, and those that tell its error. */
     std::vector<VibrationSetting> settings(const unsigned int level, const ModeSets sets) const;
-    /** Computes what condense_motor() reads: before ranks condense different motors. */
+    /** Computes what condense_motor() reads: before ranks condense different motors. Of the level's
+     * own modes the interior is kept for pictures, if these are drawn. */
     void prepare(const unsigned int modes_level,
                  const ModeSets sets = ModeSets::with_compared) const;
     /** Those of all nodal diameters for the first harmonics, on the mesh of a level. */
@@ -192,7 +207,7 @@ namespace ringmotor
     /** On the mesh of a setting, and on the coarsest one. */
     std::vector<Part> parts(const VibrationSetting &setting) const;
     /** Their modes, computed if they are not known. */
-    const LipModes &modes_of(const Part &part) const;
+    const LipModes &modes_of(const Part &part, const bool keeps_whole = false) const;
 
     Parameters parameters;
     double frequency;

@@ -35,10 +35,10 @@ namespace ringmotor
    * contact points these are zero, and the gap is NaN, which ParaView shows in a separate colour.
    * Points with the same wave share the file of the base.
    * Collective: @p ranks write the files by turns.
-   * @param motor in which the points were found
+   * @param motor in which the points were found; @param vibration of its rotor
    */
   void write_motor_bodies(const std::string &folder, const CondensedMotor &motor,
-                          const MotorBodies &bodies, const StatorAtWave &stator,
-                          const std::vector<CurvePoint> &points, const double height,
-                          const MPI_Comm ranks);
+                          const MotorBodies &bodies, const RotorVibration &vibration,
+                          const StatorAtWave &stator, const std::vector<CurvePoint> &points,
+                          const double height, const MPI_Comm ranks);
 } // namespace ringmotor

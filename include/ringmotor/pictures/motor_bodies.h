@@ -41,11 +41,13 @@ namespace ringmotor
     const RingBody &teeth() const { return tooth_ring; }
 
     /** The displacement of the rotor without its rotation, at each time sample. Collective.
-     * @param motor in which the points were found: if its rotor has modes, these are computed
-     * again, because only their motion at the contact nodes has been kept
+     * @param motor in which the points were found
+     * @param vibration of the rotor, if the motor has its modes: those whose interior is not kept
+     * there are computed again
      * @throws ComputationError if that finds others */
     std::vector<RingBody::Displacement>
-    rotor_motions(const CondensedMotor &motor, const std::vector<PointSample> &samples) const;
+    rotor_motions(const CondensedMotor &motor, const RotorVibration &vibration,
+                  const std::vector<PointSample> &samples) const;
     /** The displacement of the teeth, including a static warp. */
     std::vector<RingBody::Displacement>
     teeth_motions(const std::vector<PointSample> &samples) const;
@@ -58,8 +60,11 @@ namespace ringmotor
     void add_static_motion(const std::vector<PointSample> &samples,
                            std::vector<RingBody::Displacement> &displacements) const;
     /** Adds this rank's share of what inertia and damping contribute. */
-    void add_vibration(const CondensedMotor &motor, const std::vector<PointSample> &samples,
+    void add_vibration(const CondensedMotor &motor, const RotorVibration &vibration,
+                       const std::vector<PointSample> &samples,
                        std::vector<RingBody::Displacement> &displacements) const;
+    /** The rank that keeps the modes of each nodal diameter, or none. Collective. */
+    std::vector<unsigned int> keepers(const RotorModeSolver &solver) const;
     /** The modes of the motor's rotor with @p k nodal diameters found again, of the whole sector.
      * @param of_modes coupling of the teeth to the solver's mesh
      * @throws ComputationError if they are others */
