@@ -227,4 +227,16 @@ namespace ringmotor
     motor.gap = rest_gap(parameters, motor);
     return motor;
   }
+
+  void MotorInUse::leave_modes_of_stator_alone()
+  {
+    RingModes left(modes->size());
+    for (std::size_t k = 0; k < modes->size(); ++k)
+      std::copy_if((*modes)[k].begin(), (*modes)[k].end(), std::back_inserter(left[k]),
+                   [](const RingMode &mode) { return mode.part == ModePart::stator; });
+    if (std::all_of(left.begin(), left.end(), [](const auto &of_k) { return of_k.empty(); }))
+      left.clear();
+    own_modes = std::make_shared<const RingModes>(std::move(left));
+    modes     = own_modes.get();
+  }
 } // namespace ringmotor

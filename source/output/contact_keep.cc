@@ -78,9 +78,14 @@ namespace ringmotor
 
     void keep(const CurvePoint &point) override
     {
+      replace(point);
+      ++counts.found;
+    }
+
+    void replace(const CurvePoint &point) override
+    {
       const std::string its_key = key_for(point.request);
       write_kept_file(path_for(its_key), its_key, to_bytes(point));
-      ++counts.found;
     }
 
   private:

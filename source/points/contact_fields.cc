@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/points/contact_fields.h>
 
+#include <algorithm>
+
 namespace ringmotor
 {
   void ContactFields::reserve(const std::size_t n_samples)
@@ -56,5 +58,23 @@ namespace ringmotor
     fields.modal             = state.modal_motion;
     fields.vibration         = state.vibration;
     return fields;
+  }
+
+  double ContactFields::largest_share() const
+  {
+    double largest = 0., whole = 0.;
+    for (const PointVector &force : state.force)
+    {
+      largest = std::max(largest, force[0]);
+      whole += force[0];
+    }
+    return whole > 0. ? largest / whole : 0.;
+  }
+
+  void ContactFields::drop_values()
+  {
+    const double step = time_step;
+    *this             = {};
+    time_step         = step;
   }
 } // namespace ringmotor

@@ -44,6 +44,16 @@ namespace ringmotor
 
   void CurveSearch::find()
   {
+    search();
+    if (!is_marched(parameters))
+      return;
+    table.restore_fields(own_points());
+    for (CurvePoint &result : results)
+      result.fields = table.at(own(result.request), result.request).fields;
+  }
+
+  void CurveSearch::search()
+  {
     const Accuracy &accuracy = parameters.accuracy;
     const bool is_fixed      = accuracy.mode == AccuracyMode::fixed;
     if (!is_fixed && wave_error >= accuracy.strictest_target())
@@ -94,12 +104,18 @@ namespace ringmotor
     }
   }
 
-  PointTable::Needs CurveSearch::all_needs() const
+  PointTable::Needs CurveSearch::own_points() const
   {
     std::map<Discretisation, std::vector<PointRequest>> by_steps;
     for (const PointRequest &request : requests->all())
       by_steps[own(request)].push_back(request);
-    PointTable::Needs needs(by_steps.begin(), by_steps.end());
+    return {by_steps.begin(), by_steps.end()};
+  }
+
+  PointTable::Needs CurveSearch::all_needs() const
+  {
+    const PointTable::Needs by_steps = own_points();
+    PointTable::Needs needs          = by_steps;
     for (const auto &cause : all_error_causes())
     {
       for (const Discretisation &needed : cause->needs(scene))
@@ -117,6 +133,8 @@ namespace ringmotor
     for (const Discretisation &start : {scene.plain(), scene.for_variations()})
       table.fill({{start, requests->all()}});
     table.fill(all_needs());
+    if (is_marched(parameters))
+      table.drop_other_fields(own_points());
     results.clear();
     for (const PointRequest &request : requests->all())
     {
@@ -215,8 +233,6 @@ namespace ringmotor
 
   void CurveSearch::shorten_steps(const PointRequest &request, const unsigned int parts)
   {
-    if (is_marched(parameters))
-      table.drop_fields(own(request), request);
     n_parts.at(request) = parts;
   }
 

@@ -75,22 +75,35 @@ namespace ringmotor
     return motors;
   }
 
+  Parameters ComputedPoints::varied(const Discretisation &discretisation) const
+  {
+    Parameters varied = parameters;
+    if (const Variation variation = discretisation.changes(); variation.change_parameters)
+      variation.change_parameters(varied);
+    return varied;
+  }
+
   std::vector<std::vector<CurvePoint>> ComputedPoints::points(const std::vector<PointSet> &sets)
   {
     std::vector<PointJob> jobs;
-    for (const auto &[discretisation, motor, requests, starts] : sets)
+    for (const auto &[discretisation, motor, requests, starts, anew] : sets)
     {
-      const Variation variation = discretisation.changes();
-      PointJob job{parameters, motor, discretisation, wave.drive, requests, starts};
-      if (variation.change_parameters)
-        variation.change_parameters(job.parameters);
-      if (variation.change_motor)
+      PointJob job{varied(discretisation), motor, discretisation, wave.drive, requests, starts};
+      if (const Variation variation = discretisation.changes(); variation.change_motor)
         variation.change_motor(job.motor, wave.relative_error);
-      job.memory = store.points(job.parameters, discretisation);
+      if (!anew)
+        job.memory = store.points(job.parameters, discretisation);
       jobs.push_back(std::move(job));
     }
     std::vector<std::vector<CurvePoint>> points = find_points(jobs, communicator, &progress);
     progress.leave();
     return points;
+  }
+
+  void ComputedPoints::replace(const Discretisation &discretisation, const CurvePoint &point)
+  {
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      if (const auto memory = store.points(varied(discretisation), discretisation))
+        memory->replace(point);
   }
 } // namespace ringmotor

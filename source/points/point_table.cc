@@ -95,9 +95,46 @@ namespace ringmotor
       insert(discretisation, point);
   }
 
-  void PointTable::drop_fields(const Discretisation &discretisation, const PointRequest &request)
+  void PointTable::drop_other_fields(const Needs &needs)
   {
-    points.at(discretisation).at(request).fields = {};
+    std::set<std::pair<Discretisation, PointRequest>> needed;
+    for (const auto &[discretisation, requests] : needs)
+      for (const PointRequest &request : requests)
+        needed.emplace(discretisation, request);
+    for (auto &[discretisation, of_requests] : points)
+      for (auto &[request, point] : of_requests)
+        if (!point.fields.state.force.empty() && needed.count({discretisation, request}) == 0)
+        {
+          point.fields.drop_values();
+          source.replace(discretisation, point);
+        }
+  }
+
+  void PointTable::restore_fields(const Needs &needs)
+  {
+    std::vector<PointSet> lost;
+    for (const auto &[discretisation, requests] : needs)
+    {
+      std::vector<PointRequest> these;
+      for (const PointRequest &request : requests)
+        if (at(discretisation, request).fields.state.force.empty())
+          these.push_back(request);
+      if (!these.empty())
+        lost.push_back({discretisation,
+                        motor(discretisation.level, discretisation.modes_level),
+                        these,
+                        {},
+                        /*anew =*/true});
+    }
+    if (lost.empty())
+      return;
+    const std::vector<Points> found = source.points(lost);
+    for (std::size_t i = 0; i < lost.size(); ++i)
+      for (const CurvePoint &point : found[i])
+      {
+        insert(lost[i].discretisation, point);
+        source.replace(lost[i].discretisation, point);
+      }
   }
 
   double PointTable::seconds(const Discretisation &discretisation) const

@@ -60,13 +60,17 @@ namespace ringmotor
 
   std::vector<unsigned int> TaskQueue::finish()
   {
+    const double mine  = seconds_of_processor() - begin;
+    SharedSeconds &all = all_seconds();
     if (!is_shared)
+    {
+      if (all.by_rank.size() == 1)
+        all.longest = all.by_rank[0] += mine;
       return taker;
-    const double mine = seconds_of_processor() - begin;
+    }
     MPI_Win_free(&window);
     std::vector<double> of_rank(n_mpi_processes(ranks));
     MPI_Allgather(&mine, 1, MPI_DOUBLE, of_rank.data(), 1, MPI_DOUBLE, ranks);
-    SharedSeconds &all = all_seconds();
     for (std::size_t rank = 0; rank < of_rank.size(); ++rank)
       all.by_rank[rank] += of_rank[rank];
     all.longest += *std::max_element(of_rank.begin(), of_rank.end());

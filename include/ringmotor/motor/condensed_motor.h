@@ -13,6 +13,7 @@
 
 #include <array>
 #include <complex>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -151,10 +152,16 @@ namespace ringmotor
     {
     }
 
+    /** Without the vibrations of rotor and teeth, which respond as at rest then. */
+    void leave_modes_of_stator_alone();
+
     const CondensedMotor &bodies;
     WaveAtNodes wave;
-    const RingModes *modes; ///< of the bodies
+    const RingModes *modes; ///< of the bodies, or #own_modes
     RingDynamics dynamics;  ///< of these modes
+
+  private:
+    std::shared_ptr<const RingModes> own_modes;
   };
 
   /** A motor, and the time (s, wall clock) that it took to condense or to read it. */

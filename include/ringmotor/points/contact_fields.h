@@ -35,6 +35,11 @@ namespace ringmotor
       return (sample * n_repeating_teeth + tooth % n_repeating_teeth) * n_nodes + node;
     }
 
+    /** The largest share of the normal force that one node has at one time. */
+    double largest_share() const;
+    /** Leaves nothing but the time step. */
+    void drop_values();
+
     /** Reserves memory for @p n_samples time samples in total, each of the present size. */
     void reserve(const std::size_t n_samples);
     /** Appends later time samples. */

@@ -60,8 +60,9 @@ namespace ringmotor
     PointError unsettled;
     unsigned int n_iterations = 0;
     double seconds            = 0.;
-    std::string remark; ///< what was tried if Newton's method alone did not suffice
-    ContactFields fields;
+    double largest_share      = 0.; ///< see ContactFields::largest_share()
+    std::string remark;             ///< what was tried if Newton's method alone did not suffice
+    ContactFields fields; ///< without values where nothing needs them any more, see PointTable
 
     /** Of all causes, which are independent. */
     PointError error() const;
@@ -74,7 +75,7 @@ namespace ringmotor
     {
       archive &request.control &request.value &result &unsettled_means &errors;
       archive &rotor_energies &rotor_power &largest_violation &unsettled &n_iterations &seconds
-          &remark &fields;
+          &largest_share &remark &fields;
     }
   };
 } // namespace ringmotor

@@ -65,8 +65,12 @@ namespace ringmotor
     StaticFrictionEffect static_friction_effect();
 
   private:
+    /** Finds all points, those of a marched motor perhaps without their fields. */
+    void search();
     /** Refines the meshes while their error alone is too large. */
     void refine_meshes();
+    /** The requests by the discretisation in which their results are given. */
+    PointTable::Needs own_points() const;
     /** What own points and their error bars need. */
     PointTable::Needs all_needs() const;
     /** Computes all points of the reached level with their time steps and error bars. */

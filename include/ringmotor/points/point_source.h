@@ -18,6 +18,7 @@ namespace ringmotor
     const CondensedMotor &motor; ///< not varied
     std::vector<PointRequest> requests;
     std::vector<CurvePoint> starts; ///< see OperatingPointFinder::find(); empty or one for each
+    bool anew = false;              ///< even if a store knows them
   };
 
   /** Computes motors and their operating points. Collective: called on all ranks. */
@@ -31,6 +32,8 @@ namespace ringmotor
                                            const unsigned int modes_level) = 0;
     /** The points of each set; the more sets, the better they can be shared. */
     virtual std::vector<std::vector<CurvePoint>> points(const std::vector<PointSet> &sets) = 0;
+    /** A point has another form, which is to be stored. */
+    virtual void replace(const Discretisation & /*discretisation*/, const CurvePoint & /*point*/) {}
   };
 
   /** Those of a real motor, shared by ranks; what a store knows is not computed again. */
@@ -45,8 +48,11 @@ namespace ringmotor
     std::vector<TimedMotor> motors(const std::vector<unsigned int> &levels,
                                    const unsigned int modes_level) override;
     std::vector<std::vector<CurvePoint>> points(const std::vector<PointSet> &sets) override;
+    void replace(const Discretisation &discretisation, const CurvePoint &point) override;
 
   private:
+    /** The parameters of the motor that is varied for a discretisation. */
+    Parameters varied(const Discretisation &discretisation) const;
     /** Each by one of the ranks. */
     std::vector<TimedMotor> condense(const std::vector<unsigned int> &levels,
                                      const unsigned int modes_level) const;

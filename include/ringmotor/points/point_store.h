@@ -18,6 +18,8 @@ namespace ringmotor
     virtual std::optional<CurvePoint> recall(const PointRequest &request) = 0;
     /** Stores a point. */
     virtual void keep(const CurvePoint &point) = 0;
+    /** Stores another form of a point that it has. */
+    virtual void replace(const CurvePoint &point) = 0;
   };
 
   /** Stores what a search has computed, so that another run need not compute it again. */

@@ -53,8 +53,11 @@ namespace ringmotor
     }
     /** No point starts from the first curve any more: there are better ones. */
     void leave_first_curve() { first_curve.clear(); }
-    /** Fields of marched points, from which nothing starts, take much memory. */
-    void drop_fields(const Discretisation &discretisation, const PointRequest &request);
+    /** Drops the fields of all points but these: of marched points, from which nothing starts, they
+     * take much memory, here and where they are kept. */
+    void drop_other_fields(const Needs &needs);
+    /** Computes these points again where a store has no more fields of them. */
+    void restore_fields(const Needs &needs);
 
     /** Seconds of the processor for all known points of a discretisation. */
     double seconds(const Discretisation &discretisation) const;

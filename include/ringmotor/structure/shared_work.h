@@ -30,7 +30,8 @@ namespace ringmotor
            dealii::Utilities::MPI::this_mpi_process(ranks);
   }
 
-  /** How ranks have shared their work so far, in seconds of the processor; all zero on one rank. */
+  /** How ranks have shared their work so far, in seconds of the processor; of one rank, what others
+   * could share. */
   struct SharedSeconds
   {
     std::vector<double> by_rank; ///< for the tasks of each

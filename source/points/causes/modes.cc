@@ -21,6 +21,17 @@ namespace ringmotor
                                     { motor.modes = &motor.bodies.modes_of_other_harmonics; },
                                     false, true};
 
+    /** Without inertia of the bodies under contact forces. */
+    const Variation bodies_at_rest{
+        "bodies without inertia", nullptr,
+        [](MotorInUse &motor, const double) { motor.leave_modes_of_stator_alone(); }, false, true};
+
+    double with_damping(const CondensedMotor &motor)
+    {
+      constexpr double with_loss_factor = 1e-3;
+      return with_loss_factor / std::max(with_loss_factor, motor.dynamics.loss_factor);
+    }
+
     /** What modes of a level were found to be off by where neither a coarser mesh nor other
      * harmonics change the result, by chance, see effects.md; less where damping limits their
      * resonances. */
@@ -30,11 +41,23 @@ namespace ringmotor
       constexpr std::array<double, RotorVibration::finest_level + 1> of_speed{
           {1e-2, 1e-2, 8e-3, 4e-3}},
           of_loss{{5e-2, 3e-2, 1.5e-2, 7e-3}};
-      constexpr double with_loss_factor = 1e-3;
-      const double sharpness =
-          with_loss_factor / std::max(with_loss_factor, motor.dynamics.loss_factor);
+      const double sharpness = with_damping(motor);
       return shares_of(point, crest_speed, sharpness * of_speed[motor.modes_level],
                        sharpness * of_loss[motor.modes_level]);
+    }
+
+    /** The share of what inertia changes that modes of a level may miss. */
+    double least_share(const CondensedMotor &motor)
+    {
+      constexpr std::array<double, RotorVibration::finest_level + 1> of_change{
+          {0.2, 0.2, 0.1, 0.05}};
+      return with_damping(motor) * of_change[motor.modes_level];
+    }
+
+    /** Whether modes of the rotor are excited in its resonances. */
+    bool rotor_resonates(const CondensedMotor &motor)
+    {
+      return motor.has_modes_of(ModePart::rotor) && !motor.dynamics.is_hysteretic;
     }
 
     /** Vibrations of rotor and teeth: their mesh, and the harmonics left out. */
@@ -47,8 +70,11 @@ namespace ringmotor
       {
         if (!scene.motor().has_modes())
           return {};
-        return {scene.for_variations().with(coarse_modes),
-                scene.for_variations().with(other_harmonics)};
+        std::vector<Discretisation> needed{scene.for_variations().with(coarse_modes),
+                                           scene.for_variations().with(other_harmonics)};
+        if (rotor_resonates(scene.motor()))
+          needed.push_back(scene.for_variations().with(bodies_at_rest));
+        return needed;
       }
 
       PointError of(const PointRequest &request, const Discretisation &own,
@@ -66,8 +92,11 @@ namespace ringmotor
         PointError error               = of_mesh * scene.change_by(coarse_modes, request);
         error.add_independent(of_harmonics * change(coarse, other));
         const CondensedMotor &motor = scene.motor();
-        if (motor.has_modes_of(ModePart::rotor) && !motor.dynamics.is_hysteretic)
+        if (rotor_resonates(motor))
+        {
           error.raise(least_error(point, motor, scene.crest_speed(point)));
+          error.raise(least_share(motor) * scene.change_by(bodies_at_rest, request));
+        }
         return error.raise(least_of_power(point, error));
       }
     };

@@ -25,14 +25,8 @@ namespace ringmotor
       PointError step;
       step["teeth_in_contact_per_wave"] = static_cast<double>(motor.n_teeth) / motor.n_waves *
                                           point.fields.time_step / motor.period();
-      double largest = 0., whole = 0.;
-      for (const PointVector &force : point.fields.state.force)
-      {
-        largest = std::max(largest, force[0]);
-        whole += force[0];
-      }
       for (const char *const fraction : {"stick_fraction", "second_stick_fraction"})
-        step[fraction] = whole > 0. ? largest / whole : 0.;
+        step[fraction] = point.largest_share;
       return step;
     }
 
