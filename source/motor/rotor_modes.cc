@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <deal.II/base/mpi.h>
-
 #include <ringmotor/motor/motor_model.h>
 #include <ringmotor/motor/rotor_loss.h>
 #include <ringmotor/motor/rotor_modes.h>
@@ -131,17 +129,16 @@ namespace ringmotor
         modes[diameter.first] = known->on_lip.at(diameter);
       else
         missing.push_back(diameter.first);
-    std::vector<std::function<std::vector<LipMode>()>> tasks;
-    for (const unsigned int k : missing)
-      tasks.emplace_back(
-          [&, k]
-          {
-            std::vector<LipMode> on_the_lip;
-            for (const Mode &mode : solver.modes(k))
-              on_the_lip.push_back(on_lip(solver.body, mode, gives_way_along));
-            return on_the_lip;
-          });
-    const std::vector<std::vector<LipMode>> found = shared_work(tasks, communicator);
+    const auto found = shared_work(
+        missing,
+        [&](const unsigned int k)
+        {
+          std::vector<LipMode> on_the_lip;
+          for (const Mode &mode : solver.modes(k))
+            on_the_lip.push_back(on_lip(solver.body, mode, gives_way_along));
+          return on_the_lip;
+        },
+        communicator);
     for (std::size_t i = 0; i < missing.size(); ++i)
       modes[missing[i]] = found[i];
     if (known)
@@ -222,15 +219,13 @@ namespace ringmotor
 
   void RotorVibration::prepare(const unsigned int modes_level, const ModeSets sets) const
   {
-    const VibrationSetting own = setting(modes_level);
-    for (auto &[mesh, on_mesh] : known_by_mesh)
-      if (mesh != own.mesh && mesh != 0)
+    const std::vector<VibrationSetting> all = settings(modes_level, sets);
+    for (auto &[mesh, on_mesh] : results->by_mesh)
+      if (mesh != all.front().mesh && mesh != 0)
         on_mesh.whole.clear();
-    for (const Part &part : parts(own))
-      modes_of(part, parameters.output.vtu);
-    for (const VibrationSetting &each : settings(modes_level, sets))
+    for (const VibrationSetting &each : all)
       for (const Part &part : parts(each))
-        modes_of(part);
+        modes_of(part, parameters.output.vtu && &each == &all.front());
   }
 
   const LipModes &RotorVibration::of_harmonics(const unsigned int n_harmonics,
@@ -241,9 +236,9 @@ namespace ringmotor
 
   double RotorVibration::loss_factor() const
   {
-    if (!known_loss_factor)
-      known_loss_factor = rotor_loss_factor(parameters);
-    return *known_loss_factor;
+    if (!results->loss_factor)
+      results->loss_factor = rotor_loss_factor(parameters);
+    return *results->loss_factor;
   }
 
   std::vector<RotorVibration::Part> RotorVibration::parts(const VibrationSetting &setting) const
@@ -274,18 +269,19 @@ namespace ringmotor
     std::vector<std::unique_ptr<RotorModeSolver>> solvers;
     for (const auto &[mesh, n_harmonics, range] : parts(setting))
       solvers.push_back(std::make_unique<RotorModeSolver>(parameters, mesh, frequency, n_harmonics,
-                                                          range, &known_by_mesh[mesh].whole));
+                                                          range, &results->by_mesh[mesh].whole));
     return solvers;
   }
 
   const LipModes &RotorVibration::modes_of(const Part &part, const bool keeps_whole) const
   {
     const auto &[mesh, n_harmonics, range] = part;
-    std::shared_ptr<const LipModes> &modes = known[{mesh, range.first, range.last, n_harmonics}];
+    std::unique_ptr<const LipModes> &modes =
+        results->modes[{mesh, range.first, range.last, n_harmonics}];
     if (!modes)
       modes =
-          std::make_shared<const LipModes>(parameters, mesh, frequency, n_harmonics, communicator,
-                                           range, &known_by_mesh[mesh], keeps_whole);
+          std::make_unique<const LipModes>(parameters, mesh, frequency, n_harmonics, communicator,
+                                           range, &results->by_mesh[mesh], keeps_whole);
     return *modes;
   }
 } // namespace ringmotor

@@ -216,17 +216,19 @@ namespace ringmotor
       harmonics[0]; // the mean forces
     StatorModeSolver solver(body, materials_of(parameters));
     std::vector<unsigned int> diameters;
-    std::vector<std::function<std::vector<RingMode>()>> tasks;
     for (const auto &[k, of_diameter] : harmonics)
       if (k >= body.least_diameter())
-      {
-        std::vector<double> frequencies;
-        for (const unsigned int harmonic : of_diameter)
-          frequencies.push_back(harmonic * wave.angular_frequency);
         diameters.push_back(k);
-        tasks.emplace_back([&solver, k = k, frequencies] { return solver.modes(k, frequencies); });
-      }
-    const std::vector<std::vector<RingMode>> found = shared_work(tasks, communicator);
+    const auto found = shared_work(
+        diameters,
+        [&](const unsigned int k)
+        {
+          std::vector<double> frequencies;
+          for (const unsigned int harmonic : harmonics.at(k))
+            frequencies.push_back(harmonic * wave.angular_frequency);
+          return solver.modes(k, frequencies);
+        },
+        communicator);
     for (std::size_t i = 0; i < diameters.size(); ++i)
       modes[diameters[i]] = found[i];
     of_wave = take_driven(modes.at(nodal_diameter_of_harmonic(parameters.motor, 1)), top, wave);

@@ -35,24 +35,21 @@ namespace ringmotor
     std::vector<std::vector<CurvePoint>> points_if_found(const std::vector<Wanted> &all,
                                                          const MPI_Comm ranks)
     {
-      std::vector<std::function<std::vector<CurvePoint>()>> tasks;
-      for (const Wanted &one : all)
-        tasks.emplace_back(
-            [&one]() -> std::vector<CurvePoint>
-            {
-              const auto &[of, request, start] = one;
-              try
-              {
-                return {OperatingPointFinder(of.parameters, of.motor).find(request, start)};
-              }
-              catch (const ComputationError &)
-              {
-                if (of.has_effect)
-                  return {};
-                throw;
-              }
-            });
-      return shared_work(tasks, ranks);
+      const auto found = [](const Wanted &one) -> std::vector<CurvePoint>
+      {
+        const auto &[of, request, start] = one;
+        try
+        {
+          return {OperatingPointFinder(of.parameters, of.motor).find(request, start)};
+        }
+        catch (const ComputationError &)
+        {
+          if (of.has_effect)
+            return {};
+          throw;
+        }
+      };
+      return shared_work(all, found, ranks);
     }
   } // namespace
 
@@ -72,13 +69,14 @@ namespace ringmotor
       parameters.time.n_snapshots = effect.n_snapshots_to_measure();
     }
     vibration.prepare(motor_model(with.parameters), modes_level, ModeSets::own); // by all ranks
-    const auto condensed = [&](const Compared &each)
-    {
-      return condense_motor(each.parameters, wave, ContactDiscretisation::level(0), modes_level,
-                            &vibration, ModeSets::own);
-    };
-    std::vector<CondensedMotor> motors = shared_work<CondensedMotor>(
-        {[&] { return condensed(with); }, [&] { return condensed(without); }}, communicator);
+    std::vector<CondensedMotor> motors = shared_work(
+        std::vector<const Compared *>{&with, &without},
+        [&](const Compared *each)
+        {
+          return condense_motor(each->parameters, wave, ContactDiscretisation::level(0),
+                                modes_level, &vibration, ModeSets::own);
+        },
+        communicator);
     with.motor    = std::move(motors[0]);
     without.motor = std::move(motors[1]);
 
@@ -93,16 +91,18 @@ namespace ringmotor
     if (ends[0].empty() || ends[1].empty())
       return effect_on;
     const CurvePoint &at_stall = ends[2].front(), &at_no_load = ends[3].front();
-    const Control control = all_parameters.loading.control;
-    const PointRequest middle{control, 0.5 * (control == Control::speed ? at_no_load.result.speed
-                                                                        : at_stall.result.torque)};
-    const auto middles = points_if_found(
-        {{with, middle, &ends[1].front()}, {without, middle, &at_no_load}}, communicator);
-    if (middles[0].empty())
+    const PointRequest half_load{Control::torque, 0.5 * at_stall.result.torque};
+    const auto before = points_if_found({{without, half_load, &at_no_load}}, communicator).front();
+    const CurvePoint &middle = before.front();
+    const bool is_of_speed   = all_parameters.loading.control == Control::speed;
+    const PointRequest same =
+        is_of_speed ? PointRequest{Control::speed, middle.result.speed} : half_load;
+    const auto after = points_if_found({{with, same, &ends[1].front()}}, communicator).front();
+    if (after.empty())
       return effect_on;
     effect_on.change.raise(change(at_stall, ends[0].front()));
     effect_on.change.raise(change(at_no_load, ends[1].front()));
-    effect_on.change.raise(change(middles[1].front(), middles[0].front()));
+    effect_on.change.raise(change(middle, after.front()));
     effect_on.relative = std::max(effect_on.change["speed"] / at_no_load.result.speed,
                                   effect_on.change["torque"] / at_stall.result.torque);
     return effect_on;

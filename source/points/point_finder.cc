@@ -215,22 +215,30 @@ namespace ringmotor
       std::size_t job, first, last; ///< without the last one
     };
 
-    /** Enough blocks for all ranks to have work until the end, but not much shorter than it takes
-     * for neighbours to be the better starts. */
-    std::vector<Block> blocks_of(const std::vector<PointJob> &jobs, const std::size_t n_ranks)
+    /** Enough blocks of a job for all ranks to have work until the end, but not much shorter than
+     * it takes for neighbours to be the better starts. */
+    std::size_t n_blocks_of(const PointJob &job, const std::size_t n_jobs,
+                            const std::size_t n_ranks)
     {
       constexpr std::size_t blocks_per_rank = 4, good_length = 3;
+      if (n_ranks == 1)
+        return 1;
       const auto ratio = [](const std::size_t a, const std::size_t b) { return (a + b - 1) / b; };
+      const std::size_t n = job.requests.size(), one_per_rank = ratio(n_ranks, n_jobs);
+      if (job.starts.empty()) // each block would begin from rest
+        return std::min(n, one_per_rank);
+      const std::size_t good =
+          std::min(ratio(n, good_length), ratio(blocks_per_rank * n_ranks, n_jobs));
+      return std::min(n, std::max(one_per_rank, good));
+    }
+
+    std::vector<Block> blocks_of(const std::vector<PointJob> &jobs, const std::size_t n_ranks)
+    {
       std::vector<Block> blocks;
       for (std::size_t job = 0; job < jobs.size(); ++job)
       {
-        const std::size_t n     = jobs[job].requests.size(),
-                          least = ratio(n_ranks, jobs.size()), // for each rank to have work at all
-            good = std::min(ratio(n, good_length), ratio(blocks_per_rank * n_ranks, jobs.size())),
-                          n_blocks = n_ranks == 1 ? 1
-                                                  : std::min(n, jobs[job].starts.empty()
-                                                                    ? least
-                                                                    : std::max(least, good));
+        const std::size_t n        = jobs[job].requests.size(),
+                          n_blocks = n_blocks_of(jobs[job], jobs.size(), n_ranks);
         for (std::size_t block = 0; block < n_blocks; ++block)
           blocks.push_back({job, block * n / n_blocks, (block + 1) * n / n_blocks});
       }
@@ -268,11 +276,10 @@ namespace ringmotor
   {
     const std::vector<Block> blocks =
         blocks_of(jobs, dealii::Utilities::MPI::n_mpi_processes(communicator));
-    std::vector<std::function<std::vector<CurvePoint>()>> tasks;
-    for (const Block &block : blocks)
-      tasks.emplace_back([&, block] { return points_of(jobs[block.job], block, progress); });
-    std::vector<std::vector<CurvePoint>> of_blocks = shared_work(tasks, communicator),
-                                         points(jobs.size());
+    std::vector<std::vector<CurvePoint>> points(jobs.size()),
+        of_blocks = shared_work(
+            blocks, [&](const Block &block) { return points_of(jobs[block.job], block, progress); },
+            communicator);
     for (std::size_t i = 0; i < blocks.size(); ++i)
       std::move(of_blocks[i].begin(), of_blocks[i].end(),
                 std::back_inserter(points[blocks[i].job]));

@@ -58,19 +58,18 @@ namespace ringmotor
       progress.enter("vibrations of the bodies");
       vibration.prepare(motor_model(parameters), modes_level);
     }
-    std::vector<std::function<TimedMotor()>> tasks;
-    for (const unsigned int level : levels)
-      tasks.emplace_back(
-          [this, level, modes_level]
-          {
-            progress.enter("condensation, interface mesh " + std::to_string(level));
-            dealii::Timer timer;
-            TimedMotor motor{condense_motor(parameters, wave, ContactDiscretisation::level(level),
-                                            modes_level, &vibration)};
-            motor.seconds = timer.wall_time();
-            return motor;
-          });
-    std::vector<TimedMotor> motors = shared_work(tasks, communicator);
+    std::vector<TimedMotor> motors = shared_work(
+        levels,
+        [&](const unsigned int level)
+        {
+          progress.enter("condensation, interface mesh " + std::to_string(level));
+          dealii::Timer timer;
+          TimedMotor motor{condense_motor(parameters, wave, ContactDiscretisation::level(level),
+                                          modes_level, &vibration)};
+          motor.seconds = timer.wall_time();
+          return motor;
+        },
+        communicator);
     progress.leave();
     return motors;
   }

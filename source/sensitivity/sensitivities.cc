@@ -111,17 +111,16 @@ namespace ringmotor
                                          const std::function<void(double)> &after_entry)
   {
     const std::vector<MotorEntry> entries = motor_entries(motors.parameters());
-    std::vector<std::function<Found()>> tasks;
-    for (std::size_t i = 0; i < entries.size(); ++i)
-      tasks.emplace_back(
-          [&, i]
-          {
-            Found found = find(motors, entries[i], step);
-            if (after_entry)
-              after_entry((i + 1.) / entries.size());
-            return found;
-          });
-    const std::vector<Found> found = shared_work(tasks, ranks);
+    const std::vector<Found> found        = shared_work(
+               entries,
+               [&](const MotorEntry &entry)
+               {
+          Found found = find(motors, entry, step);
+          if (after_entry)
+            after_entry((&entry - entries.data() + 1.) / entries.size());
+          return found;
+        },
+               ranks);
     std::vector<Sensitivity> all;
     for (std::size_t i = 0; i < entries.size(); ++i)
     {

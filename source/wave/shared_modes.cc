@@ -51,9 +51,9 @@ namespace ringmotor
                                           MPI_Comm ranks)
   {
     std::vector<unsigned int> share;
-    for (std::size_t i = Utilities::MPI::this_mpi_process(ranks); i < nodal_diameters.size();
-         i += Utilities::MPI::n_mpi_processes(ranks))
-      share.push_back(nodal_diameters[i]);
+    for (std::size_t i = 0; i < nodal_diameters.size(); ++i)
+      if (is_my_turn(i, ranks))
+        share.push_back(nodal_diameters[i]);
     return share;
   }
 

@@ -16,7 +16,6 @@
 
 #include <cmath>
 #include <ctime>
-#include <functional>
 
 using namespace ringmotor;
 using namespace ringmotor::tests;
@@ -48,23 +47,22 @@ TEST(SharedWorkRanks, CarriesOutEachTaskOnce)
   constexpr unsigned int n_tasks   = 23;
   const SharedSeconds before       = SharedSeconds::so_far();
   unsigned int n_carried_out_by_me = 0;
-  std::vector<std::function<std::vector<unsigned int>()>> tasks;
+  std::vector<unsigned int> items;
   for (unsigned int i = 0; i < n_tasks; ++i)
-    tasks.emplace_back(
-        [&, i]
-        {
-          ++n_carried_out_by_me;
-          for (const std::clock_t begin = std::clock();
-               std::clock() - begin < CLOCKS_PER_SEC / 500;)
-            ;
-          return std::vector<unsigned int>(i + 1, i * i);
-        });
-  const std::vector<std::vector<unsigned int>> results = shared_work(tasks, MPI_COMM_WORLD);
+    items.push_back(i);
+  const auto work = [&](const unsigned int i)
+  {
+    ++n_carried_out_by_me;
+    for (const std::clock_t begin = std::clock(); std::clock() - begin < CLOCKS_PER_SEC / 500;)
+      ;
+    return std::vector<unsigned int>(i + 1, i * i);
+  };
+  const std::vector<std::vector<unsigned int>> results = shared_work(items, work, MPI_COMM_WORLD);
   ASSERT_EQ(results.size(), n_tasks);
   for (unsigned int i = 0; i < n_tasks; ++i)
     EXPECT_EQ(results[i], std::vector<unsigned int>(i + 1, i * i));
   EXPECT_EQ(sum(n_carried_out_by_me, MPI_COMM_WORLD), n_tasks);
-  EXPECT_TRUE(shared_work<int>({}, MPI_COMM_WORLD).empty());
+  EXPECT_TRUE(shared_work(std::vector<unsigned int>(), work, MPI_COMM_WORLD).empty());
   if (n_mpi_processes(MPI_COMM_WORLD) == 1)
     return;
   const SharedSeconds &after = SharedSeconds::so_far();

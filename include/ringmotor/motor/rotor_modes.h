@@ -213,11 +213,16 @@ namespace ringmotor
     double frequency;
     bool moves_as_a_whole;
     MPI_Comm communicator;
-    /** By mesh, range of nodal diameters, number of harmonics. */
-    mutable std::map<std::tuple<unsigned int, unsigned int, unsigned int, unsigned int>,
-                     std::shared_ptr<const LipModes>>
-        known;
-    mutable std::map<unsigned int, LipModes::Known> known_by_mesh;
-    mutable std::optional<double> known_loss_factor;
+    /** What has been computed. */
+    struct Results
+    {
+      /** By mesh, range of nodal diameters, number of harmonics. */
+      std::map<std::tuple<unsigned int, unsigned int, unsigned int, unsigned int>,
+               std::unique_ptr<const LipModes>>
+          modes;
+      std::map<unsigned int, LipModes::Known> by_mesh;
+      std::optional<double> loss_factor;
+    };
+    std::shared_ptr<Results> results = std::make_shared<Results>(); ///< shared by copies
   };
 } // namespace ringmotor

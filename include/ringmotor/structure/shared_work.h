@@ -3,7 +3,7 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <functional>
+#include <type_traits>
 #include <vector>
 
 // Work shared by ranks. Utilities::MPI::all_gather() would compress what it sends, which takes
@@ -65,23 +65,22 @@ namespace ringmotor
   };
 
   /**
-   * The results of all tasks, each of which one of the ranks carries out, on every rank. A rank
-   * takes the next task when it has finished one: long tasks should come first.
-   * Collective: all ranks must have the same tasks, none of which may communicate.
-   * @param Result can be serialised with Boost
+   * What @p work gives for each of some items, each of which one of the ranks works on, on every
+   * rank. A rank takes the next item when it has finished one: those that take long should come
+   * first. Collective: all ranks must have the same items, and @p work must not communicate.
+   * @param work `Result work(const Item &)`; results can be serialised with Boost
    */
-  template <typename Result>
-  std::vector<Result> shared_work(const std::vector<std::function<Result()>> &tasks,
-                                  const MPI_Comm ranks)
+  template <typename Item, typename Work>
+  auto shared_work(const std::vector<Item> &items, const Work &work, const MPI_Comm ranks)
   {
-    std::vector<Result> results(tasks.size());
-    TaskQueue queue(tasks.size(), ranks);
-    for (std::size_t task; queue.take(task);)
-      results[task] = tasks[task]();
+    std::vector<std::invoke_result_t<Work, const Item &>> results(items.size());
+    TaskQueue queue(items.size(), ranks);
+    for (std::size_t i; queue.take(i);)
+      results[i] = work(items[i]);
     const std::vector<unsigned int> taker = queue.finish();
     if (dealii::Utilities::MPI::n_mpi_processes(ranks) > 1) // nothing to be packed otherwise
-      for (std::size_t task = 0; task < tasks.size(); ++task)
-        results[task] = dealii::Utilities::MPI::broadcast(ranks, results[task], taker[task]);
+      for (std::size_t i = 0; i < items.size(); ++i)
+        results[i] = dealii::Utilities::MPI::broadcast(ranks, results[i], taker[i]);
     return results;
   }
 } // namespace ringmotor
