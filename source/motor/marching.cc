@@ -72,7 +72,6 @@ namespace ringmotor
     StepEnd begin = history.predict(length);
     if (load.torque)
       begin.state.rigid.push_back(begin.speed * length);
-    RowSolver solver;
     ContactSolution solution =
         solve_contact(*contact, law, motor.constants, begin.state, begin.motion, solver);
     while (lose_static_limits(solution, limits))

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/motor_model.h>
 #include <ringmotor/parameters/accuracy_budget.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/parameters/short_text.h>
@@ -13,11 +14,17 @@ namespace ringmotor
 {
   using namespace dealii;
 
-  const std::vector<double> &shares_for_shape()
+  namespace
   {
-    static const std::vector<double> shares{0., 0.3, 0.6, 0.8, 0.9, 0.97};
-    return shares;
-  }
+    /** Fractions of the stall torque at which the shape of a curve is sampled first: fewer of a
+     * marched motor, whose points are dear. */
+    std::vector<double> shares_for_shape(const bool is_marched)
+    {
+      if (is_marched)
+        return {0., 0.6, 0.9};
+      return {0., 0.3, 0.6, 0.8, 0.9, 0.97};
+    }
+  } // namespace
 
   std::vector<PointRequest> points_along_curve(const std::vector<CurvePoint> &shape,
                                                const unsigned int n_points)
@@ -168,7 +175,7 @@ namespace ringmotor
       return {{Control::torque, 0.}, {Control::speed, 0.}};
     table.begin_with(first, outline);
     std::vector<PointRequest> rising;
-    for (const double share : shares_for_shape())
+    for (const double share : shares_for_shape(is_marched(parameters)))
       rising.push_back({Control::torque, share * stall_torque});
     table.fill({{first, rising}});
     outline.clear();

@@ -63,7 +63,7 @@ namespace ringmotor
           "; run the program stator with these parameters (and Accuracy/Mode = adaptive) first");
     scene.level = is_fixed ? accuracy.interface_refinement : 1;
     table.condense({scene.level, ErrorScene::compared_with(scene.level)}, scene.modes_level);
-    requests = std::make_unique<const CurveRequests>(parameters, table, scene.plain());
+    requests = std::make_unique<const CurveRequests>(parameters, table, for_first_curve());
     errors   = std::make_unique<const HeldErrors>(parameters, *requests, scene);
     for (const PointRequest &request : requests->all())
       n_parts[request] = steps.first_parts();
@@ -81,6 +81,13 @@ namespace ringmotor
       else if (powers_balance())
         return;
     }
+  }
+
+  Discretisation CurveSearch::for_first_curve() const
+  {
+    // Given torques are compared with stall, which therefore has to be known well.
+    const bool is_listed = !parameters.loading.values.empty();
+    return is_marched(parameters) && !is_listed ? scene.for_variations() : scene.plain();
   }
 
   void CurveSearch::refine_meshes()
@@ -252,7 +259,7 @@ namespace ringmotor
   {
     const PointRequest middle = requests->all()[(requests->all().size() - 1) / 2];
     // Differences do not need steps so short that powers balance.
-    const Discretisation plain = scene.plain();
+    const Discretisation plain = scene.for_variations();
     const CurvePoint &before   = table.at(plain, middle);
     const auto signed_change   = [&](const CurvePoint &from, const CurvePoint &to)
     {
@@ -263,6 +270,6 @@ namespace ringmotor
             signed_change(before, table.at(plain.with(dynamic_friction_alone), middle)),
             signed_change(before, table.at(plain.with(plain.steps.halved()), middle)),
             signed_change(table.at(scene.plain(ErrorScene::compared_with(scene.level)), middle),
-                          before)};
+                          table.at(scene.plain(), middle))};
   }
 } // namespace ringmotor

@@ -49,6 +49,7 @@ namespace ringmotor
     std::shared_ptr<const BlockCompliance> compliance; ///< with modes, in steps of #step_length
     double step_length = 0.;
     StepHistory history;
+    RowSolver solver;                   ///< its factors serve several steps
     std::vector<PointVector> positions; ///< at the end of the last step
     std::vector<FrictionMemory> memory;
   };

@@ -8,9 +8,6 @@
 
 namespace ringmotor
 {
-  /** Fractions of the stall torque at which the shape of a curve is sampled first. */
-  const std::vector<double> &shares_for_shape();
-
   /**
    * Where a torque-speed curve is computed: at equal distances along it, in a plane of torque over
    * stall torque and 0.4 times speed over no-load speed, so that steep parts also get points. A

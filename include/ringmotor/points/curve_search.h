@@ -67,6 +67,9 @@ namespace ringmotor
   private:
     /** Finds all points, those of a marched motor perhaps without their fields. */
     void search();
+    /** That of the curve which shows where points are wanted. Of a marched motor, from whose points
+     * nothing starts, it is the cheap one for variations. */
+    Discretisation for_first_curve() const;
     /** Refines the meshes while their error alone is too large. */
     void refine_meshes();
     /** The requests by the discretisation in which their results are given. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/motor/motor_model.h>
 #include <ringmotor/parameters/part_list.h>
 #include <ringmotor/points/effect_on_points.h>
 #include <ringmotor/points/point_table.h>
@@ -46,10 +47,10 @@ namespace ringmotor
     }
     Discretisation plain() const { return plain(level); }
     /** That in which motors are varied: what this changes depends little on the mesh. On the last
-     * mesh but one, from mesh 2 on. */
+     * mesh but one, from mesh 2 on; of a marched motor, whose points are dear, from mesh 1 on. */
     Discretisation for_variations() const
     {
-      return plain(level > 1 ? compared_with(level) : level);
+      return plain(level > (is_marched(parameters) ? 0 : 1) ? compared_with(level) : level);
     }
     const CondensedMotor &motor() const { return table.motor(level, modes_level); }
     /** The speed (rad/s) of the crests of the wave at a point. */

@@ -3,6 +3,7 @@
 #include <ringmotor/contact/solve/chain_of_blocks.h>
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 namespace ringmotor
@@ -10,38 +11,48 @@ namespace ringmotor
   using namespace dealii;
 
   ChainOfBlocks::ChainOfBlocks(const ContactRows &rows)
-      : rows(rows), problem(rows.contact_problem())
+      : touching(rows.touching_points()), unknowns(rows.unknowns()), n_rigid(rows.n_rigid()),
+        balances(n_rigid, rows.n_of_nodes())
   {
-    find_blocks();
-    choose_shapes();
-    make_kernel();
-    cut_chains();
-    n_small = n_far + n_cuts + rows.n_rigid();
+    for (unsigned int r = 0; r < n_rigid; ++r)
+      for (unsigned int i = 0; i < rows.n_of_nodes(); ++i)
+        balances(r, i) = rows.balance_of(r, i);
+    find_blocks(rows);
+    choose_shapes(rows);
+    make_kernel(rows.contact_problem().structure());
+    cut_chains(rows);
+    n_small = n_far + n_cuts + n_rigid;
     for (Block &block : blocks)
     {
-      block.own = near_matrix(block, block);
+      block.own = near_matrix(rows, block, block);
       if (!factorise(block.own))
         return;
-      share_columns(block);
+      share_columns(rows, block);
     }
-    make_small_system();
+    make_small_system(rows);
     regular = n_small == 0 || factorise(small);
   }
 
-  void ChainOfBlocks::find_blocks()
+  bool ChainOfBlocks::fit(const ContactRows &rows) const
   {
-    std::vector<unsigned int> place(problem.structure().n_blocks(), none);
+    return touching == rows.touching_points() && unknowns == rows.unknowns();
+  }
+
+  void ChainOfBlocks::find_blocks(const ContactRows &rows)
+  {
+    const BlockStructure &structure = rows.contact_problem().structure();
+    std::vector<unsigned int> place(structure.n_blocks(), none);
     for (const unsigned int unknown : rows.unknowns())
     {
       if (unknown >= rows.n_of_nodes())
         break;
-      const unsigned int number = problem.structure().block_of_point(rows.point_of(unknown));
+      const unsigned int number = structure.block_of_point(rows.point_of(unknown));
       if (place[number] == none)
       {
         place[number] = blocks.size();
         blocks.emplace_back();
         blocks.back().number = number;
-        blocks.back().before = problem.structure().block_before(number);
+        blocks.back().before = structure.block_before(number);
       }
       Block &block                  = blocks[place[number]];
       const Tensor<1, 3> &by_motion = rows.by_motion(unknown);
@@ -62,13 +73,17 @@ namespace ringmotor
     felt.erase(std::unique(felt.begin(), felt.end()), felt.end());
   }
 
-  void ChainOfBlocks::choose_shapes()
+  void ChainOfBlocks::choose_shapes(const ContactRows &rows)
   {
-    // The first shapes are the most significant. With three the Krylov method takes some 40 steps,
-    // with eight 10.
-    constexpr unsigned int fewest = 3, affordable = 1500;
-    n_shapes = std::min<unsigned int>(problem.structure().n_far_shapes(),
-                                      std::max<unsigned int>(fewest, affordable / felt.size()));
+    const BlockStructure &structure = rows.contact_problem().structure();
+    // The first shapes are the most significant. With three the Krylov method takes some 40 steps
+    // along chains, with eight 10; without chains six do as well as more.
+    constexpr unsigned int fewest = 3, affordable = 1500, without_chains = 6;
+    const bool has_chains = std::any_of(blocks.begin(), blocks.end(),
+                                        [](const Block &block) { return block.before != none; });
+    const unsigned int wanted =
+        has_chains ? std::max<unsigned int>(fewest, affordable / felt.size()) : without_chains;
+    n_shapes = std::min(structure.n_far_shapes(), wanted);
     n_far    = n_shapes * felt.size();
     for (Block &block : blocks)
     {
@@ -80,7 +95,7 @@ namespace ringmotor
           for (unsigned int s = 0; s < n_shapes; ++s)
           {
             const unsigned int unknown = block.unknowns[i];
-            const double shape = problem.structure().far_shape(rows.point_of(unknown), c, s);
+            const double shape         = structure.far_shape(rows.point_of(unknown), c, s);
             if (c == unknown % 3)
               block.shapes(i, s) = shape;
             block.by_motion(i, s) += rows.by_motion(unknown)[c] * shape;
@@ -90,19 +105,18 @@ namespace ringmotor
     }
   }
 
-  void ChainOfBlocks::make_kernel()
+  void ChainOfBlocks::make_kernel(const BlockStructure &structure)
   {
     kernel.reinit(n_far, n_shapes * blocks.size());
     for (unsigned int b = 0; b < blocks.size() && n_shapes > 0; ++b)
       for (unsigned int g = 0; g < felt.size(); ++g)
-        if (const FullMatrix<double> *of_pair =
-                problem.structure().far_kernel(felt[g], blocks[b].number))
+        if (const FullMatrix<double> *of_pair = structure.far_kernel(felt[g], blocks[b].number))
           for (unsigned int s = 0; s < n_shapes; ++s)
             for (unsigned int t = 0; t < n_shapes; ++t)
               kernel(n_shapes * g + s, n_shapes * b + t) = (*of_pair)(s, t);
   }
 
-  void ChainOfBlocks::cut_chains()
+  void ChainOfBlocks::cut_chains(const ContactRows &rows)
   {
     std::vector<unsigned int> after(blocks.size(), none);
     for (unsigned int b = 0; b < blocks.size(); ++b)
@@ -136,7 +150,7 @@ namespace ringmotor
       if (block.place_before != none)
       {
         const Block &before                   = blocks[block.place_before];
-        const LAPACKFullMatrix<double> matrix = near_matrix(block, before);
+        const LAPACKFullMatrix<double> matrix = near_matrix(rows, block, before);
         block.by_before.reinit(block.slips.size(), before.unknowns.size());
         for (unsigned int i = 0; i < block.slips.size(); ++i)
           for (unsigned int j = 0; j < before.unknowns.size(); ++j)
@@ -144,13 +158,15 @@ namespace ringmotor
       }
   }
 
-  LAPACKFullMatrix<double> ChainOfBlocks::near_matrix(const Block &block, const Block &loaded) const
+  LAPACKFullMatrix<double> ChainOfBlocks::near_matrix(const ContactRows &rows, const Block &block,
+                                                      const Block &loaded) const
   {
     LAPACKFullMatrix<double> matrix = rows.matrix_of(block.unknowns, loaded.unknowns);
     const auto add =
         [&](const LAPACKFullMatrix<double> &motions, const unsigned int moved, const double factor)
     {
-      const FullMatrix<double> *of_pair = problem.structure().far_kernel(moved, loaded.number);
+      const FullMatrix<double> *of_pair =
+          rows.contact_problem().structure().far_kernel(moved, loaded.number);
       if (!of_pair || n_shapes == 0)
         return;
       FullMatrix<double> first_shapes(n_shapes, n_shapes);
@@ -168,7 +184,7 @@ namespace ringmotor
     return matrix;
   }
 
-  void ChainOfBlocks::share_columns(Block &block) const
+  void ChainOfBlocks::share_columns(const ContactRows &rows, Block &block) const
   {
     const unsigned int n = block.unknowns.size();
     std::vector<Vector<double>> columns;
@@ -200,7 +216,7 @@ namespace ringmotor
         add(n_far + block.first_cut + i, column);
       }
     const LAPACKFullMatrix<double> by_rigid = rows.matrix_of(block.unknowns, rows.rigid_unknowns());
-    for (unsigned int r = 0; r < rows.n_rigid(); ++r)
+    for (unsigned int r = 0; r < n_rigid; ++r)
     {
       Vector<double> column(n);
       for (unsigned int i = 0; i < n; ++i)
@@ -236,50 +252,62 @@ namespace ringmotor
     return forces;
   }
 
-  void ChainOfBlocks::make_small_system()
+  void ChainOfBlocks::make_small_system(const ContactRows &rows)
   {
     small.reinit(n_small);
-    LAPACKFullMatrix<double> far_forces(kernel.n(), n_small), far_motion(n_far, n_small);
-    LAPACKFullMatrix<double> forces; // of the last block, by columns of the small system
-    std::vector<unsigned int> columns, place_of(n_small, none);
-    for (const unsigned int b : order)
+    for (auto begin = order.begin(); begin != order.end();)
     {
-      const Block &block = blocks[b];
-      if (!block.continues_chain())
-      {
-        for (const unsigned int column : columns)
-          place_of[column] = none;
-        columns.clear();
-      }
-      for (const unsigned int column : block.shared)
+      const auto end =
+          std::find_if(std::next(begin), order.end(),
+                       [&](const unsigned int b) { return !blocks[b].continues_chain(); });
+      add_chain({begin, end});
+      begin = end;
+    }
+    for (unsigned int i = 0; i < n_far + n_cuts; ++i)
+      small(i, i) += 1.;
+    const LAPACKFullMatrix<double> of_rigid =
+        rows.matrix_of(rows.rigid_unknowns(), rows.rigid_unknowns());
+    for (unsigned int r = 0; r < n_rigid; ++r)
+      for (unsigned int s = 0; s < n_rigid; ++s)
+        small(n_far + n_cuts + r, n_far + n_cuts + s) += of_rigid(r, s);
+  }
+
+  void ChainOfBlocks::add_chain(const std::vector<unsigned int> &chain)
+  {
+    std::vector<unsigned int> columns, n_columns, place_of(n_small, none); // of the small system
+    for (const unsigned int b : chain)
+    {
+      for (const unsigned int column : blocks[b].shared)
         if (place_of[column] == none)
         {
           place_of[column] = columns.size();
           columns.push_back(column);
         }
-      forces = forces_by_shared(block, forces, place_of, columns.size());
+      n_columns.push_back(columns.size());
+    }
+    LAPACKFullMatrix<double> far_forces(n_shapes * chain.size(), columns.size()),
+        far_kernel(n_far, n_shapes * chain.size()), far_motion(n_far, columns.size()), forces;
+    for (unsigned int place = 0; place < chain.size(); ++place)
+    {
+      const Block &block = blocks[chain[place]];
+      forces             = forces_by_shared(block, forces, place_of, n_columns[place]);
+      add_handed_on(chain[place], forces, columns, small);
+      LAPACKFullMatrix<double> of_shapes(n_shapes, n_columns[place]);
       if (n_shapes > 0)
-      {
-        LAPACKFullMatrix<double> of_shapes(n_shapes, columns.size());
         block.shapes.Tmmult(of_shapes, forces);
-        for (unsigned int j = 0; j < columns.size(); ++j)
-          for (unsigned int s = 0; s < n_shapes; ++s)
-            far_forces(n_shapes * b + s, columns[j]) = of_shapes(s, j);
+      for (unsigned int s = 0; s < n_shapes; ++s)
+      {
+        for (unsigned int j = 0; j < n_columns[place]; ++j)
+          far_forces(n_shapes * place + s, j) = of_shapes(s, j);
+        for (unsigned int i = 0; i < n_far; ++i)
+          far_kernel(i, n_shapes * place + s) = kernel(i, n_shapes * chain[place] + s);
       }
-      add_handed_on(b, forces, columns, small);
     }
     if (n_far > 0)
-      kernel.mmult(far_motion, far_forces);
-    for (unsigned int j = 0; j < n_small; ++j)
+      far_kernel.mmult(far_motion, far_forces);
+    for (unsigned int j = 0; j < columns.size(); ++j)
       for (unsigned int i = 0; i < n_far; ++i)
-        small(i, j) -= far_motion(i, j);
-    for (unsigned int i = 0; i < n_far + n_cuts; ++i)
-      small(i, i) += 1.;
-    const LAPACKFullMatrix<double> of_rigid =
-        rows.matrix_of(rows.rigid_unknowns(), rows.rigid_unknowns());
-    for (unsigned int r = 0; r < rows.n_rigid(); ++r)
-      for (unsigned int s = 0; s < rows.n_rigid(); ++s)
-        small(n_far + n_cuts + r, n_far + n_cuts + s) += of_rigid(r, s);
+        small(i, columns[j]) -= far_motion(i, j);
   }
 
   void ChainOfBlocks::add_handed_on(const unsigned int place,
@@ -290,16 +318,16 @@ namespace ringmotor
     for (const unsigned int cut : cuts)
       if (const Block &after = blocks[cut]; after.place_before == place)
         for (unsigned int k = 0; k < after.slips.size(); ++k)
-          for (unsigned int j = 0; j < columns.size(); ++j)
+          for (unsigned int j = 0; j < forces.n(); ++j)
             for (unsigned int i = 0; i < forces.m(); ++i)
               matrix(n_far + after.first_cut + k, columns[j]) -=
                   after.by_before(k, i) * forces(i, j);
-    for (unsigned int r = 0; r < rows.n_rigid(); ++r)
+    for (unsigned int r = 0; r < n_rigid; ++r)
       for (unsigned int i = 0; i < forces.m(); ++i)
       {
-        const double balance = rows.balance_of(r, blocks[place].unknowns[i]);
+        const double balance = balances(r, blocks[place].unknowns[i]);
         if (balance != 0.)
-          for (unsigned int j = 0; j < columns.size(); ++j)
+          for (unsigned int j = 0; j < forces.n(); ++j)
             matrix(n_far + n_cuts + r, columns[j]) += balance * forces(i, j);
       }
   }
@@ -358,10 +386,15 @@ namespace ringmotor
       kernel.vmult(far_motion, far_forces);
       std::copy(far_motion.begin(), far_motion.end(), solution.begin());
     }
-    for (unsigned int r = 0; r < rows.n_rigid(); ++r)
-      solution[n_far + n_cuts + r] += vector[rows.n_of_nodes() + r];
+    for (unsigned int r = 0; r < n_rigid; ++r)
+      solution[n_far + n_cuts + r] += vector[balances.n() + r];
     small.solve(solution);
     return solution;
+  }
+
+  Vector<double> ChainOfBlocks::start(const Vector<double> &right_hand_side) const
+  {
+    return Vector<double>(right_hand_side.size());
   }
 
   void ChainOfBlocks::vmult(Vector<double> &result, const Vector<double> &vector) const
@@ -372,8 +405,8 @@ namespace ringmotor
     {
       const Vector<double> shared = solve_small_system(of_blocks, vector);
       of_blocks                   = forces(vector, &shared);
-      for (unsigned int r = 0; r < rows.n_rigid(); ++r)
-        result[rows.n_of_nodes() + r] = shared[n_far + n_cuts + r];
+      for (unsigned int r = 0; r < n_rigid; ++r)
+        result[balances.n() + r] = shared[n_far + n_cuts + r];
     }
     for (unsigned int b = 0; b < blocks.size(); ++b)
       for (unsigned int i = 0; i < of_blocks[b].size(); ++i)

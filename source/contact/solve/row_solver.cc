@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/algebra/lu_factors.h>
-#include <ringmotor/contact/solve/chain_of_blocks.h>
 #include <ringmotor/contact/solve/ring_of_parts.h>
 #include <ringmotor/contact/solve/row_solver.h>
 
@@ -8,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <set>
 
 namespace ringmotor
 {
@@ -17,24 +18,30 @@ namespace ringmotor
   {
     /** Unknowns from which on keeping factors pays off: below, new ones take milliseconds. */
     constexpr unsigned int fewest_for_kept_factors = 300;
-    /** Unknowns from which on GMRES with a chain of blocks is faster than dense factors. */
-    constexpr unsigned int fewest_for_blocks = 2600;
+    /** Unknowns from which on GMRES with chains of blocks is faster than dense factors: where slips
+     * are measured from other blocks; where they are not, per touching block and in all. */
+    constexpr unsigned int fewest_for_chains = 2600, fewest_in_block = 13, fewest_in_blocks = 300;
+    /** Steps of GMRES with chains of blocks: so many take as long as new blocks, or as dense
+     * factors; near a solution it takes at most so many. */
+    constexpr unsigned int many_steps = 12, most_by_blocks = 60;
+    /** Steps of GMRES with the factors of the system itself, in single precision. */
+    constexpr unsigned int enough_for_rounding = 12;
     /** Unknowns up to which a dense matrix is made where GMRES fails, in a second or two. More
      * occur only far from any solution. */
     constexpr unsigned int most_dense = 4000;
 
     /** @param solution also the start
-     * @return whether the residual was reduced in @p most_steps steps, without restarts, which
-     * would make it stagnate */
+     * @return the number of steps in which the residual was reduced, at most @p most_steps without
+     * restarts, which would make it stagnate; nothing if it was not */
     template <typename Matrix, typename Preconditioner>
-    bool gmres(const Matrix &matrix, const Preconditioner &preconditioner,
-               const unsigned int most_steps, const double reduction,
-               const Vector<double> &right_hand_side, Vector<double> &solution)
+    std::optional<unsigned int>
+    gmres(const Matrix &matrix, const Preconditioner &preconditioner, const unsigned int most_steps,
+          const double reduction, const Vector<double> &right_hand_side, Vector<double> &solution)
     {
       if (right_hand_side.l2_norm() == 0.)
       {
         solution = 0.;
-        return true;
+        return 0;
       }
       SolverControl control(most_steps, reduction * right_hand_side.l2_norm(), false, false);
       // Flexible, since a preconditioner in single precision is not quite linear: plain GMRES ends
@@ -47,20 +54,32 @@ namespace ringmotor
       }
       catch (const SolverControl::NoConvergence &)
       {
-        return false;
+        return {};
       }
-      return true;
+      return control.last_step();
     }
 
-    bool solve_by_blocks(const ContactRows &rows, const double reduction, Vector<double> &solution)
+    /** Whether slips in a block are measured from the motions of another one. */
+    bool has_chains(const ContactRows &rows)
     {
-      constexpr unsigned int most_steps = 60; // near a solution it takes 10 to 40
-      const ChainOfBlocks blocks(rows);
-      Vector<double> result(solution.size());
-      if (!blocks.is_regular() || !gmres(rows, blocks, most_steps, reduction, solution, result))
-        return false;
-      solution = result;
-      return true;
+      return rows.contact_problem().structure().block_before(0) != BlockStructure::no_part;
+    }
+
+    unsigned int n_touching_blocks(const ContactRows &rows)
+    {
+      std::set<unsigned int> blocks;
+      for (const unsigned int point : rows.touching_points())
+        blocks.insert(rows.contact_problem().structure().block_of_point(point));
+      return blocks.size();
+    }
+
+    /** Whether GMRES with chains of blocks, if it takes few steps, is faster than dense factors. */
+    bool has_large_blocks(const ContactRows &rows)
+    {
+      const unsigned int n = rows.unknowns().size();
+      return has_chains(rows)
+                 ? n >= fewest_for_chains
+                 : n >= std::max(fewest_in_blocks, fewest_in_block * n_touching_blocks(rows));
     }
 
     bool solve_dense(const ContactRows &rows, Vector<double> &solution)
@@ -79,6 +98,32 @@ namespace ringmotor
     }
   } // namespace
 
+  template <typename Preconditioner>
+  bool KeptPreconditioner<Preconditioner>::solve(const ContactRows &rows, const double reduction,
+                                                 const unsigned int most_with_kept,
+                                                 const unsigned int most_with_new,
+                                                 Vector<double> &solution)
+  {
+    const Vector<double> right_hand_side = solution;
+    const auto solved                    = [&](const unsigned int most_steps)
+    {
+      solution = kept->start(right_hand_side);
+      return gmres(rows, *kept, most_steps, reduction, right_hand_side, solution);
+    };
+    // Far from the solution systems differ too much; after a failure the next one skips this.
+    const bool may_do = kept && !is_far && kept->fit(rows);
+    if (may_do && solved(most_with_kept))
+      return true;
+    is_far   = may_do;
+    kept     = std::make_shared<const Preconditioner>(rows);
+    of_a_new = kept->is_regular() ? solved(most_with_new) : std::nullopt;
+    if (of_a_new)
+      return true;
+    kept.reset();
+    solution = right_hand_side;
+    return false;
+  }
+
   bool RowSolver::solve(const ContactProblem &problem, const std::vector<unsigned int> &touching,
                         const std::vector<ContactRow> &contact_rows, Vector<double> &solution,
                         const double reduction)
@@ -90,8 +135,10 @@ namespace ringmotor
     const unsigned int n = rows.unknowns().size();
     if (n == 0) // LAPACK does not take empty matrices
       return true;
-    if (n >= fewest_for_blocks && problem.structure().n_blocks() > 1 &&
-        solve_by_blocks(rows, reduction, solution))
+    const bool prefers_dense = !has_chains(rows) && n <= most_dense &&
+                               blocks.steps_with_new().value_or(most_by_blocks) > many_steps;
+    if (problem.structure().n_blocks() > 1 && has_large_blocks(rows) && !prefers_dense &&
+        blocks.solve(rows, reduction, many_steps, most_by_blocks, solution))
       return true;
     RingOfParts ring(rows);
     // An LU factorisation takes 2/3 n^3 operations.
@@ -100,32 +147,10 @@ namespace ringmotor
       return false;
     if (is_ring)
       return ring.solve(solution);
-    if (n >= fewest_for_kept_factors && solve_with_factors(rows, reduction, solution))
+    // So many steps take about as long as new factors.
+    if (n >= fewest_for_kept_factors &&
+        factors.solve(rows, reduction, std::max(10u, n / 60), enough_for_rounding, solution))
       return true;
     return solve_dense(rows, solution);
-  }
-
-  bool RowSolver::solve_with_factors(const ContactRows &rows, const double reduction,
-                                     Vector<double> &solution)
-  {
-    const Vector<double> right_hand_side = solution;
-    const auto solved                    = [&](const unsigned int most_steps)
-    {
-      solution = factors->start(right_hand_side);
-      return gmres(rows, *factors, most_steps, reduction, right_hand_side, solution);
-    };
-    // Far from the solution systems differ too much; after a failure the next one skips this.
-    const bool may_do = factors && !is_far && factors->fit(rows);
-    // So many steps take about as long as new factors.
-    if (may_do && solved(std::max<std::size_t>(10, rows.unknowns().size() / 60)))
-      return true;
-    is_far                                     = may_do;
-    factors                                    = std::make_unique<SlipFactors>(rows);
-    constexpr unsigned int enough_for_rounding = 12;
-    if (factors->is_regular() && solved(enough_for_rounding))
-      return true;
-    factors.reset();
-    solution = right_hand_side;
-    return false;
   }
 } // namespace ringmotor

@@ -30,8 +30,16 @@ namespace ringmotor
       return step;
     }
 
-    /** The time step, of first order: from the change from a longer or a shorter one on the mesh in
-     * use. */
+    /** A point on the mesh on which steps are compared: its own one or, of a marched motor, the one
+     * for variations. */
+    Discretisation on_mesh_of_comparison(Discretisation own, const ErrorScene &scene)
+    {
+      if (is_marched(scene.parameters))
+        own.level = scene.for_variations().level;
+      return own;
+    }
+
+    /** The time step, of first order: from the change from a longer or a shorter one. */
     class ErrorOfTimeStep : public ErrorCause
     {
     public:
@@ -40,18 +48,20 @@ namespace ringmotor
       std::vector<Discretisation> needs_beside(const Discretisation &own,
                                                const ErrorScene &scene) const override
       {
-        return {own.with(compared_steps(own.steps, scene.steps.plain()))};
+        const Discretisation compared = on_mesh_of_comparison(own, scene);
+        return {compared, compared.with(compared_steps(own.steps, scene.steps.plain()))};
       }
 
       PointError of(const PointRequest &request, const Discretisation &own,
                     const ErrorScene &scene) const override
       {
-        const Discretisation other = needs_beside(own, scene).front();
-        const CurvePoint &point    = scene.table.at(own, request);
+        const std::vector<Discretisation> both = needs_beside(own, scene);
+        const CurvePoint &point                = scene.table.at(own, request),
+                         &with_own_steps       = scene.table.at(both.front(), request),
+                         &with_others          = scene.table.at(both.back(), request);
         // C / n with n steps per pitch: C follows from two values of n.
-        const double n = own.steps.number(), of_other = other.steps.number();
-        PointError error =
-            of_other / std::abs(of_other - n) * change(point, scene.table.at(other, request));
+        const double n = own.steps.number(), of_other = both.back().steps.number();
+        PointError error = of_other / std::abs(of_other - n) * change(with_own_steps, with_others);
         error.raise(resolution(point, scene.motor()));
         PointError missing;
         missing["friction_loss"] = std::abs(point.result.missing_power());

@@ -17,7 +17,7 @@ namespace ringmotor
     /** With steps of the length that the user has given. */
     Discretisation undivided(const ErrorScene &scene)
     {
-      return scene.plain().with(Steps());
+      return scene.for_variations().with(Steps());
     }
 
     bool has_window(const ErrorScene &scene)

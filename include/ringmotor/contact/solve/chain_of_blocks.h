@@ -17,15 +17,21 @@ namespace ringmotor
    *   f_b = D_b^-1 (r_b + E_b f_before + S_b (a, z, q)),
    *
    * a and z are linear functions of them, as are the balances, which yields a small dense system.
+   * Where slips are measured from given positions, each chain is a single block.
    */
   class ChainOfBlocks
   {
   public:
-    /** Computes all factors. @p rows must outlive this object. */
+    /** Computes all factors. */
     explicit ChainOfBlocks(const ContactRows &rows);
+
+    /** Whether it serves these rows as well, if they are similar: the same unknowns. */
+    bool fit(const ContactRows &rows) const;
 
     /** Whether no block and no small system is singular. */
     bool is_regular() const { return regular; }
+    /** Where GMRES starts: at zero. */
+    dealii::Vector<double> start(const dealii::Vector<double> &right_hand_side) const;
     /** Entries of both vectors as in ContactRows. */
     void vmult(dealii::Vector<double> &result, const dealii::Vector<double> &vector) const;
 
@@ -53,15 +59,18 @@ namespace ringmotor
       bool continues_chain() const { return place_before != none && !is_cut && !slips.empty(); }
     };
 
-    void find_blocks();
-    void choose_shapes();
-    void make_kernel();
-    void cut_chains();
+    void find_blocks(const ContactRows &rows);
+    void choose_shapes(const ContactRows &rows);
+    void make_kernel(const BlockStructure &structure);
+    void cut_chains(const ContactRows &rows);
     /** Derivatives of the rows of a block by the forces of another one, without the coupling
      * through far shapes. */
-    dealii::LAPACKFullMatrix<double> near_matrix(const Block &block, const Block &loaded) const;
-    void share_columns(Block &block) const;
-    void make_small_system();
+    dealii::LAPACKFullMatrix<double> near_matrix(const ContactRows &rows, const Block &block,
+                                                 const Block &loaded) const;
+    void share_columns(const ContactRows &rows, Block &block) const;
+    void make_small_system(const ContactRows &rows);
+    /** Adds what the forces of the blocks of one chain, in its order, contribute to it. */
+    void add_chain(const std::vector<unsigned int> &chain);
     /** f_b by columns of the small system, each at its place; those handed on from the previous
      * block, if the chain continues, come first. */
     dealii::LAPACKFullMatrix<double>
@@ -78,8 +87,9 @@ namespace ringmotor
     dealii::Vector<double> solve_small_system(const std::vector<dealii::Vector<double>> &forces,
                                               const dealii::Vector<double> &vector) const;
 
-    const ContactRows &rows;
-    const ContactProblem &problem;
+    const std::vector<unsigned int> touching, unknowns; ///< of the rows
+    const unsigned int n_rigid;
+    dealii::FullMatrix<double> balances; ///< of rigid motions, by all forces of touching points
     std::vector<Block> blocks;
     std::vector<unsigned int> order; ///< along the chains
     std::vector<unsigned int> cuts;  ///< first blocks of the chains
