@@ -2,22 +2,14 @@
 #include <ringmotor/points/contact_fields.h>
 
 #include <algorithm>
+#include <type_traits>
 
 namespace ringmotor
 {
   void ContactFields::reserve(const std::size_t n_samples)
   {
     const std::size_t n_now = times.size();
-    const auto reserve = [&](auto &values) { values.reserve(values.size() / n_now * n_samples); };
-    reserve(times);
-    reserve(state.force);
-    reserve(motion);
-    reserve(tooth);
-    reserve(rotor);
-    reserve(modal);
-    reserve(vibration);
-    reserve(state.rigid);
-    reserve(status);
+    for_each_array(*this, [&](auto &values) { values.reserve(values.size() / n_now * n_samples); });
   }
 
   void ContactFields::append(const ContactFields &later)
@@ -69,6 +61,15 @@ namespace ringmotor
       whole += force[0];
     }
     return whole > 0. ? largest / whole : 0.;
+  }
+
+  std::size_t ContactFields::n_bytes() const
+  {
+    std::size_t sum = 0;
+    for_each_array(
+        *this, [&](const auto &values)
+        { sum += values.size() * sizeof(typename std::decay_t<decltype(values)>::value_type); });
+    return sum;
   }
 
   void ContactFields::drop_values()

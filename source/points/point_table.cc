@@ -98,16 +98,25 @@ namespace ringmotor
   void PointTable::drop_other_fields(const Needs &needs)
   {
     std::set<std::pair<Discretisation, PointRequest>> needed;
+    std::size_t n_bytes = 0;
     for (const auto &[discretisation, requests] : needs)
       for (const PointRequest &request : requests)
+      {
         needed.emplace(discretisation, request);
+        n_bytes += at(discretisation, request).fields.n_bytes();
+      }
     for (auto &[discretisation, of_requests] : points)
       for (auto &[request, point] : of_requests)
-        if (!point.fields.state.force.empty() && needed.count({discretisation, request}) == 0)
-        {
-          point.fields.drop_values();
-          source.replace(discretisation, point);
-        }
+      {
+        const bool is_needed = needed.count({discretisation, request}) > 0;
+        if (point.fields.state.force.empty() || (is_needed && may_be_kept(n_bytes)))
+          continue;
+        CurvePoint without = point;
+        without.fields.drop_values();
+        source.replace(discretisation, without);
+        if (!is_needed)
+          point = std::move(without);
+      }
   }
 
   void PointTable::restore_fields(const Needs &needs)
@@ -129,12 +138,23 @@ namespace ringmotor
     if (lost.empty())
       return;
     const std::vector<Points> found = source.points(lost);
+    std::size_t n_bytes             = 0;
+    for (const Points &of_set : found)
+      for (const CurvePoint &point : of_set)
+        n_bytes += point.fields.n_bytes();
     for (std::size_t i = 0; i < lost.size(); ++i)
       for (const CurvePoint &point : found[i])
       {
         insert(lost[i].discretisation, point);
-        source.replace(lost[i].discretisation, point);
+        if (may_be_kept(n_bytes))
+          source.replace(lost[i].discretisation, point);
       }
+  }
+
+  bool PointTable::may_be_kept(const std::size_t n_bytes)
+  {
+    constexpr std::size_t most = 100'000'000;
+    return n_bytes <= most;
   }
 
   double PointTable::seconds(const Discretisation &discretisation) const

@@ -117,6 +117,7 @@ TEST(ChainOfBlocks, IsTheInverseWhereBlocksKnowFarShapesOnly)
       const ContactRows rows(problem, touching, system.rows);
       const ChainOfBlocks chain(rows);
       ASSERT_TRUE(chain.is_regular());
+      EXPECT_TRUE(chain.fit(rows));
       dealii::Vector<double> solution(rows.size());
       chain.vmult(solution, system.right_hand_side);
       for (const unsigned int i : rows.unknowns())
@@ -132,4 +133,12 @@ TEST(ChainOfBlocks, SaysWhenABlockIsSingular)
   system.rows[3].has_friction                        = true;
   const ContactRows rows(problem, system.touching, system.rows);
   EXPECT_FALSE(ChainOfBlocks(rows).is_regular());
+}
+
+TEST(ChainOfBlocks, FitsNoOtherPoints)
+{
+  const RingOfBlocks problem(4, false);
+  const System system(problem, all_but_some(problem.n_points())), other(problem, {1, 2, 3});
+  const ChainOfBlocks chain(ContactRows(problem, system.touching, system.rows));
+  EXPECT_FALSE(chain.fit(ContactRows(problem, other.touching, other.rows)));
 }

@@ -5,6 +5,8 @@
 
 #include "support/row_systems.h"
 
+#include <numeric>
+
 using namespace ringmotor;
 using namespace ringmotor::tests;
 
@@ -179,6 +181,24 @@ TEST(RowSolver, NeedsNoMatrixWhereItWouldBeTooLarge)
     all.push_back(i);
   RowSolver solver;
   System(problem, all, 1e-6).expect_solved_by(solver, 1e-5);
+}
+
+TEST(RowSolver, SolvesBlocksThatAreNearlyTheSameAndOthers)
+{
+  const SpringBed problem(320);
+  RowSolver solver;
+  for (const unsigned int n_touching : {320u, 288u}) // factors of the first do not serve the other
+  {
+    std::vector<unsigned int> touching(n_touching);
+    std::iota(touching.begin(), touching.end(), 0u);
+    System system(problem, touching, 1e-6);
+    system.expect_fulfilled_by(solver, gmres);
+    for (const unsigned int n_changed : {1u, 5u, 200u, 1u, 1u})
+    {
+      system.change(n_changed);
+      system.expect_fulfilled_by(solver, gmres);
+    }
+  }
 }
 
 TEST(RowSolver, SaysWhenASystemIsSingular)

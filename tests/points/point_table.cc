@@ -35,7 +35,7 @@ namespace
           CurvePoint point;
           point.request          = request;
           point.fields.time_step = 1e-7;
-          point.fields.state.force.resize(1);
+          point.fields.state.force.resize(n_values);
           all.back().push_back(point);
           n_anew += set.anew;
         }
@@ -49,7 +49,8 @@ namespace
     }
 
     std::vector<std::pair<std::string, std::size_t>> replaced; ///< with their fields
-    unsigned int n_anew = 0;
+    unsigned int n_anew  = 0;
+    std::size_t n_values = 1;
   };
 } // namespace
 
@@ -63,6 +64,16 @@ TEST(ContactFields, TellTheLargestShareOfForce)
     fields.state.force.back()[0] = pressure;
   }
   EXPECT_DOUBLE_EQ(fields.largest_share(), 0.5);
+}
+
+TEST(ContactFields, CountTheirMemory)
+{
+  ContactFields fields;
+  fields.times     = {0., 1.};
+  fields.time_step = 1.;
+  fields.state.force.resize(4);
+  fields.rotor.resize(4);
+  EXPECT_EQ(fields.n_bytes(), (2 + 3 * (4 + 4)) * sizeof(double));
 }
 
 TEST(PointTable, DropsFieldsHereAndWhereTheyAreKept)
@@ -91,4 +102,19 @@ TEST(PointTable, DropsFieldsHereAndWhereTheyAreKept)
   EXPECT_EQ(source.n_anew, 1u);
   EXPECT_EQ(n_values(fine, one), 1u);
   EXPECT_EQ(source.replaced, (std::vector<std::pair<std::string, std::size_t>>{{fine.text(), 1}}));
+}
+
+TEST(PointTable, DoesNotKeepLargeFieldsButHasThem)
+{
+  Parameters parameters;
+  parameters.time.scheme = TimeScheme::marching;
+  PointsWithFields source;
+  source.n_values = 5'000'000;
+  PointTable table(parameters, StepChoice(parameters, 1e-5), source);
+  const Discretisation fine{1, 0, {1}};
+  const PointTable::Needs own{{fine, {{Control::torque, 0.}}}};
+  table.fill(own);
+  table.drop_other_fields(own);
+  EXPECT_EQ(source.replaced, (std::vector<std::pair<std::string, std::size_t>>{{fine.text(), 0}}));
+  EXPECT_EQ(table.at(fine, own.front().second.front()).fields.state.force.size(), source.n_values);
 }

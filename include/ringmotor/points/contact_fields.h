@@ -18,7 +18,7 @@ namespace ringmotor
   {
     std::vector<double> times;             ///< s
     unsigned int n_repeating_teeth = 0;    ///< all in a marched motor
-    double time_step               = 0.;   ///< s
+    double time_step               = 0.;   ///< s, in which the relative motion happens
     std::vector<PointVector> tooth, rotor; ///< m, displacements; the rotor's without its rotation
     /** m, of the rotor against the base of the teeth, by the modes of both; empty without. */
     std::vector<PointVector> modal;
@@ -37,6 +37,8 @@ namespace ringmotor
 
     /** The largest share of the normal force that one node has at one time. */
     double largest_share() const;
+    /** The memory of all values. */
+    std::size_t n_bytes() const;
     /** Leaves nothing but the time step. */
     void drop_values();
 
@@ -44,6 +46,21 @@ namespace ringmotor
     void reserve(const std::size_t n_samples);
     /** Appends later time samples. */
     void append(const ContactFields &later);
+
+    /** Calls @p function with each of the arrays of values by time sample. */
+    template <class Fields, class Function>
+    static void for_each_array(Fields &fields, const Function &function)
+    {
+      function(fields.times);
+      function(fields.state.force);
+      function(fields.state.rigid);
+      function(fields.motion);
+      function(fields.status);
+      function(fields.tooth);
+      function(fields.rotor);
+      function(fields.modal);
+      function(fields.vibration);
+    }
 
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)

@@ -54,7 +54,8 @@ namespace ringmotor
     /** No point starts from the first curve any more: there are better ones. */
     void leave_first_curve() { first_curve.clear(); }
     /** Drops the fields of all points but these: of marched points, from which nothing starts, they
-     * take much memory, here and where they are kept. */
+     * take much memory, here and where they are kept. If those of these points are large, they are
+     * not kept either. */
     void drop_other_fields(const Needs &needs);
     /** Computes these points again where a store has no more fields of them. */
     void restore_fields(const Needs &needs);
@@ -81,6 +82,8 @@ namespace ringmotor
                                               const PointRequest &request) const;
     std::optional<Points> starts_on_other_mesh(const Discretisation &discretisation,
                                                const std::vector<PointRequest> &requests);
+    /** Whether fields are small enough for the folder of kept points. */
+    static bool may_be_kept(const std::size_t n_bytes);
     /** The point of the first curve with the most similar load. */
     const CurvePoint &similar_point(const PointRequest &request) const;
 
