@@ -9,24 +9,16 @@ namespace ringmotor
   void ContactFields::reserve(const std::size_t n_samples)
   {
     const std::size_t n_now = times.size();
-    for_each_array(*this, [&](auto &values) { values.reserve(values.size() / n_now * n_samples); });
+    for_each_array([&](auto &values) { values.reserve(values.size() / n_now * n_samples); }, *this);
   }
 
   void ContactFields::append(const ContactFields &later)
   {
     if (later.times.empty())
       return;
-    const auto append = [](auto &to, const auto &from)
-    { to.insert(to.end(), from.begin(), from.end()); };
-    append(times, later.times);
-    append(state.force, later.state.force);
-    append(motion, later.motion);
-    append(tooth, later.tooth);
-    append(rotor, later.rotor);
-    append(modal, later.modal);
-    append(vibration, later.vibration);
-    append(state.rigid, later.state.rigid);
-    append(status, later.status);
+    for_each_array([](auto &to, const auto &from)
+                   { to.insert(to.end(), from.begin(), from.end()); },
+                   *this, later);
     n_repeating_teeth = later.n_repeating_teeth;
     time_step         = later.time_step;
     speed             = later.speed;
@@ -67,8 +59,9 @@ namespace ringmotor
   {
     std::size_t sum = 0;
     for_each_array(
-        *this, [&](const auto &values)
-        { sum += values.size() * sizeof(typename std::decay_t<decltype(values)>::value_type); });
+        [&](const auto &values)
+        { sum += values.size() * sizeof(typename std::decay_t<decltype(values)>::value_type); },
+        *this);
     return sum;
   }
 

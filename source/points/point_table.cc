@@ -111,11 +111,11 @@ namespace ringmotor
         const bool is_needed = needed.count({discretisation, request}) > 0;
         if (point.fields.state.force.empty() || (is_needed && may_be_kept(n_bytes)))
           continue;
-        CurvePoint without = point;
-        without.fields.drop_values();
-        source.replace(discretisation, without);
-        if (!is_needed)
-          point = std::move(without);
+        ContactFields fields = std::move(point.fields);
+        point.fields.drop_values();
+        source.replace(discretisation, point);
+        if (is_needed)
+          point.fields = std::move(fields);
       }
   }
 

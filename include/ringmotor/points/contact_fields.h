@@ -47,26 +47,27 @@ namespace ringmotor
     /** Appends later time samples. */
     void append(const ContactFields &later);
 
-    /** Calls @p function with each of the arrays of values by time sample. */
-    template <class Fields, class Function>
-    static void for_each_array(Fields &fields, const Function &function)
-    {
-      function(fields.times);
-      function(fields.state.force);
-      function(fields.state.rigid);
-      function(fields.motion);
-      function(fields.status);
-      function(fields.tooth);
-      function(fields.rotor);
-      function(fields.modal);
-      function(fields.vibration);
-    }
-
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
       archive &state.force &state.rigid &motion &status &speed &times &n_repeating_teeth &time_step
           &tooth &rotor &modal &vibration;
+    }
+
+  private:
+    /** Calls @p function with each of the arrays of values by time sample, of all @p fields. */
+    template <class Function, class... Fields>
+    static void for_each_array(const Function &function, Fields &...fields)
+    {
+      function(fields.times...);
+      function(fields.state.force...);
+      function(fields.state.rigid...);
+      function(fields.motion...);
+      function(fields.status...);
+      function(fields.tooth...);
+      function(fields.rotor...);
+      function(fields.modal...);
+      function(fields.vibration...);
     }
   };
 

@@ -77,9 +77,9 @@ namespace ringmotor
     bool has_large_blocks(const ContactRows &rows)
     {
       const unsigned int n = rows.unknowns().size();
-      return has_chains(rows)
-                 ? n >= fewest_for_chains
-                 : n >= std::max(fewest_in_blocks, fewest_in_block * n_touching_blocks(rows));
+      if (has_chains(rows))
+        return n >= fewest_for_chains;
+      return n >= fewest_in_blocks && n >= fewest_in_block * n_touching_blocks(rows);
     }
 
     bool solve_dense(const ContactRows &rows, Vector<double> &solution)

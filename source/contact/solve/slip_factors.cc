@@ -55,11 +55,10 @@ namespace ringmotor
     return node;
   }
 
-  SlipFactors::SlipFactors(const ContactRows &rows)
-      : touching(rows.touching_points()), unknowns(rows.unknowns()), n_rigid(rows.n_rigid())
+  SlipFactors::SlipFactors(const ContactRows &rows) : made_for(rows), n_rigid(rows.n_rigid())
   {
     unsigned int n = 0;
-    for (unsigned int a = 0; a < touching.size(); ++a)
+    for (unsigned int a = 0; a < rows.touching_points().size(); ++a)
     {
       nodes.push_back(node_of(rows.row_of(a)));
       first.push_back(n);
@@ -74,7 +73,8 @@ namespace ringmotor
   void SlipFactors::assemble(const ContactRows &rows)
   {
     const unsigned int n_nodes = nodes.size(), n_columns = 3 * n_nodes + n_rigid;
-    constexpr unsigned int together = 8; // the rows of so many nodes stay in the cache
+    const std::vector<unsigned int> &touching = rows.touching_points();
+    constexpr unsigned int together           = 8; // the rows of so many nodes stay in the cache
     FullMatrix<double> derivatives, lines;
     for (unsigned int begin = 0; begin < n_nodes; begin += together)
     {
@@ -132,7 +132,7 @@ namespace ringmotor
 
   bool SlipFactors::fit(const ContactRows &rows) const
   {
-    return touching == rows.touching_points() && unknowns == rows.unknowns();
+    return made_for.are_of(rows);
   }
 
   Vector<double> SlipFactors::start(const Vector<double> &right_hand_side) const

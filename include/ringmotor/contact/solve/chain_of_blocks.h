@@ -87,7 +87,7 @@ namespace ringmotor
     dealii::Vector<double> solve_small_system(const std::vector<dealii::Vector<double>> &forces,
                                               const dealii::Vector<double> &vector) const;
 
-    const std::vector<unsigned int> touching, unknowns; ///< of the rows
+    const RowUnknowns made_for;
     const unsigned int n_rigid;
     dealii::FullMatrix<double> balances; ///< of rigid motions, by all forces of touching points
     std::vector<Block> blocks;

@@ -80,4 +80,22 @@ namespace ringmotor
     dealii::FullMatrix<double> balance;
     mutable ContactState change; ///< zero where nothing touches
   };
+
+  /** Which unknowns some rows had, to recognise others of the same form. */
+  class RowUnknowns
+  {
+  public:
+    explicit RowUnknowns(const ContactRows &rows)
+        : touching(rows.touching_points()), unknowns(rows.unknowns())
+    {
+    }
+
+    bool are_of(const ContactRows &rows) const
+    {
+      return touching == rows.touching_points() && unknowns == rows.unknowns();
+    }
+
+  private:
+    const std::vector<unsigned int> touching, unknowns;
+  };
 } // namespace ringmotor

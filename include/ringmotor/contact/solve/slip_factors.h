@@ -47,7 +47,7 @@ namespace ringmotor
      * rigid motions. */
     void set_lines(const unsigned int first_line, const dealii::FullMatrix<double> &lines);
 
-    std::vector<unsigned int> touching, unknowns; ///< of the rows
+    const RowUnknowns made_for;
     unsigned int n_rigid;
     std::vector<Node> nodes;
     std::vector<unsigned int> first; ///< unknown kept of each node; then those of rigid motions
