@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/output/files.h>
 #include <ringmotor/output/lattice_output.h>
+#include <ringmotor/output/ring_grid.h>
 #include <ringmotor/output/vtu.h>
+#include <ringmotor/pictures/turned.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/utilities.h>
@@ -21,87 +23,11 @@ namespace ringmotor
   {
     using Vector = std::array<std::complex<double>, 3>;
 
-    /** A vector (a point, or complex) turned about the z axis. */
-    template <typename VectorType>
-    VectorType turned(const VectorType &vector, const double cosine, const double sine)
-    {
-      VectorType result = vector;
-      result[0]         = cosine * vector[0] - sine * vector[1];
-      result[1]         = sine * vector[0] + cosine * vector[1];
-      return result;
-    }
-
     /** Components (radial, towards +theta, axial) at a place. */
     Vector cylindrical(const Vector &vector, const Point<3> &place)
     {
       const double radius = std::hypot(place[0], place[1]);
       return turned(vector, place[0] / radius, -place[1] / radius);
-    }
-
-    /** All sectors with a field and the material. */
-    class Ring
-    {
-    public:
-      Ring(const SectorField &field, const FieldName &shown)
-          : field(field), output({shown, {"material", 1, ""}}, field.order)
-      {
-        output.reserve(field.n_sectors * field.cells.size());
-        for (unsigned int sector = 0; sector < field.n_sectors; ++sector)
-        {
-          const double angle = angle_of(sector), cosine = std::cos(angle), sine = std::sin(angle);
-          for (const SectorField::Cell &cell : field.cells)
-          {
-            std::vector<Point<3>> points;
-            for (const Point<3> &point : cell.points)
-              points.push_back(turned(point, cosine, sine));
-            auto &data = output.add_patch(points).data;
-            for (unsigned int point = 0; point < points.size(); ++point)
-              data(shown.n_components, point) = cell.material;
-          }
-        }
-      }
-
-      /** Calls @p fill(angle of the sector, number of the cell in it, data): components of the
-       * field are the first rows, points the columns. */
-      template <typename Fill>
-      void fill(const Fill &fill)
-      {
-        std::size_t index = 0;
-        for (unsigned int sector = 0; sector < field.n_sectors; ++sector)
-          for (std::size_t cell = 0; cell < field.cells.size(); ++cell)
-            fill(angle_of(sector), cell, output.patch(index++).data);
-      }
-
-      void write(const std::string &path) const { output.write(path); }
-
-    private:
-      double angle_of(const unsigned int sector) const
-      {
-        return 2. * numbers::PI * sector / field.n_sectors;
-      }
-
-      const SectorField &field;
-      LatticeOutput<3> output;
-    };
-
-    /** @param time_angle omega t */
-    void move(Ring &ring, const SectorField &field, const double time_angle, const Warp &warp)
-    {
-      ring.fill(
-          [&](const double angle, const std::size_t cell, auto &data)
-          {
-            const double cosine = std::cos(angle), sine = std::sin(angle);
-            const auto phase = std::polar(1., time_angle - field.nodal_diameter * angle);
-            const std::vector<Vector> &displacement = field.cells[cell].displacement;
-            for (unsigned int point = 0; point < displacement.size(); ++point)
-            {
-              const Vector motion = turned(displacement[point], cosine, sine);
-              for (unsigned int d = 0; d < 3; ++d)
-                data(d, point) = std::real(phase * motion[d]);
-              const Point<3> &place = field.cells[cell].points[point];
-              data(2, point) += warp.height(angle + std::atan2(place[1], place[0]));
-            }
-          });
     }
   } // namespace
 
@@ -156,15 +82,14 @@ namespace ringmotor
     // A record of an earlier run must not remain beside frames of this one.
     std::remove(record.c_str());
 
-    Ring ring(field, {"displacement", 3, "m"});
+    const RingGrid ring(field);
     const double period = 2. * numbers::PI / field.angular_frequency;
     std::vector<std::pair<double, std::string>> times_and_names;
     for (unsigned int frame = 0; frame < n_frames; ++frame)
     {
       const double fraction    = static_cast<double>(frame) / n_frames;
       const std::string ending = "_" + Utilities::int_to_string(frame, 2) + ".vtu";
-      move(ring, field, 2. * numbers::PI * fraction, Warp());
-      ring.write(path + ending);
+      ring.write(path + ending, 2. * numbers::PI * fraction, Warp());
       times_and_names.emplace_back(fraction * period, base_name + ending);
     }
     write_pvd(record, times_and_names);
@@ -173,22 +98,31 @@ namespace ringmotor
   void write_ring_at(const std::string &path, const SectorField &field, const double time,
                      const Warp &warp)
   {
-    Ring ring(field, {"displacement", 3, "m"});
-    move(ring, field, field.angular_frequency * time, warp);
-    ring.write(path);
+    RingGrid(field).write(path, field.angular_frequency * time, warp);
   }
 
   void write_ring_scalar(const std::string &path, const SectorField &field, const FieldName &name,
                          const std::vector<std::vector<double>> &values)
   {
-    Ring ring(field, name);
-    ring.fill(
-        [&](const double, const std::size_t cell, auto &data)
+    LatticeOutput<3> output({name, {"material", 1, ""}}, field.order);
+    output.reserve(field.n_sectors * field.cells.size());
+    for (unsigned int sector = 0; sector < field.n_sectors; ++sector)
+    {
+      const double angle = 2. * numbers::PI * sector / field.n_sectors;
+      for (std::size_t cell = 0; cell < field.cells.size(); ++cell)
+      {
+        std::vector<Point<3>> points;
+        for (const Point<3> &point : field.cells[cell].points)
+          points.push_back(turned(point, std::cos(angle), std::sin(angle)));
+        auto &data = output.add_patch(points).data;
+        for (unsigned int point = 0; point < points.size(); ++point)
         {
-          for (unsigned int point = 0; point < values[cell].size(); ++point)
-            data(0, point) = values[cell][point];
-        });
-    ring.write(path);
+          data(0, point) = values[cell][point];
+          data(1, point) = field.cells[cell].material;
+        }
+      }
+    }
+    output.write(path);
   }
 
   void write_pvd(const std::string &path,

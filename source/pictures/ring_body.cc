@@ -53,15 +53,6 @@ namespace ringmotor
     number_ring(height, turn);
   }
 
-  RingBody::Key RingBody::key_of(const Point<3> &place)
-  {
-    // Whole numbers of ten nanometres, shifted so that no round length lies between two of them
-    Key key;
-    for (unsigned int d = 0; d < 3; ++d)
-      key[d] = std::llround(place[d] * 1e8 + 0.2718);
-    return key;
-  }
-
   std::optional<unsigned int> RingBody::point_at(const Point<3> &place) const
   {
     const auto found = known.find(key_of(place));

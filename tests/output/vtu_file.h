@@ -29,7 +29,7 @@ namespace ringmotor::tests
     return bytes;
   }
 
-  /** A VTU file as written by deal.II: one piece, every array one block compressed with zlib. */
+  /** A VTU file: one piece, every array one block compressed with zlib. */
   class VtuFile
   {
   public:

@@ -26,7 +26,7 @@ namespace ringmotor
    * Writes the travelling wave on the whole ring over one period: @p n_frames files
    * `<path>_00.vtu`, ... of Lagrange cells, frame k at the time k T / n_frames, and finally
    * `<path>.pvd` with the times in seconds. Point fields: `displacement` (Cartesian vector, m;
-   * for "Warp By Vector") and `material`.
+   * for "Warp By Vector") and `material`. Cells of the same material share their points.
    *
    * @throw UserError if writing fails; then there is no PVD file
    */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/pictures/place_key.h>
 #include <ringmotor/structure/sector_elements.h>
 
 #include <array>
@@ -66,9 +67,6 @@ namespace ringmotor
              const Amplitude &amplitude, Displacement &displacement) const;
 
   private:
-    using Key = std::array<long long, 3>;
-    static Key key_of(const dealii::Point<3> &place);
-
     void sample_solids(const SectorElements &sector, const unsigned int n_subdivisions);
     void sample_shells(const SectorElements &sector, const unsigned int n_subdivisions);
     /** Takes a lattice of points of a cell and divides it into hexahedra. */
@@ -90,6 +88,6 @@ namespace ringmotor
     /** Points of a sector, those of its half first, then their mirror images: numbers in the ring
      * or, where an earlier one has the same position, invalid_unsigned_int. */
     std::vector<unsigned int> owned;
-    std::map<Key, unsigned int> known; ///< first in the half sector, later in the ring
+    std::map<PlaceKey, unsigned int> known; ///< first in the half sector, later in the ring
   };
 } // namespace ringmotor
