@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/contact/friction_law.h>
 #include <ringmotor/motor/condensed_motor.h>
 #include <ringmotor/motor/effects/list.h>
 #include <ringmotor/parameters/accuracy_budget.h>
@@ -97,6 +98,9 @@ namespace ringmotor
     for (const auto &effect : all_effects())
       if (effect->choice(parameters) != EffectChoice::off)
         effect->enter(parameters, model);
+    // Without an excess all laws are this one, whose points have no memory.
+    if (!has_static_excess(model.friction))
+      model.friction.law = FrictionLaw("coulomb");
     return model;
   }
 

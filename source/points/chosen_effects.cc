@@ -43,14 +43,14 @@ namespace ringmotor
     constexpr unsigned int n_harmonics = 6, level = 1, coarsest = 0;
     // Where inertia was switched off, its estimate is for information only.
     constexpr unsigned int n_rough = 3;
+    EffectsOnPoints on_points(wave, uniform_vibration, MPI_COMM_WORLD);
     std::optional<LipAmplification> rough_lip;
     const auto on_mesh = [&](const unsigned int mesh, const unsigned int n)
     { return LipAmplification(given, uniform_vibration.rotor.of_harmonics(n, mesh), mesh, n); };
     const Scene scene{chosen, &wave,
                       [&](const Effect &effect)
                       {
-                        measured[effect.name] = effect_on_points(chosen, effect, wave,
-                                                                 uniform_vibration, MPI_COMM_WORLD);
+                        measured[effect.name] = on_points.of(effect, chosen);
                         return measured[effect.name].relative;
                       },
                       [&](const bool roughly) -> const LipAmplification &

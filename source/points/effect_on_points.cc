@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/motor/relevant.h>
 #include <ringmotor/motor/stator_modes.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/points/effect_on_points.h>
@@ -14,90 +15,136 @@ namespace ringmotor
 {
   namespace
   {
-    /** The motor with the effect, and without it. */
-    struct Compared
+    /** The motor in its steady state with or without an effect, as it is compared. */
+    Parameters compared(const Parameters &given, const Effect &effect, const EffectChoice choice)
     {
-      Parameters parameters;
-      CondensedMotor motor;
-      bool has_effect;
-    };
+      Parameters parameters           = given;
+      parameters.time.scheme          = TimeScheme::steady;
+      parameters.effects[effect.name] = choice;
+      // Friction that falls is an effect of its own. Without it, which hardly changes what another
+      // effect does, there is a state, and it is found sooner.
+      parameters.effects["Static friction excess"] = EffectChoice::off;
+      // It shall be cheap, and the same whatever the steps.
+      parameters.time.n_snapshots = effect.n_snapshots_to_measure();
+      return parameters;
+    }
 
-    /** A point to be found, from rest or from a known one. */
-    struct Wanted
+    /** What points depend on; `auto` stands for `on`, see motor_model(). */
+    std::string key_of(Parameters parameters)
     {
-      const Compared &of;
-      PointRequest request;
-      const CurvePoint *start;
-    };
-
-    /** Points of several motors, shared by ranks. Without the effect there must be a state; with it
-     * there may be none. */
-    std::vector<std::vector<CurvePoint>> points_if_found(const std::vector<Wanted> &all,
-                                                         const MPI_Comm ranks)
-    {
-      const auto found = [](const Wanted &one) -> std::vector<CurvePoint>
-      {
-        const auto &[of, request, start] = one;
-        try
-        {
-          return {OperatingPointFinder(of.parameters, of.motor).find(request, start)};
-        }
-        catch (const ComputationError &)
-        {
-          if (of.has_effect)
-            return {};
-          throw;
-        }
-      };
-      return shared_work(all, found, ranks);
+      for (const auto &effect : all_effects())
+        if (effect->choice(parameters) == EffectChoice::automatic)
+          parameters.effects[effect->name] = EffectChoice::on;
+      return text_of(relevant_for_points(parameters));
     }
   } // namespace
 
-  EffectOnPoints effect_on_points(const Parameters &all_parameters, const Effect &effect,
-                                  const StatorWave &wave, const MotorVibration &vibration,
-                                  const MPI_Comm communicator)
+  struct EffectsOnPoints::Motor
+  {
+    explicit Motor(const Parameters &parameters) : parameters(parameters) {}
+
+    const Parameters parameters;
+    CondensedMotor bodies;
+    /** By request; empty if there is none. */
+    std::map<std::string, std::vector<CurvePoint>> points;
+  };
+
+  /** A point to be found, from rest or from a known one. */
+  struct EffectsOnPoints::Wanted
+  {
+    Motor *of;
+    PointRequest request;
+    const CurvePoint *start;
+    bool is_needed; ///< else there may be none
+  };
+
+  EffectsOnPoints::EffectsOnPoints(const StatorWave &wave, const MotorVibration &vibration,
+                                   const MPI_Comm communicator)
+      : wave(wave), vibration(vibration), communicator(communicator)
+  {
+  }
+
+  EffectsOnPoints::~EffectsOnPoints() = default;
+
+  std::vector<EffectsOnPoints::Motor *>
+  EffectsOnPoints::condensed(const std::vector<Parameters> &all)
   {
     constexpr unsigned int modes_level = RotorVibration::rough_level;
-    Compared with{all_parameters, CondensedMotor(), true},
-        without{all_parameters, CondensedMotor(), false};
-    for (Compared *each : {&with, &without})
+    std::vector<Motor *> wanted, unknown;
+    for (const Parameters &parameters : all)
     {
-      Parameters &parameters          = each->parameters;
-      parameters.time.scheme          = TimeScheme::steady;
-      parameters.effects[effect.name] = each->has_effect ? EffectChoice::on : EffectChoice::off;
-      // It shall be cheap, and the same whatever the steps.
-      parameters.time.n_snapshots = effect.n_snapshots_to_measure();
+      std::unique_ptr<Motor> &motor = motors[key_of(parameters)];
+      if (!motor)
+      {
+        motor = std::make_unique<Motor>(parameters);
+        unknown.push_back(motor.get());
+        vibration.prepare(motor_model(parameters), modes_level, ModeSets::own); // by all ranks
+      }
+      wanted.push_back(motor.get());
     }
-    vibration.prepare(motor_model(with.parameters), modes_level, ModeSets::own); // by all ranks
-    std::vector<CondensedMotor> motors = shared_work(
-        std::vector<const Compared *>{&with, &without},
-        [&](const Compared *each)
+    std::vector<CondensedMotor> bodies = shared_work(
+        unknown,
+        [&](const Motor *motor)
         {
-          return condense_motor(each->parameters, wave, ContactDiscretisation::level(0),
+          return condense_motor(motor->parameters, wave, ContactDiscretisation::level(0),
                                 modes_level, &vibration, ModeSets::own);
         },
         communicator);
-    with.motor    = std::move(motors[0]);
-    without.motor = std::move(motors[1]);
+    for (std::size_t i = 0; i < unknown.size(); ++i)
+      unknown[i]->bodies = std::move(bodies[i]);
+    return wanted;
+  }
 
+  std::vector<std::vector<CurvePoint>> EffectsOnPoints::found(const std::vector<Wanted> &all)
+  {
+    std::vector<Wanted> unknown;
+    for (const Wanted &one : all)
+      if (one.of->points.count(one.request.text()) == 0)
+        unknown.push_back(one);
+    const auto find = [](const Wanted &one) -> std::vector<CurvePoint>
+    {
+      try
+      {
+        return {
+            OperatingPointFinder(one.of->parameters, one.of->bodies).find(one.request, one.start)};
+      }
+      catch (const ComputationError &)
+      {
+        if (one.is_needed)
+          throw;
+        return {};
+      }
+    };
+    std::vector<std::vector<CurvePoint>> points = shared_work(unknown, find, communicator);
+    for (std::size_t i = 0; i < unknown.size(); ++i)
+      unknown[i].of->points[unknown[i].request.text()] = std::move(points[i]);
+    std::vector<std::vector<CurvePoint>> result;
+    for (const Wanted &one : all)
+      result.push_back(one.of->points.at(one.request.text()));
+    return result;
+  }
+
+  EffectOnPoints EffectsOnPoints::of(const Effect &effect, const Parameters &parameters)
+  {
+    const std::vector<Motor *> both = condensed({compared(parameters, effect, EffectChoice::on),
+                                                 compared(parameters, effect, EffectChoice::off)});
+    Motor *const with = both[0], *const without = both[1];
     const PointRequest stall{Control::speed, 0.}, no_load{Control::torque, 0.};
-    const auto ends = points_if_found({{with, stall, nullptr},
-                                       {with, no_load, nullptr},
-                                       {without, stall, nullptr},
-                                       {without, no_load, nullptr}},
-                                      communicator);
+    const auto ends = found({{with, stall, nullptr, false},
+                             {with, no_load, nullptr, false},
+                             {without, stall, nullptr, true},
+                             {without, no_load, nullptr, true}});
     EffectOnPoints effect_on;
     effect_on.relative = std::numeric_limits<double>::infinity();
     if (ends[0].empty() || ends[1].empty())
       return effect_on;
     const CurvePoint &at_stall = ends[2].front(), &at_no_load = ends[3].front();
     const PointRequest half_load{Control::torque, 0.5 * at_stall.result.torque};
-    const auto before = points_if_found({{without, half_load, &at_no_load}}, communicator).front();
-    const CurvePoint &middle = before.front();
-    const bool is_of_speed   = all_parameters.loading.control == Control::speed;
+    const CurvePoint middle = found({{without, half_load, &at_no_load, true}}).front().front();
+    const bool is_of_speed  = parameters.loading.control == Control::speed;
     const PointRequest same =
         is_of_speed ? PointRequest{Control::speed, middle.result.speed} : half_load;
-    const auto after = points_if_found({{with, same, &ends[1].front()}}, communicator).front();
+    const auto after = found({{with, same, &ends[1].front(), false}}).front();
     if (after.empty())
       return effect_on;
     effect_on.change.raise(change(at_stall, ends[0].front()));

@@ -213,11 +213,12 @@ TEST(Effects, ThatAreOffCostNothing)
 
 TEST(ToothInertia, ChangesSpeedsAsItsIndicatorSays)
 {
-  Parameters parameters       = reference_motor();
-  const StatorWave wave       = stator_wave(parameters);
-  const double indicator      = *effect("Tooth inertia").indicator({parameters, &wave, {}});
-  const EffectOnPoints change = effect_on_points(parameters, effect("Tooth inertia"), wave,
-                                                 MotorVibration(parameters, wave), MPI_COMM_SELF);
+  Parameters parameters  = reference_motor();
+  const StatorWave wave  = stator_wave(parameters);
+  const double indicator = *effect("Tooth inertia").indicator({parameters, &wave, {}});
+  const EffectOnPoints change =
+      EffectsOnPoints(wave, MotorVibration(parameters, wave), MPI_COMM_SELF)
+          .of(effect("Tooth inertia"), parameters);
   record("indicator", indicator);
   record("relative change of the operating points", change.relative);
   EXPECT_GT(change.relative, indicator / 3.);
@@ -232,8 +233,9 @@ TEST(ToothVibration, ChangesLessThanItsEstimate)
   const StatorWave wave               = stator_wave(parameters);
   const Effect &vibration             = effect("Tooth vibration");
   const double indicator              = *vibration.indicator({parameters, &wave, {}});
-  const EffectOnPoints change         = effect_on_points(parameters, vibration, wave,
-                                                         MotorVibration(parameters, wave), MPI_COMM_SELF);
+  const EffectOnPoints change =
+      EffectsOnPoints(wave, MotorVibration(parameters, wave), MPI_COMM_SELF)
+          .of(vibration, parameters);
   record("indicator", indicator);
   record("relative change of the operating points", change.relative);
   EXPECT_GT(change.relative, indicator / 30.);
@@ -258,6 +260,40 @@ TEST(ToothVibration, ChangesLessThanItsEstimate)
   }
 }
 
+TEST(EffectsOnPoints, AreTheSameWhereAnotherEffectWasMeasuredBefore)
+{
+  // They share the motor without either.
+  const Parameters parameters = reference_motor();
+  const StatorWave wave       = stator_wave(parameters);
+  const MotorVibration vibration(parameters, wave);
+  EffectsOnPoints together(wave, vibration, MPI_COMM_SELF), alone(wave, vibration, MPI_COMM_SELF);
+  together.of(effect("Tooth shear"), parameters);
+  const EffectOnPoints second = together.of(effect("Tooth inertia"), parameters),
+                       first  = alone.of(effect("Tooth inertia"), parameters);
+  for (const PointQuantity &quantity : point_quantities())
+    EXPECT_NEAR(second.change[quantity.name], first.change[quantity.name],
+                1e-6 * first.change[quantity.name])
+        << quantity.name;
+  EXPECT_NEAR(second.relative, first.relative, 1e-6 * first.relative);
+}
+
+TEST(EffectsOnPoints, OfFrictionThatFallsAreThoseOfTheDynamicCoefficient)
+{
+  Parameters parameters   = reference_motor();
+  const StatorWave wave   = stator_wave(parameters);
+  parameters.friction.law = FrictionLaw("coulomb");
+  const auto change       = [&]
+  {
+    return EffectsOnPoints(wave, MotorVibration(parameters, wave), MPI_COMM_SELF)
+        .of(effect("Tooth inertia"), parameters)
+        .relative;
+  };
+  const double of_constant               = change();
+  parameters.friction.law                = FrictionLaw("slip-weakening");
+  parameters.friction.static_coefficient = 1.4 * parameters.friction.dynamic_coefficient;
+  EXPECT_NEAR(change(), of_constant, 1e-6 * of_constant);
+}
+
 TEST(StatorCompliance, IsMeasuredAtOperatingPointsAndCostly)
 {
   Parameters parameters = reference_motor();
@@ -265,7 +301,7 @@ TEST(StatorCompliance, IsMeasuredAtOperatingPointsAndCostly)
   const Effect &stator  = effect("Stator compliance");
   const MotorVibration vibration(parameters, wave);
   const EffectOnPoints change =
-      effect_on_points(parameters, stator, wave, vibration, MPI_COMM_SELF);
+      EffectsOnPoints(wave, vibration, MPI_COMM_SELF).of(stator, parameters);
   record("relative change of the operating points", change.relative);
   EXPECT_GT(change.relative, 0.005);
   EXPECT_LT(change.relative, 0.05);
@@ -317,7 +353,7 @@ TEST(EffectRanks, ChangesPointsAlikeOnTwo)
   const auto change_on          = [&](MPI_Comm communicator)
   {
     const MotorVibration vibration(parameters, wave, communicator);
-    return effect_on_points(parameters, effect("Rotor inertia"), wave, vibration, communicator);
+    return EffectsOnPoints(wave, vibration, communicator).of(effect("Rotor inertia"), parameters);
   };
   const EffectOnPoints one = change_on(MPI_COMM_SELF), two = change_on(MPI_COMM_WORLD);
   EXPECT_GT(one.relative, 0.01);

@@ -73,7 +73,7 @@ namespace
 TEST_P(StatorComplianceLong, ChangesPointsAsItsIndicatorSays)
 {
   const EffectOnPoints says =
-      effect_on_points(parameters, effect(name), wave, *vibration, MPI_COMM_SELF);
+      EffectsOnPoints(wave, *vibration, MPI_COMM_SELF).of(effect(name), parameters);
   const CurvePoint stall = points(EffectChoice::off, {{Control::speed, 0.}}).front();
   const std::vector<PointRequest> requests{
       {Control::speed, 0.}, {Control::torque, 0.5 * stall.result.torque}, {Control::torque, 0.}};

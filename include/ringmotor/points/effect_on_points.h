@@ -6,6 +6,9 @@
 #include <ringmotor/points/curve_point.h>
 
 #include <map>
+#include <memory>
+#include <string>
+#include <vector>
 
 namespace ringmotor
 {
@@ -19,15 +22,36 @@ namespace ringmotor
 
   /**
    * Compares operating points of a uniform ring with and without an effect on the coarsest mesh,
-   * with few modes. EffectOnPoints::relative is infinite if there is a state without the effect,
-   * but none with it.
-   * @param vibration of the rotor of that ring
-   * @param communicator of the ranks that share the work. Collective
-   * @throws ComputationError if no state is found without the effect
+   * with few modes. Motors that several effects are compared with are computed once.
    */
-  EffectOnPoints effect_on_points(const Parameters &parameters, const Effect &effect,
-                                  const StatorWave &wave, const MotorVibration &vibration,
-                                  MPI_Comm communicator);
+  class EffectsOnPoints
+  {
+  public:
+    /** @param wave and
+     *  @param vibration of the rotor of that ring have to outlive this object
+     *  @param communicator of the ranks that share the work */
+    EffectsOnPoints(const StatorWave &wave, const MotorVibration &vibration, MPI_Comm communicator);
+    ~EffectsOnPoints();
+
+    /** Compares the motor with an effect with the one without it. EffectOnPoints::relative is
+     * infinite if there is a state without the effect, but none with it. Collective.
+     * @throws ComputationError if no state is found without the effect */
+    EffectOnPoints of(const Effect &effect, const Parameters &parameters);
+
+  private:
+    struct Motor;
+    struct Wanted;
+
+    /** The motors with these parameters, new ones condensed by ranks that share them. */
+    std::vector<Motor *> condensed(const std::vector<Parameters> &all);
+    /** Points of motors, new ones found by ranks that share them: empty if there is none. */
+    std::vector<std::vector<CurvePoint>> found(const std::vector<Wanted> &all);
+
+    const StatorWave &wave;
+    const MotorVibration &vibration;
+    const MPI_Comm communicator;
+    std::map<std::string, std::unique_ptr<Motor>> motors; ///< by what their points depend on
+  };
 
   /** The effects that `auto` has left out of a motor. */
   class LeftOut

@@ -2,6 +2,7 @@
 #include <ringmotor/contact/laws/list.h>
 #include <ringmotor/parameters/errors.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ringmotor::laws
@@ -32,13 +33,16 @@ namespace ringmotor::laws
         return {dynamic + left * excess, -excess / *friction.weakening_length};
       }
 
-      /** The slipped distances must agree to a small fraction of the weakening length. */
+      /** The slipped distances must agree to a small fraction of the weakening length, beyond which
+       * they do not matter. */
       bool settle(const Friction &friction, const FrictionMemory &found, const PointStatus,
                   const bool, FrictionMemory &memory) const override
       {
-        const bool agreed =
-            std::abs(found.slipped - memory.slipped) <= 1e-9 * *friction.weakening_length;
-        memory = found;
+        const double length   = *friction.weakening_length;
+        const auto that_count = [&](const FrictionMemory &of)
+        { return std::min(of.slipped, length); };
+        const bool agreed = std::abs(that_count(found) - that_count(memory)) <= 1e-9 * length;
+        memory            = found;
         return agreed;
       }
 
