@@ -98,21 +98,37 @@ namespace ringmotor
     SteadyMemory memory(*contact, friction, std::move(from.memory));
     const PointFriction law = [&](const unsigned int point, const double slip)
     { return friction_coefficient(friction, memory[point], slip, contact->time_step()); };
-    for (unsigned int round = 0; round < most_rounds; ++round)
+    const auto solved = [&]
     {
       ContactSolution solution = solve_contact(*contact, law, motor.bodies.constants, from.state,
                                                from.motion, solver, fallback);
       n_iterations             = solution.n_iterations += n_iterations;
       from.state               = solution.state;
       from.motion.clear();
-      if (memory.settled(solution))
+      OperatingState state{contact, std::move(solution)};
+      state.solution.memory = memory.assumed();
+      state.solution.speed  = contact->speed(state.solution.state);
+      state.modal_power     = contact->modal_power(state.solution.state);
+      state.modal_motion    = contact->modal_motion(state.solution.state);
+      state.vibration       = contact->vibration_of_modes(state.solution.state);
+      return state;
+    };
+    for (unsigned int round = 0; round < most_rounds; ++round)
+    {
+      OperatingState state = solved();
+      if (memory.settled(state.solution))
+        return state;
+      const unsigned int period = memory.period();
+      for (unsigned int other = 1; other < period; ++other)
       {
-        OperatingState state{contact, std::move(solution)};
-        state.solution.memory = memory.assumed();
-        state.solution.speed  = contact->speed(state.solution.state);
-        state.modal_power     = contact->modal_power(state.solution.state);
-        state.modal_motion    = contact->modal_motion(state.solution.state);
-        state.vibration       = contact->vibration_of_modes(state.solution.state);
+        state.others.push_back(solved());
+        memory.settled(state.others.back().solution);
+      }
+      if (period > 1)
+      {
+        state.solution.how = "the memory of the friction law alternates between " +
+                             std::to_string(period) +
+                             " states, whose range is part of the error bars";
         return state;
       }
     }

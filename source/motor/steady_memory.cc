@@ -2,6 +2,8 @@
 #include <ringmotor/contact/friction_law.h>
 #include <ringmotor/motor/steady_memory.h>
 
+#include <algorithm>
+
 namespace ringmotor
 {
   std::vector<FrictionMemory> travelled(const RingContact &contact, const StepState &solution)
@@ -58,8 +60,24 @@ namespace ringmotor
     return order;
   }
 
+  unsigned int SteadyMemory::period() const
+  {
+    const FrictionLawBase &law = law_of(friction);
+    const auto is_same         = [&](const FrictionMemory &one, const FrictionMemory &other)
+    { return law.may_alternate(friction, one, other); };
+    for (unsigned int period = 1; period <= earlier.size(); ++period)
+      if (std::equal(memory.begin(), memory.end(), earlier[earlier.size() - period].begin(),
+                     is_same))
+        return period;
+    return 0;
+  }
+
   bool SteadyMemory::settled(const StepState &solution)
   {
+    constexpr std::size_t longest_period = 6;
+    earlier.push_back(memory);
+    if (earlier.size() > longest_period)
+      earlier.erase(earlier.begin());
     constexpr unsigned char most_gains          = 3;
     const FrictionLawBase &law                  = law_of(friction);
     const std::vector<FrictionMemory> found_now = travelled(contact, solution);

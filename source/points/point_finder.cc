@@ -194,16 +194,24 @@ namespace ringmotor
                                                 const double at)
   {
     steady.set_wave(motor.wave.at(of_wave, at));
-    const OperatingState state = steady.at(load_of(parameters.loading, request));
-    CurvePoint point;
-    point.request = request;
-    point.result  = evaluate(state);
-    point.add_certificate(state.solution);
-    point.fields = fields_of(state, 0.);
-    point.rotor_energies =
-        rotor_energies(point.fields, {motor.bodies.n_waves, motor.bodies.n_teeth, 0});
-    point.rotor_power = power_per_loss_factor(point.rotor_energies, motor.wave.angular_frequency) +
-                        point.result.modal_damping;
+    const OperatingState found = steady.at(load_of(parameters.loading, request));
+    const auto point_of        = [&](const OperatingState &state)
+    {
+      CurvePoint point;
+      point.request = request;
+      point.result  = evaluate(state);
+      point.add_certificate(state.solution);
+      point.fields = fields_of(state, 0.);
+      point.rotor_energies =
+          rotor_energies(point.fields, {motor.bodies.n_waves, motor.bodies.n_teeth, 0});
+      point.rotor_power =
+          power_per_loss_factor(point.rotor_energies, motor.wave.angular_frequency) +
+          point.result.modal_damping;
+      return point;
+    };
+    CurvePoint point = point_of(found);
+    for (const OperatingState &other : found.others)
+      point.unsettled.raise(change(point, point_of(other)));
     return point;
   }
 

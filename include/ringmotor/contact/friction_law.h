@@ -69,6 +69,15 @@ namespace ringmotor
       return true;
     }
 
+    /** Whether two memories are the same as far as this law depends on them, and may alternate
+     * without end: then the state is taken that has been found, and its error is the range of all
+     * of them. */
+    virtual bool may_alternate(const Friction & /*friction*/, const FrictionMemory & /*one*/,
+                               const FrictionMemory & /*other*/) const
+    {
+      return false;
+    }
+
     /** Whether the search for a steady state starts with a chain of states with given coefficients,
      * which follow from the slip and memory of the previous state; see GivenCoefficients. */
     virtual bool starts_from_given_coefficients() const { return false; }

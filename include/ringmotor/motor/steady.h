@@ -17,6 +17,9 @@ namespace ringmotor
     ModalPower modal_power{};                      ///< of a motor with modes
     std::vector<PointVector> modal_motion{};       ///< m, of all contact points in these modes
     std::vector<std::complex<double>> vibration{}; ///< of these modes, see SteadyInertia::vibration
+    /** The states that it alternates with where no memory of the friction law agrees with itself.
+     */
+    std::vector<OperatingState> others{};
   };
 
   /**

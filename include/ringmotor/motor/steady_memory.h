@@ -35,6 +35,10 @@ namespace ringmotor
      * whether all agreed. */
     bool settled(const StepState &solution);
 
+    /** Whether the memory is one that was assumed before, and so alternates with it: the number of
+     * solutions since, else zero. See FrictionLawBase::may_alternate(). */
+    unsigned int period() const;
+
   private:
     /** Points in the order of time: each after its earlier one, if that one touches; then the open
      * ones. */
@@ -46,5 +50,6 @@ namespace ringmotor
     std::vector<unsigned int> later;    ///< the inverse of RingContact::earlier()
     std::vector<unsigned char> n_gains; ///< how often a point got the static limit
     unsigned int reach = 1;             ///< how many points in a row may get it on trust
+    std::vector<std::vector<FrictionMemory>> earlier; ///< assumed in the last solutions
   };
 } // namespace ringmotor

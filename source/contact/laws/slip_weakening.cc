@@ -38,12 +38,19 @@ namespace ringmotor::laws
       bool settle(const Friction &friction, const FrictionMemory &found, const PointStatus,
                   const bool, FrictionMemory &memory) const override
       {
-        const double length   = *friction.weakening_length;
-        const auto that_count = [&](const FrictionMemory &of)
-        { return std::min(of.slipped, length); };
-        const bool agreed = std::abs(that_count(found) - that_count(memory)) <= 1e-9 * length;
+        const bool agreed = may_alternate(friction, found, memory);
         memory            = found;
         return agreed;
+      }
+
+      /** A point that just sticks forgets how far it has slipped, those behind it get a larger
+       * coefficient, and it slips: such a passage has no memory that agrees with itself. */
+      bool may_alternate(const Friction &friction, const FrictionMemory &one,
+                         const FrictionMemory &other) const override
+      {
+        const double length = *friction.weakening_length;
+        return std::abs(std::min(one.slipped, length) - std::min(other.slipped, length)) <=
+               1e-9 * length;
       }
 
       bool starts_from_given_coefficients() const override { return true; }
