@@ -125,12 +125,7 @@ namespace ringmotor
         memory.settled(state.others.back().solution);
       }
       if (period > 1)
-      {
-        state.solution.how = "the memory of the friction law alternates between " +
-                             std::to_string(period) +
-                             " states, whose range is part of the error bars";
         return state;
-      }
     }
     throw ComputationError("the memory of the friction law did not settle in " +
                            std::to_string(most_rounds) + " iterations");

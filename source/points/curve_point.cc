@@ -45,6 +45,6 @@ namespace ringmotor
     largest_violation = std::max(largest_violation, solution.certificate.worst());
     n_iterations += solution.n_iterations;
     if (!solution.how.empty())
-      remark = solution.how;
+      remark = "Newton's method did not converge directly: " + solution.how;
   }
 } // namespace ringmotor

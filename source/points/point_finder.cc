@@ -212,6 +212,10 @@ namespace ringmotor
     CurvePoint point = point_of(found);
     for (const OperatingState &other : found.others)
       point.unsettled.raise(change(point, point_of(other)));
+    if (!found.others.empty())
+      point.remark = "friction that falls with the slip alternates between " +
+                     std::to_string(found.others.size() + 1) +
+                     " states; the error bars contain their range";
     return point;
   }
 

@@ -194,8 +194,7 @@ namespace ringmotor
             "of the limit of sliding friction");
       for (const CurvePoint &point : search.points())
         if (!point.remark.empty())
-          log.line("note: at " + text(1e3 * point.result.torque, 2) +
-                   " mN m Newton's method did not converge directly: " + point.remark);
+          log.line("note: at " + text(1e3 * point.result.torque, 2) + " mN m: " + point.remark);
       log.line(describe_faces(search.motor().gap, parameters));
       report_static_friction(search);
       warn_of_weak_waves(search);

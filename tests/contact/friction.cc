@@ -6,6 +6,7 @@
 
 #include "support/dense_contact.h"
 
+#include <ringmotor/contact/friction_law.h>
 #include <ringmotor/parameters/errors.h>
 
 #include <gtest/gtest.h>
@@ -164,6 +165,24 @@ TEST(FrictionOfAPoint, MayJumpWhereItWeakensQuickly)
   { return friction_coefficient(friction, stuck, slip, time_step); };
   EXPECT_NEAR(slip_on_springs(weakens, 5.), 0., 1e-15);
   EXPECT_NEAR(slip_on_springs(weakens, 0.6), 1e-6 - 2e-7 * 0.6, 1e-15);
+}
+
+TEST(FrictionOfAPoint, RemembersTheDistanceOnlyWhereItMatters)
+{
+  const Friction friction    = friction_of(FrictionLaw("slip-weakening"));
+  const FrictionLawBase &law = law_of(friction);
+  const auto agree           = [&](const double found, const double assumed)
+  {
+    FrictionMemory memory{false, assumed * weakening_length};
+    const bool agreed =
+        law.settle(friction, {false, found * weakening_length}, PointStatus::slip, false, memory);
+    EXPECT_EQ(memory.slipped, found * weakening_length);
+    return agreed;
+  };
+  EXPECT_TRUE(agree(0.5, 0.5));
+  EXPECT_FALSE(agree(0.5, 0.6));
+  EXPECT_FALSE(agree(0.9, 1.1));
+  EXPECT_TRUE(agree(2., 3.)); // the dynamic coefficient, however far
 }
 
 TEST(FrictionOfManyPoints, FallsFromTheStaticCoefficientWhereThePullExceedsIt)

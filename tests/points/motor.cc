@@ -341,6 +341,29 @@ TEST_F(ReferenceMotor, RemembersHowFarItsPointsHaveSlipped)
   }
 }
 
+TEST_F(ReferenceMotor, MarchesToItsSteadyStateWhereFrictionFallsWithTheSlip)
+{
+  Parameters weakening                        = parameters;
+  weakening.friction.law                      = FrictionLaw("slip-weakening");
+  weakening.friction.static_coefficient       = 0.56;
+  weakening.friction.weakening_length         = 1e-7;
+  weakening.effects["Static friction excess"] = EffectChoice::on;
+  for (const double speed : {0., 40. * rpm})
+  {
+    const double steady =
+        OperatingPointFinder(weakening, motor).find({Control::speed, speed}).result.torque;
+    MarchingDriver driver(motor, weakening.friction, Warp(), 14.);
+    double torque = 0.;
+    for (unsigned int step = 0; step < 180; ++step)
+    {
+      const OperatingState state = driver.step({14., {}, speed}, motor.period() / 90.);
+      torque                     = state.contact->torque(state.solution.state);
+    }
+    record("relative difference of torques", torque / steady - 1.);
+    EXPECT_NEAR(torque, steady, 1e-5 * torque);
+  }
+}
+
 TEST_F(ReferenceMotor, IsSlowerWhenWarped)
 {
   Parameters warped                    = parameters;

@@ -61,7 +61,7 @@ namespace ringmotor
     unsigned int n_iterations = 0;
     double seconds            = 0.;
     double largest_share      = 0.; ///< see ContactFields::largest_share()
-    std::string remark;             ///< what was tried if Newton's method alone did not suffice
+    std::string remark;             ///< how it was found, if not by Newton's method alone
     ContactFields fields; ///< without values where nothing needs them any more, see PointTable
 
     /** Of all causes, which are independent. */
