@@ -70,13 +70,28 @@ namespace ringmotor
     return span;
   }
 
+  OperatingState MarchedRun::step(const RotorLoad &now, const double length)
+  try
+  {
+    return driver.step(now, length);
+  }
+  catch (const ComputationError &error)
+  {
+    std::ostringstream text;
+    text.precision(4);
+    text << "no contact state found " << 1e6 * (driver.time() + length) << " us after the start at "
+         << (load.torque ? 1e3 * *load.torque : load.speed * 30. / numbers::PI)
+         << (load.torque ? " mN m: " : " rpm: ") << error.what();
+    throw ComputationError(text.str());
+  }
+
   std::optional<OperatingPoint> MarchedRun::add_step(const double length, ContactFields &fields)
   {
     const bool is_first = !last.contact;
     RotorLoad now       = load;
     if (is_first && now.torque)
       now.torque = 0.;
-    OperatingState state = driver.step(now, length);
+    OperatingState state = step(now, length);
     taken.add_certificate(state.solution);
     fields.append(fields_of(state, driver.time()));
     std::optional<OperatingPoint> result;

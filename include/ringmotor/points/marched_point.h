@@ -48,6 +48,8 @@ namespace ringmotor
     /** Advances by a part of a step. @returns nothing for the very first one, before which there is
      * no energy, and which has no torque */
     std::optional<OperatingPoint> add_step(const double length, ContactFields &fields);
+    /** The next state. @throws ComputationError if none is found: when, at which load */
+    OperatingState step(const RotorLoad &now, const double length);
 
     const RotorLoad load;
     const unsigned int n_parts;  ///< of a step
