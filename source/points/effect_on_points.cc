@@ -99,8 +99,12 @@ namespace ringmotor
   {
     std::vector<Wanted> unknown;
     for (const Wanted &one : all)
-      if (one.of->points.count(one.request.text()) == 0)
+    {
+      const auto known = one.of->points.find(one.request.text());
+      // A point that was not found before and is needed now is looked for again, to say why.
+      if (known == one.of->points.end() || (one.is_needed && known->second.empty()))
         unknown.push_back(one);
+    }
     const auto find = [](const Wanted &one) -> std::vector<CurvePoint>
     {
       try
