@@ -20,17 +20,6 @@ namespace ringmotor
   {
     constexpr unsigned int most_rounds = 60; ///< of an update of the memory
 
-    std::string text_of(const RotorLoad &load)
-    {
-      std::ostringstream text;
-      text.precision(4);
-      if (load.torque)
-        text << "at " << 1e3 * *load.torque << " mN m";
-      else
-        text << "at " << 30. / M_PI * load.speed << " rpm";
-      return text.str();
-    }
-
     /** Dynamics between two others. @param share of the way from one to the other */
     RingDynamics between(const RingDynamics &one, const RingDynamics &other, const double share)
     {
@@ -47,6 +36,17 @@ namespace ringmotor
       return dynamics;
     }
   } // namespace
+
+  std::string text_of(const RotorLoad &load)
+  {
+    std::ostringstream text;
+    text.precision(4);
+    if (load.torque)
+      text << "at " << 1e3 * *load.torque << " mN m";
+    else
+      text << "at " << 30. / M_PI * load.speed << " rpm";
+    return text.str();
+  }
 
   std::vector<FrictionMemory> next_memory(const StepState &solution,
                                           const std::vector<FrictionMemory> &earlier)

@@ -79,9 +79,8 @@ namespace ringmotor
   {
     std::ostringstream text;
     text.precision(4);
-    text << "no contact state found " << 1e6 * (driver.time() + length) << " us after the start at "
-         << (load.torque ? 1e3 * *load.torque : load.speed * 30. / numbers::PI)
-         << (load.torque ? " mN m: " : " rpm: ") << error.what();
+    text << "no contact state found " << 1e6 * (driver.time() + length) << " us after the start "
+         << text_of(load) << ": " << error.what();
     throw ComputationError(text.str());
   }
 

@@ -5,10 +5,14 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace ringmotor
 {
+  /** Where on the curve, for messages: "at 50 mN m", "at 20 rpm". */
+  std::string text_of(const RotorLoad &load);
+
   /** A motor at one operating point. */
   struct OperatingState
   {
