@@ -3,11 +3,58 @@
 #include <ringmotor/contact/solve/chain_of_blocks.h>
 
 #include <algorithm>
-#include <numeric>
+#include <cmath>
+#include <set>
 
 namespace ringmotor
 {
   using namespace dealii;
+
+  namespace
+  {
+    /** The number of far shapes for so many blocks whose far motions matter. The first shapes are
+     * the most significant. With three the Krylov method takes some 40 steps along chains, with
+     * eight 10; without chains six do as well as more. */
+    unsigned int shapes_for(const BlockStructure &structure, const std::size_t n_felt,
+                            const bool has_chains)
+    {
+      constexpr unsigned int fewest = 3, affordable = 1500, without_chains = 6;
+      return std::min(structure.n_far_shapes(),
+                      has_chains ? std::max<unsigned int>(fewest, affordable / n_felt)
+                                 : without_chains);
+    }
+  } // namespace
+
+  ChainOfBlocks::Cost ChainOfBlocks::cost_of(const ContactRows &rows)
+  {
+    const BlockStructure &structure = rows.contact_problem().structure();
+    std::set<unsigned int> touching, felt;
+    bool has_chains = false;
+    for (const unsigned int point : rows.touching_points())
+    {
+      const unsigned int block  = structure.block_of_point(point),
+                         before = structure.block_before(block);
+      touching.insert(block);
+      felt.insert(block);
+      if (before != none && before != block)
+      {
+        felt.insert(before);
+        has_chains = true;
+      }
+    }
+    if (touching.empty())
+      return {0, 0, 0.};
+    Cost cost;
+    cost.n_shapes  = shapes_for(structure, felt.size(), has_chains);
+    const double n = rows.unknowns().size(), of_block = n / touching.size();
+    const double n_far = cost.n_shapes * felt.size();
+    cost.n_small       = n_far + rows.n_rigid() + (has_chains ? of_block : 0.);
+    // Along a chain the forces of its last blocks depend on all unknowns of the small system.
+    const double n_columns = has_chains ? cost.n_small : cost.n_shapes + rows.n_rigid();
+    cost.n_operations      = 2. / 3. * (std::pow(cost.n_small, 3) + n * of_block * of_block) +
+                        2. * n_columns * (2. * n * of_block + n_far * n_far);
+    return cost;
+  }
 
   ChainOfBlocks::ChainOfBlocks(const ContactRows &rows)
       : made_for(rows), n_rigid(rows.n_rigid()), balances(n_rigid, rows.n_of_nodes())
@@ -74,15 +121,10 @@ namespace ringmotor
   void ChainOfBlocks::choose_shapes(const ContactRows &rows)
   {
     const BlockStructure &structure = rows.contact_problem().structure();
-    // The first shapes are the most significant. With three the Krylov method takes some 40 steps
-    // along chains, with eight 10; without chains six do as well as more.
-    constexpr unsigned int fewest = 3, affordable = 1500, without_chains = 6;
-    const bool has_chains = std::any_of(blocks.begin(), blocks.end(),
-                                        [](const Block &block) { return block.before != none; });
-    const unsigned int wanted =
-        has_chains ? std::max<unsigned int>(fewest, affordable / felt.size()) : without_chains;
-    n_shapes = std::min(structure.n_far_shapes(), wanted);
-    n_far    = n_shapes * felt.size();
+    const bool has_chains           = std::any_of(blocks.begin(), blocks.end(),
+                                                  [](const Block &block) { return block.before != none; });
+    n_shapes                        = shapes_for(structure, felt.size(), has_chains);
+    n_far                           = n_shapes * felt.size();
     for (Block &block : blocks)
     {
       const unsigned int n = block.unknowns.size();

@@ -7,8 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
-#include <set>
 
 namespace ringmotor
 {
@@ -18,17 +18,19 @@ namespace ringmotor
   {
     /** Unknowns from which on keeping factors pays off: below, new ones take milliseconds. */
     constexpr unsigned int fewest_for_kept_factors = 300;
-    /** Unknowns from which on GMRES with chains of blocks is faster than dense factors: where slips
-     * are measured from other blocks; where they are not, per touching block and in all. */
-    constexpr unsigned int fewest_for_chains = 2600, fewest_in_block = 13, fewest_in_blocks = 300;
+    /** What GMRES with chains of blocks takes longer than with dense factors, for more steps:
+     * operations, and in proportion to those of its factors. */
+    constexpr double steps_by_blocks = 1e8, longer_by_blocks = 2.;
     /** Steps of GMRES with chains of blocks: so many take as long as new blocks, or as dense
-     * factors; near a solution it takes at most so many. */
+     * factors; so many for each unknown of their small system; near a solution at most so many. */
     constexpr unsigned int many_steps = 12, most_by_blocks = 60;
+    constexpr double many_per_unknown = 1. / 40.;
     /** Steps of GMRES with the factors of the system itself, in single precision. */
     constexpr unsigned int enough_for_rounding = 12;
     /** Unknowns up to which a dense matrix is made where GMRES fails, in a second or two. More
      * occur only far from any solution. */
     constexpr unsigned int most_dense = 4000;
+    constexpr double infinity         = std::numeric_limits<double>::infinity();
 
     /** @param solution also the start
      * @return the number of steps in which the residual was reduced, at most @p most_steps without
@@ -63,23 +65,6 @@ namespace ringmotor
     bool has_chains(const ContactRows &rows)
     {
       return rows.contact_problem().structure().block_before(0) != BlockStructure::no_part;
-    }
-
-    unsigned int n_touching_blocks(const ContactRows &rows)
-    {
-      std::set<unsigned int> blocks;
-      for (const unsigned int point : rows.touching_points())
-        blocks.insert(rows.contact_problem().structure().block_of_point(point));
-      return blocks.size();
-    }
-
-    /** Whether GMRES with chains of blocks, if it takes few steps, is faster than dense factors. */
-    bool has_large_blocks(const ContactRows &rows)
-    {
-      const unsigned int n = rows.unknowns().size();
-      if (has_chains(rows))
-        return n >= fewest_for_chains;
-      return n >= fewest_in_blocks && n >= fewest_in_block * n_touching_blocks(rows);
     }
 
     bool solve_dense(const ContactRows &rows, Vector<double> &solution)
@@ -124,6 +109,20 @@ namespace ringmotor
     return false;
   }
 
+  bool RowSolver::solve_by_blocks(const ContactRows &rows, const double reduction,
+                                  const double of_dense, Vector<double> &solution)
+  {
+    if (rows.contact_problem().structure().n_blocks() <= 1)
+      return false;
+    const bool are_slow =
+        !has_chains(rows) && blocks.steps_with_new().value_or(most_by_blocks) > many_steps;
+    const ChainOfBlocks::Cost cost = ChainOfBlocks::cost_of(rows);
+    const double of_blocks =
+        are_slow ? infinity : steps_by_blocks + longer_by_blocks * cost.n_operations;
+    const auto many = std::max<unsigned int>(many_steps, many_per_unknown * cost.n_small);
+    return of_blocks <= of_dense && blocks.solve(rows, reduction, many, most_by_blocks, solution);
+  }
+
   bool RowSolver::solve(const ContactProblem &problem, const std::vector<unsigned int> &touching,
                         const std::vector<ContactRow> &contact_rows, Vector<double> &solution,
                         const double reduction)
@@ -135,15 +134,16 @@ namespace ringmotor
     const unsigned int n = rows.unknowns().size();
     if (n == 0) // LAPACK does not take empty matrices
       return true;
-    const bool prefers_dense = !has_chains(rows) && n <= most_dense &&
-                               blocks.steps_with_new().value_or(most_by_blocks) > many_steps;
-    if (problem.structure().n_blocks() > 1 && has_large_blocks(rows) && !prefers_dense &&
-        blocks.solve(rows, reduction, many_steps, most_by_blocks, solution))
-      return true;
     RingOfParts ring(rows);
     // An LU factorisation takes 2/3 n^3 operations.
-    const bool is_ring = ring.n_parts() > 1 && ring.n_operations() < 2. / 3. * std::pow(n, 3);
-    if ((is_ring ? ring.largest_part() : n) > most_dense)
+    const bool is_ring    = ring.n_parts() > 1 && ring.n_operations() < 2. / 3. * std::pow(n, 3);
+    const bool has_dense  = (is_ring ? ring.largest_part() : n) <= most_dense;
+    const double of_dense = !has_dense ? infinity
+                            : is_ring  ? ring.n_operations()
+                                       : SlipFactors::cost_of(rows);
+    if (solve_by_blocks(rows, reduction, of_dense, solution))
+      return true;
+    if (!has_dense)
       return false;
     if (is_ring)
       return ring.solve(solution);

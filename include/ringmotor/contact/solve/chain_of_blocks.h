@@ -22,6 +22,15 @@ namespace ringmotor
   class ChainOfBlocks
   {
   public:
+    /** What an object for some rows takes, estimated before it is made. */
+    struct Cost
+    {
+      unsigned int n_shapes; ///< far shapes of each block
+      unsigned int n_small;  ///< unknowns of the small system
+      double n_operations;   ///< of all factors
+    };
+    static Cost cost_of(const ContactRows &rows);
+
     /** Computes all factors. */
     explicit ChainOfBlocks(const ContactRows &rows);
 

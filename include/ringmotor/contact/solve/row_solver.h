@@ -38,8 +38,8 @@ namespace ringmotor
    *
    * - a dense matrix by LAPACK, or one for each part of a problem of several parts;
    * - GMRES with dense factors in single precision as preconditioner;
-   * - GMRES with chains of blocks as preconditioner, which needs no dense matrix, for many unknowns
-   * in each block, as long as it takes few steps.
+   * - GMRES with chains of blocks as preconditioner, which needs no dense matrix, where its factors
+   * are estimated to cost less, as long as it takes few steps.
    */
   class RowSolver
   {
@@ -55,6 +55,12 @@ namespace ringmotor
                const double reduction = 1e-8);
 
   private:
+    /** With chains of blocks, if that is estimated to be faster than dense factors. @param of_dense
+     * what those cost, in operations of matrix products; infinity if there are too many unknowns
+     * @return false if it is not, or GMRES does not converge; then nothing is changed */
+    bool solve_by_blocks(const ContactRows &rows, const double reduction, const double of_dense,
+                         dealii::Vector<double> &solution);
+
     KeptPreconditioner<ChainOfBlocks> blocks;
     KeptPreconditioner<SlipFactors> factors;
   };

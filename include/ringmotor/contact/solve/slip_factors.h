@@ -19,6 +19,10 @@ namespace ringmotor
   class SlipFactors
   {
   public:
+    /** What an object for some rows takes, estimated before it is made: operations of matrix
+     * products in double precision that take as long. */
+    static double cost_of(const ContactRows &rows);
+
     explicit SlipFactors(const ContactRows &rows);
 
     bool is_regular() const { return regular; }
