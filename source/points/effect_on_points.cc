@@ -49,7 +49,7 @@ namespace ringmotor
     std::map<std::string, std::vector<CurvePoint>> points;
   };
 
-  /** A point to be found, from rest or from a known one. */
+  /** A point to be found, from a known one or else from that of a similar motor, or from rest. */
   struct EffectsOnPoints::Wanted
   {
     Motor *of;
@@ -95,6 +95,19 @@ namespace ringmotor
     return wanted;
   }
 
+  const CurvePoint *EffectsOnPoints::known_to_similar(const Wanted &wanted) const
+  {
+    const bool has_inertia = motor_model(wanted.of->parameters).has_inertia();
+    for (const auto &[key, motor] : motors)
+    {
+      const auto known = motor->points.find(wanted.request.text());
+      if (known != motor->points.end() && !known->second.empty() &&
+          motor_model(motor->parameters).has_inertia() == has_inertia)
+        return &known->second.front();
+    }
+    return nullptr;
+  }
+
   std::vector<std::vector<CurvePoint>> EffectsOnPoints::found(const std::vector<Wanted> &all)
   {
     std::vector<Wanted> unknown;
@@ -105,6 +118,10 @@ namespace ringmotor
       if (known == one.of->points.end() || (one.is_needed && known->second.empty()))
         unknown.push_back(one);
     }
+    // From points of earlier calls, so that the values do not depend on the number of ranks.
+    for (Wanted &one : unknown)
+      if (!one.start)
+        one.start = known_to_similar(one);
     const auto find = [](const Wanted &one) -> std::vector<CurvePoint>
     {
       try
@@ -134,15 +151,13 @@ namespace ringmotor
                                                  compared(parameters, effect, EffectChoice::off)});
     Motor *const with = both[0], *const without = both[1];
     const PointRequest stall{Control::speed, 0.}, no_load{Control::torque, 0.};
-    const auto ends = found({{with, stall, nullptr, false},
-                             {with, no_load, nullptr, false},
-                             {without, stall, nullptr, true},
-                             {without, no_load, nullptr, true}});
     EffectOnPoints effect_on;
     effect_on.relative = std::numeric_limits<double>::infinity();
+    const auto ends    = found({{with, stall, nullptr, false}, {with, no_load, nullptr, false}});
     if (ends[0].empty() || ends[1].empty())
       return effect_on;
-    const CurvePoint &at_stall = ends[2].front(), &at_no_load = ends[3].front();
+    const auto before = found({{without, stall, nullptr, true}, {without, no_load, nullptr, true}});
+    const CurvePoint &at_stall = before[0].front(), &at_no_load = before[1].front();
     const PointRequest half_load{Control::torque, 0.5 * at_stall.result.torque};
     const CurvePoint middle = found({{without, half_load, &at_no_load, true}}).front().front();
     const bool is_of_speed  = parameters.loading.control == Control::speed;

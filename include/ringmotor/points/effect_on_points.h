@@ -34,8 +34,8 @@ namespace ringmotor
     ~EffectsOnPoints();
 
     /** Compares the motor with an effect with the one without it. EffectOnPoints::relative is
-     * infinite if there is a state without the effect, but none with it. Collective.
-     * @throws ComputationError if no state is found without the effect */
+     * infinite if there is no state with it. Collective.
+     * @throws ComputationError if there is one, but none is found without the effect */
     EffectOnPoints of(const Effect &effect, const Parameters &parameters);
 
   private:
@@ -44,6 +44,9 @@ namespace ringmotor
 
     /** The motors with these parameters, new ones condensed by ranks that share them. */
     std::vector<Motor *> condensed(const std::vector<Parameters> &all);
+    /** The point at the same load of another motor that has inertia as well, or neither has;
+     * nullptr if none is known. */
+    const CurvePoint *known_to_similar(const Wanted &wanted) const;
     /** Points of motors, new ones found by ranks that share them: empty if there is none. */
     std::vector<std::vector<CurvePoint>> found(const std::vector<Wanted> &all);
 
