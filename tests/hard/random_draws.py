@@ -94,13 +94,25 @@ def draw_materials(dice):
     return entries
 
 
+def draw_law(dice):
+    return dice.pick("coulomb", "static-dynamic", "velocity", "slip-weakening")
+
+
+def draw_coefficients(dice, dynamic, largest_ratio):
+    """Entries of any law of friction. @param largest_ratio of the static to the dynamic coefficient"""
+    return {"Friction/Dynamic coefficient": text(dynamic),
+            "Friction/Static coefficient": text(dynamic * dice.uniform(1., largest_ratio)),
+            "Friction/Decay velocity": text(dice.log_uniform(0.01, 1.)),
+            "Friction/Weakening length": text(dice.log_uniform(1e-8, 1e-6))}
+
+
+def draw_warp(dice):
+    return {"Initial deformation/Amplitude": text(dice.log_uniform(1e-7, 1e-5)),
+            "Initial deformation/Number of waves": str(dice.integer(0, 4))}
+
+
 def draw_friction(dice):
-    law = dice.pick("coulomb", "static-dynamic", "velocity", "slip-weakening")
-    dynamic = dice.log_uniform(0.05, 0.8)
-    entries = {"Friction/Law": law, "Friction/Dynamic coefficient": text(dynamic),
-               "Friction/Static coefficient": text(dynamic * dice.uniform(1., 1.5)),
-               "Friction/Decay velocity": text(dice.log_uniform(0.01, 1.)),
-               "Friction/Weakening length": text(dice.log_uniform(1e-8, 1e-6))}
+    entries = {"Friction/Law": draw_law(dice), **draw_coefficients(dice, dice.log_uniform(0.05, 0.8), 1.5)}
     if dice.chance(0.2):
         normal = dice.log_uniform(1e12, 1e14)
         entries.update({"Effects/Friction lining": "on", "Friction/Lining normal stiffness": text(normal),
@@ -119,8 +131,7 @@ def draw_scene(dice):
                "Loading/Control": dice.pick("torque", "torque", "speed")}
     is_warped = dice.chance(0.25)
     if is_warped:
-        entries.update({"Initial deformation/Amplitude": text(dice.log_uniform(1e-7, 1e-5)),
-                        "Initial deformation/Number of waves": str(dice.integer(0, 4))})
+        entries.update(draw_warp(dice))
     marches = is_warped or dice.chance(0.1)
     entries["Time/Scheme"] = dice.pick("auto", "marching") if is_warped else (
         "marching" if marches else dice.pick("auto", "steady"))
@@ -156,16 +167,11 @@ def draw_example(seed, values_of):
         ("Rotor/Radial bar stiffness", (0.5, 2.)))
         if number(entry) > 0.}
     dynamic = dice.log_uniform(0.05, 0.5)
-    entries.update({"Friction/Law": dice.pick("coulomb", "static-dynamic", "velocity", "slip-weakening"),
-                    "Friction/Dynamic coefficient": text(dynamic),
-                    "Friction/Static coefficient": text(dynamic * dice.uniform(1., 1.4)),
-                    "Friction/Decay velocity": text(dice.log_uniform(0.01, 1.)),
-                    "Friction/Weakening length": text(dice.log_uniform(1e-8, 1e-6)),
+    entries.update({"Friction/Law": draw_law(dice), **draw_coefficients(dice, dynamic, 1.4),
                     "Loading/Preload": text(dice.log_uniform(0.5, 150.)),
                     "Wave/Amplitude": text(dice.log_uniform(0.2e-6, 4e-6)),
                     "Loading/Number of curve points": dice.pick("3", "5", "11"),
                     "Accuracy/Contact target": "0.1"})
     if dice.chance(0.2):
-        entries.update({"Initial deformation/Amplitude": text(dice.log_uniform(1e-7, 1e-5)),
-                        "Initial deformation/Number of waves": str(dice.integer(0, 4))})
+        entries.update(draw_warp(dice))
     return base, {**entries, **OUTPUT_OFF}, {"marches": False, "speeds": None}

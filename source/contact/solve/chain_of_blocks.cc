@@ -12,48 +12,60 @@ namespace ringmotor
 
   namespace
   {
-    /** The number of far shapes for so many blocks whose far motions matter. The first shapes are
-     * the most significant. With three the Krylov method takes some 40 steps along chains, with
-     * eight 10; without chains six do as well as more. */
-    unsigned int shapes_for(const BlockStructure &structure, const std::size_t n_felt,
-                            const bool has_chains)
+    /** The blocks of the problem that touch, and those whose far motions matter. */
+    struct TouchingBlocks
     {
-      constexpr unsigned int fewest = 3, affordable = 1500, without_chains = 6;
-      return std::min(structure.n_far_shapes(),
-                      has_chains ? std::max<unsigned int>(fewest, affordable / n_felt)
-                                 : without_chains);
-    }
+      explicit TouchingBlocks(const ContactRows &rows)
+      {
+        constexpr unsigned int none     = BlockStructure::no_part;
+        const BlockStructure &structure = rows.contact_problem().structure();
+        unsigned int last               = none; // neighbours are in the same block
+        for (const unsigned int point : rows.touching_points())
+        {
+          const unsigned int block = structure.block_of_point(point);
+          if (block == last)
+            continue;
+          last = block;
+          touching.insert(block);
+          felt.insert(block);
+          const unsigned int before = structure.block_before(block);
+          if (before == none || before == block) // no slip at all
+            continue;
+          felt.insert(before);
+          has_chains = true;
+        }
+      }
+
+      /** The number of far shapes of each. The first shapes are the most significant. With three
+       * the Krylov method takes some 40 steps along chains, with eight 10; without chains six do as
+       * well as more. */
+      unsigned int n_shapes(const BlockStructure &structure) const
+      {
+        constexpr unsigned int fewest = 3, affordable = 1500, without_chains = 6;
+        return std::min(structure.n_far_shapes(),
+                        has_chains ? std::max<unsigned int>(fewest, affordable / felt.size())
+                                   : without_chains);
+      }
+
+      std::set<unsigned int> touching, felt;
+      bool has_chains = false; ///< slips are measured from other blocks
+    };
   } // namespace
 
   ChainOfBlocks::Cost ChainOfBlocks::cost_of(const ContactRows &rows)
   {
-    const BlockStructure &structure = rows.contact_problem().structure();
-    std::set<unsigned int> touching, felt;
-    bool has_chains = false;
-    for (const unsigned int point : rows.touching_points())
-    {
-      const unsigned int block  = structure.block_of_point(point),
-                         before = structure.block_before(block);
-      touching.insert(block);
-      felt.insert(block);
-      if (before != none && before != block)
-      {
-        felt.insert(before);
-        has_chains = true;
-      }
-    }
-    if (touching.empty())
-      return {0, 0, 0.};
-    Cost cost;
-    cost.n_shapes  = shapes_for(structure, felt.size(), has_chains);
-    const double n = rows.unknowns().size(), of_block = n / touching.size();
-    const double n_far = cost.n_shapes * felt.size();
-    cost.n_small       = n_far + rows.n_rigid() + (has_chains ? of_block : 0.);
+    const TouchingBlocks of(rows);
+    if (of.touching.empty())
+      return {false, 0, 0.};
+    const double n = rows.unknowns().size(), of_block = n / of.touching.size();
+    const unsigned int n_shapes = of.n_shapes(rows.contact_problem().structure());
+    const double n_far          = n_shapes * of.felt.size(),
+                 n_small        = n_far + rows.n_rigid() + (of.has_chains ? of_block : 0.);
     // Along a chain the forces of its last blocks depend on all unknowns of the small system.
-    const double n_columns = has_chains ? cost.n_small : cost.n_shapes + rows.n_rigid();
-    cost.n_operations      = 2. / 3. * (std::pow(cost.n_small, 3) + n * of_block * of_block) +
-                        2. * n_columns * (2. * n * of_block + n_far * n_far);
-    return cost;
+    const double n_columns = of.has_chains ? n_small : n_shapes + rows.n_rigid();
+    return {of.has_chains, static_cast<unsigned int>(n_small),
+            2. / 3. * (std::pow(n_small, 3) + n * of_block * of_block) +
+                2. * n_columns * (2. * n * of_block + n_far * n_far)};
   }
 
   ChainOfBlocks::ChainOfBlocks(const ContactRows &rows)
@@ -110,21 +122,16 @@ namespace ringmotor
       if (block.before == block.number) // no slip at all
         block.before = none;
       block.place_before = block.before == none ? none : place[block.before];
-      felt.push_back(block.number);
-      if (block.before != none)
-        felt.push_back(block.before);
     }
-    std::sort(felt.begin(), felt.end());
-    felt.erase(std::unique(felt.begin(), felt.end()), felt.end());
+    const TouchingBlocks of(rows);
+    felt.assign(of.felt.begin(), of.felt.end()); // in ascending order
+    n_shapes = of.n_shapes(structure);
+    n_far    = n_shapes * felt.size();
   }
 
   void ChainOfBlocks::choose_shapes(const ContactRows &rows)
   {
     const BlockStructure &structure = rows.contact_problem().structure();
-    const bool has_chains           = std::any_of(blocks.begin(), blocks.end(),
-                                                  [](const Block &block) { return block.before != none; });
-    n_shapes                        = shapes_for(structure, felt.size(), has_chains);
-    n_far                           = n_shapes * felt.size();
     for (Block &block : blocks)
     {
       const unsigned int n = block.unknowns.size();

@@ -61,12 +61,6 @@ namespace ringmotor
       return control.last_step();
     }
 
-    /** Whether slips in a block are measured from the motions of another one. */
-    bool has_chains(const ContactRows &rows)
-    {
-      return rows.contact_problem().structure().block_before(0) != BlockStructure::no_part;
-    }
-
     bool solve_dense(const ContactRows &rows, Vector<double> &solution)
     {
       const std::vector<unsigned int> &unknowns = rows.unknowns();
@@ -114,9 +108,9 @@ namespace ringmotor
   {
     if (rows.contact_problem().structure().n_blocks() <= 1)
       return false;
-    const bool are_slow =
-        !has_chains(rows) && blocks.steps_with_new().value_or(most_by_blocks) > many_steps;
     const ChainOfBlocks::Cost cost = ChainOfBlocks::cost_of(rows);
+    const bool are_slow =
+        !cost.has_chains && blocks.steps_with_new().value_or(most_by_blocks) > many_steps;
     const double of_blocks =
         are_slow ? infinity : steps_by_blocks + longer_by_blocks * cost.n_operations;
     const auto many = std::max<unsigned int>(many_steps, many_per_unknown * cost.n_small);

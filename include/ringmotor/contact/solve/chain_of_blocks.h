@@ -25,9 +25,9 @@ namespace ringmotor
     /** What an object for some rows takes, estimated before it is made. */
     struct Cost
     {
-      unsigned int n_shapes; ///< far shapes of each block
-      unsigned int n_small;  ///< unknowns of the small system
-      double n_operations;   ///< of all factors
+      bool has_chains;      ///< whether slips in a block are measured from another one
+      unsigned int n_small; ///< unknowns of the small system
+      double n_operations;  ///< of all factors
     };
     static Cost cost_of(const ContactRows &rows);
 
