@@ -63,8 +63,9 @@ namespace ringmotor
     for (unsigned int k = 0; k < waves.size(); ++k)
     {
       for (const ModesByShapes::Mode &mode : modes->by_diameter[k])
-        mode.add(std::pow(mode.frequency, 2) * dynamics.scheme.response_in_step(
-                                                   dt, mode.frequency, mode.damping(dynamics)) -
+        mode.add(std::pow(mode.frequency, 2) *
+                         dynamics.scheme.response_in_step(dt, mode.frequency,
+                                                          mode.damping(dynamics) + added_damping) -
                      1.,
                  waves[k]);
       for (Complex &entry : waves[k]) // the ring compliance's waves are exp(+i k j alpha)
@@ -113,9 +114,9 @@ namespace ringmotor
       for (unsigned int r = 0; r < states[k].size(); ++r)
       {
         const ModesByShapes::Mode &mode = modes->by_diameter[k][r];
-        displacements[k].push_back(
-            without_force(dynamics.scheme, states[k][r], dt, mode.frequency, mode.damping(dynamics))
-                .displacement);
+        displacements[k].push_back(without_force(dynamics.scheme, states[k][r], dt, mode.frequency,
+                                                 mode.damping(dynamics) + added_damping)
+                                       .displacement);
       }
     return motion_of(displacements);
   }
@@ -128,7 +129,7 @@ namespace ringmotor
       for (unsigned int r = 0; r < states[k].size(); ++r)
       {
         const ModesByShapes::Mode &mode = modes->by_diameter[k][r];
-        const double omega = mode.frequency, damping = mode.damping(dynamics),
+        const double omega = mode.frequency, damping = mode.damping(dynamics) + added_damping,
                      weight   = n_sectors * multiplicity(k, n_sectors);
         const ModalState from = states[k][r];
         ModalState &state     = states[k][r];

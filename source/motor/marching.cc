@@ -24,7 +24,7 @@ namespace ringmotor
       modes->rest(start.state.force);
     }
     if (motor.rotor_mass > 0.)
-      rigid_motions.emplace(in_use, start.state.rigid);
+      rigid_motions.emplace(in_use, rigid_motions_at_rest(start.state.rigid));
     history.add(std::move(start));
     memory.resize(n_points);
   }
@@ -59,11 +59,38 @@ namespace ringmotor
       modes->set(contact.modal_states(state), start.state.force);
     }
     if (motor.rotor_mass > 0.)
-      rigid_motions.emplace(in_use, start.state.rigid);
+      rigid_motions.emplace(in_use, rigid_motions_at_rest(start.state.rigid));
     history.add(std::move(start));
   }
 
-  OperatingState MarchingDriver::step(const RotorLoad &load, const double length)
+  MarchingDriver::MarchingDriver(const MotorInUse &in_use, const Friction &friction,
+                                 const Warp &warp, const MarchedState &from)
+      : in_use(in_use), motor(in_use.bodies), friction(friction), warp(warp), history(motor, warp),
+        positions(from.positions), memory(from.memory)
+  {
+    Assert(from.positions.size() == motor.n_teeth * motor.nodes.size() &&
+               from.modes.size() == in_use.modes->size() &&
+               from.rigid_motions.empty() == (motor.rotor_mass == 0.),
+           dealii::ExcMessage("the state of another motor"));
+    if (!from.modes.empty())
+    {
+      modes.emplace(*in_use.modes, motor.n_teeth, in_use.dynamics);
+      modes->set(from.modes, from.end.state.force);
+    }
+    if (!from.rigid_motions.empty())
+      rigid_motions.emplace(in_use, from.rigid_motions);
+    history.add(from.end);
+  }
+
+  MarchedState MarchingDriver::state() const
+  {
+    return {history.last(), positions, memory,
+            modes ? modes->current() : std::vector<std::vector<ModalState>>(),
+            rigid_motions ? rigid_motions->current() : std::vector<RigidMotionState>()};
+  }
+
+  OperatingState MarchingDriver::step(const RotorLoad &load, const double length,
+                                      const Fallback fallback)
   {
     const auto contact = std::make_shared<const RingContact>(in_use, load, next_step(length), warp);
     std::vector<FrictionMemory> limits = memory;
@@ -73,12 +100,12 @@ namespace ringmotor
     if (load.torque)
       begin.state.rigid.push_back(begin.speed * length);
     ContactSolution solution =
-        solve_contact(*contact, law, motor.constants, begin.state, begin.motion, solver);
+        solve_contact(*contact, law, motor.constants, begin.state, begin.motion, solver, fallback);
     while (lose_static_limits(solution, limits))
     {
       const unsigned int n_iterations = solution.n_iterations;
-      solution =
-          solve_contact(*contact, law, motor.constants, solution.state, solution.motion, solver);
+      solution = solve_contact(*contact, law, motor.constants, solution.state, solution.motion,
+                               solver, fallback);
       solution.n_iterations += n_iterations;
     }
     positions = contact->positions(solution.state);
@@ -104,10 +131,11 @@ namespace ringmotor
 
   void MarchingDriver::damp(const double loss_factor)
   {
+    const double rate = loss_factor * in_use.wave.angular_frequency;
     if (modes)
-      modes->damp(std::max(loss_factor, in_use.dynamics.loss_factor));
+      modes->damp(rate);
     if (rigid_motions)
-      rigid_motions->damping = loss_factor * in_use.wave.angular_frequency;
+      rigid_motions->damping = rate;
     step_length = 0.; // the compliance in a step depends on it
   }
 

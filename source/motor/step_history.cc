@@ -4,17 +4,29 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 
 namespace ringmotor
 {
   namespace
   {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+
     /** The sum of squares (N^2) of the differences of forces. */
     double distance(const StepEnd &a, const StepEnd &b)
     {
       double sum = 0.;
       for (unsigned int i = 0; i < a.state.force.size(); ++i)
         sum += (a.state.force[i] - b.state.force[i]).norm_square();
+      return sum;
+    }
+
+    /** The same from a state without forces. */
+    double distance(const StepEnd &end)
+    {
+      double sum = 0.;
+      for (const PointVector &force : end.state.force)
+        sum += force.norm_square();
       return sum;
     }
   } // namespace
@@ -51,7 +63,13 @@ namespace ringmotor
   {
     // With more steps than this in a period, extrapolation is accurate.
     constexpr std::size_t most_ends = 120;
-    repeats = by_repetition && distance(*by_repetition, end) < distance(by_extrapolation, end);
+    const double missed             = by_repetition ? distance(by_repetition->end, end) : infinite;
+    if (by_repetition)
+      repeats = missed < distance(by_extrapolation, end);
+    if (missed <= std::pow(repetition_tolerance, 2) * distance(end))
+      repeated_from = std::min(repeated_from, end.time - by_repetition->since);
+    else
+      repeated_from = infinite;
     if (ends.size() == most_ends)
       ends.pop_front();
     ends.push_back(std::move(end));
@@ -61,7 +79,7 @@ namespace ringmotor
   {
     by_extrapolation = extrapolated(length);
     by_repetition    = repeated(length);
-    return by_repetition && repeats ? *by_repetition : by_extrapolation;
+    return by_repetition && repeats ? by_repetition->end : by_extrapolation;
   }
 
   StepEnd StepHistory::extrapolated(const double length) const
@@ -90,27 +108,28 @@ namespace ringmotor
     return next;
   }
 
-  std::optional<StepEnd> StepHistory::repeated(const double length) const
+  std::optional<StepHistory::Repeated> StepHistory::repeated(const double length) const
   {
     constexpr double tolerance = 0.05; // of a step, the largest time shift of the wave
+    constexpr double rounding  = 1e-3; // of it
     const double now = last().time + length, part = period / repetition.n_parts;
     const StepEnd *best  = nullptr;
     unsigned int n_parts = 0; // since that step
     double least         = tolerance * length;
-    for (const StepEnd &end : ends)
+    for (auto end = ends.rbegin(); end != ends.rend(); ++end)
     {
-      const double since  = now - end.time;
+      const double since  = now - end->time;
       const auto n_since  = static_cast<unsigned int>(std::lround(since / part));
       const double missed = std::abs(since - n_since * part);
-      if (end.motion.empty() || std::abs(end.length - length) > tolerance * length ||
-          n_since == 0 || missed > least)
+      if (end->motion.empty() || std::abs(end->length - length) > tolerance * length ||
+          n_since == 0 || missed > least - rounding * tolerance * length)
         continue;
-      best    = &end;
+      best    = &*end;
       n_parts = n_since;
       least   = missed;
     }
     if (!best)
       return {};
-    return turned(*best, n_parts * repetition.n_teeth % n_teeth, n_teeth);
+    return Repeated{turned(*best, n_parts * repetition.n_teeth % n_teeth, n_teeth), n_parts * part};
   }
 } // namespace ringmotor

@@ -92,6 +92,7 @@ namespace ringmotor
 
   void CurveSearch::refine_meshes()
   {
+    table.fill({{for_first_curve(), requests->all()}}); // which others start from
     while (true)
     {
       double worst = 0.;

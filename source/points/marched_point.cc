@@ -4,76 +4,96 @@
 #include <ringmotor/parameters/accuracy_budget.h>
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/points/marched_point.h>
-#include <ringmotor/points/point_quantities.h>
 #include <ringmotor/points/rotor_energy.h>
+#include <ringmotor/points/span_means.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 namespace ringmotor
 {
   using namespace dealii;
 
-  double remaining_change(const std::vector<double> &means)
-  {
-    constexpr double slowest = 0.9; // ratio still distinguishable from no convergence
-    const std::size_t n      = means.size();
-    if (n < 3)
-      return std::numeric_limits<double>::infinity();
-    const double before = std::abs(means[n - 2] - means[n - 3]),
-                 last   = std::abs(means[n - 1] - means[n - 2]),
-                 ratio  = last < slowest * before ? last / before : slowest;
-    return std::max({before, last, last * ratio / (1. - ratio)});
-  }
-
-  double wandering(const std::vector<double> &means)
-  {
-    constexpr std::size_t enough = 20;
-    constexpr double margin      = 2.;
-    if (means.size() < enough)
-      return std::numeric_limits<double>::infinity();
-    const auto [low, high] = std::minmax_element(means.begin() + means.size() / 2, means.end());
-    return margin * (*high - *low);
-  }
-
   MarchedRun::MarchedRun(const Parameters &parameters, const MotorInUse &motor,
                          const PointRequest &request, const unsigned int n_joined)
       : load(load_of(parameters.loading, request)), n_parts(parameters.time.n_snapshots),
-        n_joined(n_joined),
+        n_joined(n_joined), begins_from_rest(true),
         driver(motor, motor_model(parameters).friction, motor_model(parameters).warp, load.preload)
+  {
+  }
+
+  MarchedRun::MarchedRun(const Parameters &parameters, const MotorInUse &motor,
+                         const PointRequest &request, const unsigned int n_joined,
+                         const MarchedState &start)
+      : load(load_of(parameters.loading, request)), n_parts(parameters.time.n_snapshots),
+        n_joined(n_joined), begins_from_rest(false),
+        driver(motor, motor_model(parameters).friction, motor_model(parameters).warp, start)
   {
   }
 
   MarchedSpan MarchedRun::advance(const unsigned int n_steps, const double length)
   {
     MarchedSpan span;
-    std::vector<OperatingPoint> parts;
-    std::vector<double> lengths; // of the parts
+    const double begin_of_span = driver.time();
+    Evaluated evaluated;
     for (unsigned int begin = 0; begin < n_steps; begin += n_joined)
     {
       const unsigned int together = std::min(n_joined, n_steps - begin);
       for (unsigned int part = 0; part < n_parts; ++part)
       {
         const double length_of_part = together * length / n_parts;
-        if (std::optional<OperatingPoint> result = add_step(length_of_part, span.fields))
-        {
-          parts.push_back(*result);
-          lengths.push_back(length_of_part);
-        }
+        add_step(length_of_part, evaluated);
+        span.fields.append(fields_of(last, driver.time()));
+        span.fields.time_step = length_of_part; // even if it was halved
         if (span.fields.times.size() == 1)
           span.fields.reserve((n_steps + n_joined - 1) / n_joined * n_parts);
       }
     }
-    span.mean = mean(parts, lengths);
+    span.mean    = mean(evaluated.results, evaluated.lengths);
+    span.repeats = driver.repeats_from() <= begin_of_span;
     return span;
   }
 
-  OperatingState MarchedRun::step(const RotorLoad &now, const double length)
+  void MarchedRun::add_step(const double length, Evaluated &evaluated,
+                            const unsigned int n_halvings)
+  {
+    constexpr unsigned int most_halvings = 2;
+    const bool may_be_halved             = n_halvings < most_halvings;
+    OperatingState state;
+    try
+    {
+      // Two halves are sooner found than what Newton's method does not find at once.
+      state = step(length, may_be_halved ? Fallback::none : Fallback::proximal_points);
+    }
+    catch (const ComputationError &)
+    {
+      if (!may_be_halved)
+        throw;
+      for (unsigned int half = 0; half < 2; ++half)
+        add_step(0.5 * length, evaluated, n_halvings + 1);
+      taken.remark = "steps for which Newton's method did not converge were halved";
+      return;
+    }
+    taken.add_certificate(state.solution);
+    if (!last.contact)
+      pass.emplace(state.contact->n_points());
+    else
+    {
+      evaluated.results.push_back(evaluate_step(last, state, *pass));
+      evaluated.lengths.push_back(length);
+    }
+    pass->add(state.solution);
+    last = std::move(state);
+  }
+
+  OperatingState MarchedRun::step(const double length, const Fallback fallback)
   try
   {
-    return driver.step(now, length);
+    RotorLoad now = load;
+    if (begins_from_rest && !last.contact && now.torque)
+      now.torque = 0.;
+    return driver.step(now, length, fallback);
   }
   catch (const ComputationError &error)
   {
@@ -82,25 +102,6 @@ namespace ringmotor
     text << "no contact state found " << 1e6 * (driver.time() + length) << " us after the start "
          << text_of(load) << ": " << error.what();
     throw ComputationError(text.str());
-  }
-
-  std::optional<OperatingPoint> MarchedRun::add_step(const double length, ContactFields &fields)
-  {
-    const bool is_first = !last.contact;
-    RotorLoad now       = load;
-    if (is_first && now.torque)
-      now.torque = 0.;
-    OperatingState state = step(now, length);
-    taken.add_certificate(state.solution);
-    fields.append(fields_of(state, driver.time()));
-    std::optional<OperatingPoint> result;
-    if (is_first)
-      pass.emplace(state.contact->n_points());
-    else
-      result = evaluate_step(last, state, *pass);
-    pass->add(state.solution);
-    last = std::move(state);
-    return result;
   }
 
   namespace
@@ -114,34 +115,36 @@ namespace ringmotor
       /** Of a step, s: a period of the solution is a whole number of them. */
       double step_length() const;
 
-      /** Continues marching a motor with inertia under decreasing damping, until those initial
-       * transients that decay quickly have died out. */
-      void calm(MarchedRun &run) const;
-      /** Continues marching until the means have settled. @returns the point of the last span */
-      CurvePoint settle(MarchedRun &run);
-      /** How far the last span may be from their limit. */
-      const PointError &remaining() const { return rest; }
+      /** Continues marching until the mean is known. With inertia transients have to die out
+       * first: under more damping than the motor's own, as little of it as turns out to be needed.
+       * @throws ComputationError */
+      CurvePoint settle(MarchedRun &run, const bool begins_from_rest);
 
       /** The operating point of a span. */
       CurvePoint point_of(MarchedSpan span) const;
 
     private:
-      void add(const CurvePoint &point);
-      /** Judges speed and torque relative to the largest ones of all operating points; a loss
-       * relative to itself or, if larger, a thousandth of the friction loss at the speed of the
-       * crests. */
-      bool has_settled() const;
+      /** Marches under a loss factor until quick transients have died out. */
+      void calm(MarchedRun &run, const double loss_factor) const;
+      /** Marches some spans until their mean is known, see SpanMeans. @returns the point, if it is
+       */
+      std::optional<CurvePoint> mean_of(MarchedRun &run, const unsigned int most_spans);
+      /** Judges errors of speed and torque relative to the largest ones of all operating points;
+       * those of the losses of friction and of the rotor's damping relative to the friction loss
+       * or, if larger, to a thousandth of that at the speed of the crests. */
+      bool is_small(const PointError &error, const CurvePoint &point, const double tolerance) const;
       [[noreturn]] void give_up() const;
 
       const Time time;
       const MotorInUse &motor;
       const PointRequest request;
       const RingPattern pattern;
-      const unsigned int n_parts;                       ///< of a period of the wave, see Repetition
-      const double tolerance;                           ///< relative
-      double largest = 0.;                              ///< N m, if all friction points one way
-      std::map<std::string, std::vector<double>> means; ///< of all spans, by quantity
-      PointError rest;
+      const unsigned int n_parts; ///< of a period of the wave, see Repetition
+      const AccuracyBudget budget;
+      const double loss_factor; ///< of the rotor
+      const bool vibrates;
+      double largest = 0.; ///< N m, if all friction points one way
+      SpanMeans means;     ///< of the last attempt
     };
 
     Settling::Settling(const Parameters &parameters, const MotorInUse &motor,
@@ -149,8 +152,9 @@ namespace ringmotor
         : time(parameters.time), motor(motor),
           request(request), pattern{motor.bodies.n_waves, motor.bodies.n_teeth,
                                     motor_model(parameters).warp.n_waves},
-          n_parts(repetition_of(pattern).n_parts),
-          tolerance(AccuracyBudget(parameters.accuracy).marched_means())
+          n_parts(repetition_of(pattern).n_parts), budget(parameters.accuracy),
+          loss_factor(parameters.materials.rotor_metal.loss_factor),
+          vibrates(motor.bodies.rotor_mass > 0.)
     {
       const Friction friction = motor_model(parameters).friction;
       const double mu         = law_of(friction).largest_coefficient(friction);
@@ -178,64 +182,79 @@ namespace ringmotor
       return point;
     }
 
-    void Settling::calm(MarchedRun &run) const
+    void Settling::calm(MarchedRun &run, const double loss_factor) const
     {
       // Amplitudes fall by a factor exp(pi eta) in a period.
       constexpr double decay = 2.;
-      for (const double loss_factor : {0.3, 0.1, 0.03})
-      {
-        run.damp(loss_factor);
-        const double n_periods = std::ceil(decay / (numbers::PI * loss_factor));
-        run.advance(std::lround(n_periods * motor.wave.period() / step_length()), step_length());
-      }
+      const double n_periods = std::ceil(decay / (numbers::PI * loss_factor));
+      run.damp(loss_factor);
+      run.advance(std::lround(n_periods * motor.wave.period() / step_length()), step_length());
       run.damp(0.);
     }
 
-    CurvePoint Settling::settle(MarchedRun &run)
+    CurvePoint Settling::settle(MarchedRun &run, const bool begins_from_rest)
+    {
+      constexpr unsigned int few_spans = 24, most_spans = 80;
+      std::optional<CurvePoint> point;
+      if (!vibrates)
+        point = mean_of(run, most_spans);
+      else
+      {
+        if (begins_from_rest)
+          calm(run, 0.3);
+        else
+          point = mean_of(run, few_spans);
+        for (const auto &[loss_factor, n_spans] : {std::pair(0.1, few_spans), {0.03, most_spans}})
+          if (!point)
+          {
+            calm(run, loss_factor);
+            point = mean_of(run, n_spans);
+          }
+      }
+      if (!point)
+        give_up();
+      point->end = run.state();
+      return *point;
+    }
+
+    std::optional<CurvePoint> Settling::mean_of(MarchedRun &run, const unsigned int most_spans)
     {
       // Short periods are combined to a quarter of the wave's: most teeth are in contact for less,
       // and lose their friction history when they separate.
       const unsigned int n_periods = (n_parts + 3) / 4;
       const auto n_steps           = static_cast<unsigned int>(
           std::lround(n_periods * motor.wave.period() / n_parts / step_length()));
-      constexpr unsigned int most_spans = 60;
+      const auto is_known = [&](CurvePoint &point, const PointError &error, const double tolerance)
+      {
+        point.unsettled_means = error;
+        return is_small(error, point, tolerance);
+      };
+      means = {};
       for (unsigned int number = 0; number < most_spans; ++number)
       {
-        CurvePoint point = point_of(run.advance(n_steps, step_length()));
-        add(point);
-        if (has_settled())
+        MarchedSpan span   = run.advance(n_steps, step_length());
+        const bool repeats = span.repeats;
+        means.add(point_of(std::move(span)), repeats);
+        CurvePoint point = means.last();
+        if ((repeats || !vibrates) &&
+            is_known(point, means.error_of_last(), budget.marched_means()))
+          return point;
+        point = means.later();
+        if (is_known(point, means.error_of_later(), budget.wandering_means()))
           return point;
       }
-      give_up();
+      return {};
     }
 
-    void Settling::add(const CurvePoint &point)
+    bool Settling::is_small(const PointError &error, const CurvePoint &point,
+                            const double tolerance) const
     {
-      const PointError values = values_of(point);
-      for (const PointQuantity &quantity : point_quantities())
-        if (quantity.has_own_error())
-        {
-          std::vector<double> &all = means[quantity.name];
-          all.push_back(values[quantity.name]);
-          rest[quantity.name] = std::min(remaining_change(all), wandering(all));
-        }
-    }
-
-    bool Settling::has_settled() const
-    {
-      // A sticking rotor has no losses that could settle; where friction falls with the velocity,
-      // its oscillations with almost no loss may continue forever. The error bar includes them.
-      constexpr std::size_t patience      = 20;
-      constexpr double share              = 1e-3;
-      const double little                 = share * largest * motor.bodies.crest_speed(motor.wave);
-      const std::vector<double> &of_loss  = means.at("friction_loss"),
-                                &of_rotor = means.at("rotor_power_per_loss_factor");
-      return rest["speed"] <= tolerance * motor.bodies.crest_speed(motor.wave) &&
-             rest["torque"] <= tolerance * largest &&
-             rest["friction_loss"] <= tolerance * std::max(of_loss.back(), little) &&
-             (rest["rotor_power_per_loss_factor"] <=
-                  tolerance * std::max(of_rotor.back(), little) ||
-              of_rotor.size() > patience);
+      constexpr double share = 1e-3;
+      const double crests    = motor.bodies.crest_speed(motor.wave),
+                   loss      = std::max(point.result.friction_loss(), share * largest * crests);
+      return error["speed"] <= tolerance * crests && error["torque"] <= tolerance * largest &&
+             error["friction_loss"] <= tolerance * loss &&
+             loss_factor * error["rotor_power_per_loss_factor"] <= tolerance * loss;
     }
 
     void Settling::give_up() const
@@ -246,7 +265,7 @@ namespace ringmotor
       const auto range =
           [&](const std::string &name, const std::string &quantity, const std::string &unit)
       {
-        const std::vector<double> &values = means.at(quantity);
+        const std::vector<double> &values = means.values(quantity);
         const auto [low, high] =
             std::minmax_element(values.begin() + values.size() / 2, values.end());
         text << name << " " << *low << " to " << *high << " " << unit;
@@ -254,7 +273,7 @@ namespace ringmotor
       text << "the motor does not settle at "
            << (of_torque ? 1e3 * request.value : request.value * 30. / numbers::PI)
            << (of_torque ? " mN m" : " rpm") << ": in the later half of "
-           << means.at("speed").size() << " averaging spans of whole periods, the means have ";
+           << means.values("speed").size() << " averaging spans of whole periods, the means have ";
       if (of_torque)
         range("speeds from", "speed", "rad/s");
       else
@@ -287,20 +306,22 @@ namespace ringmotor
   } // namespace
 
   CurvePoint find_marched(const Parameters &parameters, const MotorInUse &motor,
-                          const PointRequest &request, const unsigned int n_joined)
+                          const PointRequest &request, const unsigned int n_joined,
+                          const CurvePoint *start)
   {
-    MarchedRun run(parameters, motor, request, n_joined);
+    const bool begins_from_rest = parameters.time.n_steps || !start || !start->end.is_known();
+    MarchedRun run              = begins_from_rest
+                                      ? MarchedRun(parameters, motor, request, n_joined)
+                                      : MarchedRun(parameters, motor, request, n_joined, start->end);
     Settling settling(parameters, motor, request);
     CurvePoint point;
     if (parameters.time.n_steps)
       point = find_by_window(parameters.time, run, settling);
     else
     {
-      run.advance(1, settling.step_length());
-      if (motor.bodies.rotor_mass > 0.)
-        settling.calm(run);
-      point                 = settling.settle(run);
-      point.unsettled_means = settling.remaining();
+      if (begins_from_rest)
+        run.advance(1, settling.step_length());
+      point = settling.settle(run, begins_from_rest);
     }
     point.largest_violation = run.effort().largest_violation;
     point.n_iterations      = run.effort().n_iterations;

@@ -68,14 +68,37 @@ namespace ringmotor
 
   ContactFields MeshTransfer::fields(const ContactFields &known) const
   {
-    constexpr double closed   = 1e-12; // m
-    const unsigned int n_from = target.size(), n_to = source.size(),
-                       n_blocks = known.state.force.size() / n_from; // a tooth at a time sample
-    ContactFields result        = known;
+    ContactFields result = known;
     result.tooth.clear();
     result.rotor.clear();
     result.modal.clear();
     result.vibration.clear();
+    transfer(known, result);
+    return result;
+  }
+
+  MarchedState MeshTransfer::marched(const MarchedState &known) const
+  {
+    const auto nearest_of = [&](const auto &values)
+    {
+      std::decay_t<decltype(values)> result;
+      for (std::size_t first = 0; first < values.size(); first += target.size())
+        for (const unsigned int node : source)
+          result.push_back(values[first + node]);
+      return result;
+    };
+    MarchedState result = known;
+    transfer(known.end, result.end);
+    result.positions = nearest_of(known.positions);
+    result.memory    = nearest_of(known.memory);
+    return result;
+  }
+
+  void MeshTransfer::transfer(const StepState &known, StepState &result) const
+  {
+    constexpr double closed   = 1e-12; // m
+    const unsigned int n_from = target.size(), n_to = source.size(),
+                       n_blocks = known.state.force.size() / n_from; // a tooth at a time sample
     result.state.force.assign(n_blocks * n_to, PointVector());
     result.motion.clear();
     result.status.clear();
@@ -89,7 +112,8 @@ namespace ringmotor
         result.motion.back()[0] = 0.;
         for (const auto &[b, weight] : weights[a])
           result.motion.back()[0] += weight * motion[b][0];
-        result.status.push_back(known.status[block * n_from + source[a]]);
+        if (!known.status.empty())
+          result.status.push_back(known.status[block * n_from + source[a]]);
       }
       // The force of each node goes to the closed nodes around it, or else to the nearest one.
       for (unsigned int b = 0; b < n_from; ++b)
@@ -111,6 +135,5 @@ namespace ringmotor
           force[a] += share / sum * known.state.force[block * n_from + b];
       }
     }
-    return result;
   }
 } // namespace ringmotor

@@ -102,11 +102,11 @@ namespace ringmotor
         return from_start();
       }
     };
-    CurvePoint point    = model.is_marched ? find_marched(parameters, motor, request, n_joined)
-                          : start && variation.starts_from_neighbours && !steady.has_state()
-                              ? anew()
-                              : from_start();
-    point.request       = request;
+    CurvePoint point = model.is_marched ? find_marched(parameters, motor, request, n_joined, start)
+                       : start && variation.starts_from_neighbours && !steady.has_state()
+                           ? anew()
+                           : from_start();
+    point.request    = request;
     point.largest_share = point.fields.largest_share();
     point.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
     if (memory)

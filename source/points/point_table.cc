@@ -189,21 +189,41 @@ namespace ringmotor
                                             const Start start)
   {
     if (is_marched(parameters))
-      return {};
+      return marched_starts(discretisation, requests);
     Discretisation with_coarser_modes = discretisation;
     if (with_coarser_modes.modes_level-- > 0)
       if (const std::optional<Points> coarser = known(with_coarser_modes, requests))
         return *coarser;
     if (!(discretisation == discretisation.with(steps.longest())))
       return starts_with_longer_steps(discretisation, requests, start);
-    if (const std::optional<Points> other = starts_on_other_mesh(discretisation, requests))
+    if (const std::optional<Points> other =
+            starts_on_other_mesh(discretisation, requests, steps.longest()))
       return *other;
     Points starts;
     if (start == Start::rest)
       starts.resize(requests.size());
     else if (!first_curve.empty())
       for (const PointRequest &request : requests)
-        starts.push_back(similar_point(request));
+        starts.push_back(similar_point(first_curve, request));
+    return starts;
+  }
+
+  PointTable::Points PointTable::marched_starts(const Discretisation &discretisation,
+                                                const std::vector<PointRequest> &requests)
+  {
+    const auto [level, modes_level] = std::pair(discretisation.level, discretisation.modes_level);
+    if (const std::optional<Points> same = known({level, modes_level, steps.plain()}, requests))
+      return *same;
+    if (const std::optional<Points> other =
+            starts_on_other_mesh(discretisation, requests, steps.plain()))
+      return *other;
+    Points known_so_far, starts;
+    if (const auto known = points.find({level, modes_level, steps.plain()}); known != points.end())
+      for (const auto &[request, point] : known->second)
+        known_so_far.push_back(point);
+    if (!known_so_far.empty())
+      for (const PointRequest &request : requests)
+        starts.push_back(similar_point(known_so_far, request));
     return starts;
   }
 
@@ -241,30 +261,34 @@ namespace ringmotor
 
   std::optional<PointTable::Points>
   PointTable::starts_on_other_mesh(const Discretisation &discretisation,
-                                   const std::vector<PointRequest> &requests)
+                                   const std::vector<PointRequest> &requests,
+                                   const Steps &of_starts)
   {
     for (const auto &[levels, timed] : motors)
     {
       const auto &[modes_level, level] = levels;
       if (modes_level != discretisation.modes_level || level == discretisation.level)
         continue;
-      std::optional<Points> starts = known({level, modes_level, steps.longest()}, requests);
+      std::optional<Points> starts = known({level, modes_level, of_starts}, requests);
       if (!starts)
         continue;
       const MeshTransfer transfer(timed->motor, motor(discretisation.level, modes_level));
       for (CurvePoint &point : *starts)
-        point.fields = transfer.fields(point.fields);
+        if (!is_marched(parameters))
+          point.fields = transfer.fields(point.fields);
+        else if (point.end.is_known())
+          point.end = transfer.marched(point.end);
       return starts;
     }
     return {};
   }
 
-  const CurvePoint &PointTable::similar_point(const PointRequest &request) const
+  const CurvePoint &PointTable::similar_point(const Points &points, const PointRequest &request)
   {
     const PointQuantity &load = prescribed(request);
     const auto distance       = [&](const CurvePoint &point)
     { return std::abs(load.value(point) - request.value); };
-    return *std::min_element(first_curve.begin(), first_curve.end(),
+    return *std::min_element(points.begin(), points.end(),
                              [&](const CurvePoint &one, const CurvePoint &other)
                              { return distance(one) < distance(other); });
   }

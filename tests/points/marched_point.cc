@@ -2,7 +2,8 @@
 
 // Marched operating points. The period of the solution against a search over all rotations of the
 // ring; the estimated remaining change of a sequence of means against geometric sequences with
-// known limits; the reference motor with a warp of 4 um at 78 rpm against an independent model (its
+// known limits; the error of means that wander against sequences with known means; the reference
+// motor with a warp of 4 um at 78 rpm against an independent model (its
 // own meshes, its own contact; one coefficient 0.40), which gave 56 mN m as the mean over whole
 // periods, 26 with a step from tooth to tooth instead of a slope, and 117 without a warp; error
 // bars against the same motor marched three times as long.
@@ -12,7 +13,9 @@
 
 #include <ringmotor/parameters/errors.h>
 #include <ringmotor/points/marched_point.h>
+#include <ringmotor/points/mesh_transfer.h>
 #include <ringmotor/points/point_finder.h>
+#include <ringmotor/points/span_means.h>
 
 #include <gtest/gtest.h>
 
@@ -92,20 +95,71 @@ TEST(MarchedPeriod, HoldsTheLimitOfAGeometricSequence)
   EXPECT_GE(remaining_change({4., 6., 4., 6.}), 2.);
   EXPECT_GE(remaining_change({1., 2., 3., 4.}), 5.);
   EXPECT_GE(remaining_change({1., 3., 3.}), 2.);
-  // A slow decay, and means that wander between 4.9 and 5.1, the last of them anywhere
-  for (unsigned int n = 3; n < 40; ++n)
-  {
-    std::vector<double> decaying, wandering_about;
-    for (unsigned int i = 0; i < n; ++i)
+}
+
+TEST(LaterMean, IsThatOfThreeQuartersWithTheErrorByStudent)
+{
+  EXPECT_TRUE(std::isinf(later_mean({1., 1., 1., 1., 1., 1., 1.}).error));
+  // By hand: quarters 1, 2 and 6 after what happened at first; variance 7.
+  const LaterMean by_hand = later_mean({90., -9., 0., 2., 1., 3., 6., 6.});
+  EXPECT_DOUBLE_EQ(by_hand.mean, 3.);
+  EXPECT_NEAR(by_hand.error, 4.302653 * std::sqrt(7. / 3.), 1e-3);
+  // Nine values: the later six
+  EXPECT_DOUBLE_EQ(later_mean({70., 90., -9., 0., 2., 1., 3., 6., 6.}).mean, 3.);
+}
+
+TEST(LaterMean, HoldsTheMeanOfMostWanderings)
+{
+  // Each value remembers the one before by a factor; the mean is 5. Bars of successive values of a
+  // slow wandering are too short at first, as no finite sequence tells.
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal(0., 1.);
+  for (const double memory : {0., 0.5, 0.8})
+    for (const unsigned int n : {8u, 16u, 40u})
     {
-      decaying.push_back(5. + std::exp(-0.05 * i));
-      wandering_about.push_back(5. + 0.1 * std::sin(2.3 * i));
+      unsigned int n_held             = 0;
+      constexpr unsigned int n_trials = 2000;
+      for (unsigned int trial = 0; trial < n_trials; ++trial)
+      {
+        std::vector<double> values;
+        double deviation = normal(random) / std::sqrt(1. - memory * memory);
+        for (unsigned int i = 0; i < n; ++i)
+        {
+          values.push_back(5. + deviation);
+          deviation = memory * deviation + normal(random);
+        }
+        const LaterMean later = later_mean(values);
+        n_held += std::abs(later.mean - 5.) <= later.error ? 1 : 0;
+      }
+      const double held = static_cast<double>(n_held) / n_trials;
+      record("share held, memory 0, 0.5, 0.8, of 8, 16, 40 values", held);
+      if (memory == 0.)
+      {
+        EXPECT_NEAR(held, 0.95, 0.02); // what Student's distribution says
+      }
+      EXPECT_GE(held, memory == 0.8 && n < 40 ? 0.6 : 0.8);
     }
-    EXPECT_EQ(std::isinf(wandering(decaying)), n < 20) << n;
-    EXPECT_GE(wandering(decaying), decaying.back() - 5.) << n;
-    EXPECT_GE(wandering(wandering_about), 0.2) << n;
-    EXPECT_LE(wandering(wandering_about), n < 20 ? INFINITY : 0.4) << n;
-  }
+}
+
+TEST(LaterMean, HoldsThatOfAnOscillation)
+{
+  // Of any period and phase, but for errors that are small beside its amplitude: quarters that
+  // happen to last whole periods have the same mean.
+  constexpr double small = 0.125;
+  for (const double period : {1.7, 3., 5., 8., 13.})
+    for (unsigned int n = 12; n <= 40; n += 4)
+    {
+      unsigned int n_held = 0;
+      for (unsigned int phase = 0; phase < 100; ++phase)
+      {
+        std::vector<double> values;
+        for (unsigned int i = 0; i < n; ++i)
+          values.push_back(5. + std::sin(2. * M_PI * (i / period + phase / 100.)));
+        const LaterMean later = later_mean(values);
+        n_held += std::abs(later.mean - 5.) <= std::max(small, later.error) ? 1 : 0;
+      }
+      EXPECT_GE(n_held, 80u) << period << " " << n;
+    }
 }
 
 namespace
@@ -320,6 +374,25 @@ TEST_F(WarpedMotor, AveragesOverTheWindowOfThePaper)
   EXPECT_DOUBLE_EQ(point.fields.times.back(), 7.5e-6);
   EXPECT_GT(std::abs(point.result.torque - settled.result.torque),
             settled.unsettled_means["torque"]);
+}
+
+TEST_F(WarpedMotor, IsTheSameFromTheStateOfAnotherPointOrMesh)
+{
+  const PointRequest request{Control::torque, 0.05}, other{Control::torque, 0.};
+  const CurvePoint alone = find_marched(parameters, coarse, request),
+                   after = find_marched(parameters, coarse, other);
+  ASSERT_TRUE(after.end.is_known());
+  const CurvePoint next        = find_marched(parameters, coarse, request, 1, &after);
+  CurvePoint moved             = after;
+  const CurvePoint finer       = find_marched(parameters, motor, request);
+  moved.end                    = MeshTransfer(coarse, motor).marched(after.end);
+  const CurvePoint from_coarse = find_marched(parameters, motor, request, 1, &moved);
+  // Far apart, so that it matters
+  ASSERT_GT(std::abs(after.result.speed - alone.result.speed), 1e-2 * alone.result.speed);
+  EXPECT_NEAR(next.result.speed, alone.result.speed, 1e-3 * alone.result.speed);
+  EXPECT_NEAR(next.result.friction_loss(), alone.result.friction_loss(),
+              1e-3 * alone.result.friction_loss());
+  EXPECT_NEAR(from_coarse.result.speed, finer.result.speed, 1e-3 * finer.result.speed);
 }
 
 TEST_F(WarpedMotor, SaysThatItDoesNotSettle)

@@ -37,7 +37,7 @@ namespace
           const unsigned int n_steps, const double damping = 0.)
     {
       const CondensedMotor motor = free_mass(mass);
-      MarchedRigidMotions rise(motor, {0.});
+      MarchedRigidMotions rise(motor, rigid_motions_at_rest({0.}));
       rise.damping    = damping;
       const double dt = time / n_steps;
       for (unsigned int step = 0; step < n_steps; ++step)
@@ -155,6 +155,68 @@ TEST_F(RotorAsAWhole, TakesThePowerThatItsMotionNeeds)
     largest = std::max(largest, rigid);
   }
   EXPECT_GT(largest, 1e-7);
+}
+
+TEST_F(RotorAsAWhole, GoesOnFromItsStateAsIfItHadNotStopped)
+{
+  const Friction friction = motor_model(parameters).friction;
+  const Warp warp{1e-6, 1};
+  const RotorLoad load{14., {}, 7.};
+  const double step = motor.period() / 90.;
+  MarchingDriver marching(motor, friction, warp, 14.);
+  for (unsigned int i = 0; i < 30; ++i)
+    marching.step(load, step);
+  MarchingDriver other(motor, friction, warp, marching.state());
+  for (unsigned int i = 0; i < 5; ++i)
+  {
+    const std::vector<PointVector> force = marching.step(load, step).solution.state.force,
+                                   same  = other.step(load, step).solution.state.force;
+    double largest = 0., difference = 0.;
+    for (unsigned int point = 0; point < force.size(); ++point)
+    {
+      largest    = std::max(largest, force[point].norm());
+      difference = std::max(difference, (force[point] - same[point]).norm());
+    }
+    EXPECT_LT(difference, 1e-8 * largest) << i;
+  }
+}
+
+TEST_F(RotorAsAWhole, LosesTheSameShareOfAllVibrationsInAPeriod)
+{
+  // Without contact, from rest under a preload that is gone: the amplitude of each mode falls by
+  // exp(pi eta) in a period of the wave, whatever its frequency.
+  MarchingDriver marching(motor, motor_model(parameters).friction, {1e-6, 1}, 14.);
+  const double step = motor.period() / 360.;
+  for (unsigned int i = 0; i < 60; ++i)
+    marching.step({14., {}, 7.}, step);
+  constexpr double loss_factor = 0.1;
+  marching.damp(loss_factor);
+  const auto energies = [&]
+  {
+    std::vector<double> of_modes;
+    const MarchedState state = marching.state();
+    for (unsigned int k = 0; k < state.modes.size(); ++k)
+      for (unsigned int r = 0; r < state.modes[k].size(); ++r)
+        of_modes.push_back(
+            std::norm(state.modes[k][r].velocity) +
+            std::norm(motor.modes[k][r].angular_frequency * state.modes[k][r].displacement));
+    return of_modes;
+  };
+  const auto in_the_air = [&] { marching.step({-1e4, {}, 7.}, step); }; // lifted off
+  for (unsigned int i = 0; i < 20; ++i)
+    in_the_air();
+  const std::vector<double> begin = energies();
+  for (unsigned int i = 0; i < 360; ++i)
+    in_the_air();
+  const std::vector<double> end = energies();
+  const double expected         = std::exp(-2. * M_PI * loss_factor);
+  double whole_begin = 0., whole_end = 0.;
+  for (unsigned int i = 0; i < begin.size(); ++i)
+  {
+    whole_begin += begin[i];
+    whole_end += end[i];
+  }
+  EXPECT_NEAR(whole_end / whole_begin, expected, 0.2 * expected);
 }
 
 TEST_F(RotorAsAWhole, RisesAndTiltsAsForcesAccelerateIt)

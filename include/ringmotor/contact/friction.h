@@ -20,6 +20,12 @@ namespace ringmotor
   {
     bool stuck     = false; ///< it stuck at the end of the last step
     double slipped = 0.;    ///< m, how far it has slipped since it last stuck or came into contact
+
+    template <class Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      archive &stuck &slipped;
+    }
   };
 
   /** A coefficient of friction and how it changes with the slip of the step. */

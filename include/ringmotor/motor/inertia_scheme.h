@@ -61,6 +61,12 @@ namespace ringmotor
   struct ModalState
   {
     std::complex<double> displacement, velocity, acceleration;
+
+    template <class Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      archive &displacement &velocity &acceleration;
+    }
   };
 
   /** The state after a step @p dt (s) without a force at its end. */

@@ -6,6 +6,27 @@
 
 namespace ringmotor
 {
+  /** What a motor marched through time carries from one step to the next. */
+  struct MarchedState
+  {
+    StepEnd end;                                ///< of the last step
+    std::vector<PointVector> positions;         ///< at its end, see RingContact::positions()
+    std::vector<FrictionMemory> memory;         ///< for the next step, by point
+    std::vector<std::vector<ModalState>> modes; ///< by nodal diameter; empty without modes
+    /** Of a rotor with mass, see RingContact for their order; else empty. */
+    std::vector<RigidMotionState> rigid_motions;
+
+    bool is_known() const { return !positions.empty(); }
+
+    template <class Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      archive &end.state.force &end.state.rigid &end.motion &end.status &end.speed &end.time &end
+          .length;
+      archive &positions &memory &modes &rigid_motions;
+    }
+  };
+
   /**
    * Marches a motor through time in implicit steps, from a rotor that rests without friction on the
    * teeth in their positions at time 0, or from a steady state. For rings that are not uniform, for
@@ -21,15 +42,24 @@ namespace ringmotor
     /** Continues from the first time sample of a steady state, with steps of its length. */
     MarchingDriver(const MotorInUse &motor, const Friction &friction, const OperatingState &steady);
 
-    /** Advances by one step (s) under a load. @throws ComputationError */
-    OperatingState step(const RotorLoad &load, const double length);
+    /** Continues from the state of a similar motor, with the same modes and contact points. */
+    MarchingDriver(const MotorInUse &motor, const Friction &friction, const Warp &warp,
+                   const MarchedState &from);
 
-    /** Damps all motions that have inertia with a loss factor, at least that of the rotor itself:
-     * transients of the start decay in fewer periods. The motion of the rotor as a whole, which has
-     * no natural frequency, is damped like a mode with the frequency of the wave. */
+    MarchedState state() const;
+
+    /** Advances by one step (s) under a load. @throws ComputationError if no state is found; this
+     * object is then as before */
+    OperatingState step(const RotorLoad &load, const double length,
+                        const Fallback fallback = Fallback::proximal_points);
+
+    /** Damps all motions that have inertia, whatever their frequencies, like a mode with that of
+     * the wave and this loss factor: transients die out in fewer periods. */
     void damp(const double loss_factor);
 
     double time() const { return history.last().time; }
+    /** See StepHistory::repeats_from(). */
+    double repeats_from() const { return history.repeats_from(); }
 
   private:
     /** Removes the static limit of contact points that exceed it, according to the law. Returns

@@ -16,6 +16,22 @@ namespace ringmotor
     double load = 0.; ///< from the motion so far
   };
 
+  /** One of the motions of a rotor as a whole at the end of a step. */
+  struct RigidMotionState
+  {
+    ModalState motion;
+    double net_force = 0.; ///< at the end of the step
+
+    template <class Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      archive &motion &net_force;
+    }
+  };
+
+  /** At rest at some displacements. */
+  std::vector<RigidMotionState> rigid_motions_at_rest(const std::vector<double> &displacements);
+
   /**
    * The motions of a rotor as a whole, its rise and its near-rigid modes, marched through time with
    * inertia: each like a vibration mode, except that its displacement is an unknown of the contact
@@ -24,8 +40,9 @@ namespace ringmotor
   class MarchedRigidMotions
   {
   public:
-    /** At rest at some displacements. */
-    MarchedRigidMotions(const MotorInUse &motor, const std::vector<double> &displacements);
+    MarchedRigidMotions(const MotorInUse &motor, const std::vector<RigidMotionState> &states);
+
+    std::vector<RigidMotionState> current() const;
 
     /** The contributions in a step @p dt (s). */
     std::vector<InertiaInStep> in_step(const double dt) const;
@@ -40,8 +57,7 @@ namespace ringmotor
     struct Motion
     {
       double inertia;
-      ModalState state;
-      double net_force = 0.; ///< at the end of the last step
+      RigidMotionState now;
     };
 
     const InertiaScheme scheme;

@@ -168,6 +168,8 @@ namespace ringmotor
     void rest(const std::vector<PointVector> &forces);
     /** At given states of the modes in motion. */
     void set(std::vector<std::vector<ModalState>> states, const std::vector<PointVector> &forces);
+    /** By nodal diameter and mode. */
+    const std::vector<std::vector<ModalState>> &current() const { return states; }
 
     /** Their contribution to the static compliance within a step @p dt (s). */
     RingCompliance compliance(const double dt) const;
@@ -177,8 +179,8 @@ namespace ringmotor
     std::vector<std::complex<double>> vibration() const;
     /** The same motions at the end of a step @p dt without forces there. */
     std::vector<PointVector> free_motion(const double dt) const;
-    /** Sets the loss factor of the rotor for the following steps. */
-    void damp(const double loss_factor) { dynamics.loss_factor = loss_factor; }
+    /** Adds a damping (1/s) to that of every mode in the following steps. */
+    void damp(const double rate) { added_damping = rate; }
     /** Advances by a step @p dt, with @p forces at its end. @return the mean over the step */
     ModalPower step(const std::vector<PointVector> &forces, const double dt);
 
@@ -190,7 +192,8 @@ namespace ringmotor
 
     const std::shared_ptr<const ModesByShapes> modes;
     const unsigned int n_sectors;
-    RingDynamics dynamics;
+    const RingDynamics dynamics;
+    double added_damping = 0.; ///< 1/s
     std::vector<std::vector<ModalState>> states;
     ByMode earlier; ///< modal forces at the end of the last step
   };

@@ -7,6 +7,7 @@
 #include <ringmotor/motor/warp.h>
 
 #include <deque>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -25,8 +26,8 @@ namespace ringmotor
   /**
    * The states at the end of the last steps of a marched motor, and a prediction of the next one.
    * Once the motor has settled, it repeats the motion of some parts of a period ago, a few teeth
-   * further on; until then, and if those parts are no whole multiple of the step, the last steps
-   * are extrapolated.
+   * further on; until then, and where no step ended at such a time, the last steps are
+   * extrapolated.
    */
   class StepHistory
   {
@@ -41,18 +42,32 @@ namespace ringmotor
      * was closer in the last step. */
     const StepEnd &predict(const double length);
 
+    /** The time (s) from which on the motion has repeated itself, by the forces of the steps so
+     * far; infinite if the last step did not. */
+    double repeats_from() const { return repeated_from; }
+    /** The difference of forces, relative to them, up to which a motion repeats itself. */
+    static constexpr double repetition_tolerance = 1e-4;
+
   private:
+    /** An earlier step, rotated, and how long ago it was (s). */
+    struct Repeated
+    {
+      StepEnd end;
+      double since;
+    };
+
     /** Extrapolates from the last two steps. */
     StepEnd extrapolated(const double length) const;
     /** The end of a step close to a whole number of parts of a period ago, rotated; or none. */
-    std::optional<StepEnd> repeated(const double length) const;
+    std::optional<Repeated> repeated(const double length) const;
 
     const double period; ///< s, of the wave
     const unsigned int n_teeth;
     const Repetition repetition;
     std::deque<StepEnd> ends;
-    StepEnd by_extrapolation;             ///< of the next step
-    std::optional<StepEnd> by_repetition; ///< of the next step
-    bool repeats = false;                 ///< whether the last one was closer to its repetition
+    StepEnd by_extrapolation;              ///< of the next step
+    std::optional<Repeated> by_repetition; ///< of the next step
+    bool repeats         = false;          ///< whether the last one was closer to its repetition
+    double repeated_from = std::numeric_limits<double>::infinity(); ///< s
   };
 } // namespace ringmotor

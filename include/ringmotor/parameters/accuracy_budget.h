@@ -32,6 +32,8 @@ namespace ringmotor
     double meshes() const { return 0.9 * contact; }
     /** How closely the means of a marched motor must settle. */
     double marched_means() const { return 0.1 * strictest; }
+    /** The same where they wander, so that half the error takes four times the steps. */
+    double wandering_means() const { return 0.3 * strictest; }
     /** The speed of a rotor that stands still, over the scale of speeds. */
     double standstill() const { return contact; }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/motor/marching.h>
 #include <ringmotor/points/contact_fields.h>
 #include <ringmotor/points/operating_point.h>
 #include <ringmotor/points/point_error.h>
@@ -62,6 +63,7 @@ namespace ringmotor
     double seconds            = 0.;
     double largest_share      = 0.; ///< see ContactFields::largest_share()
     std::string remark;             ///< how it was found, if not by Newton's method alone
+    MarchedState end;               ///< of a marched motor, once its mean is known
     ContactFields fields; ///< without values where nothing needs them any more, see PointTable
 
     /** Of all causes, which are independent. */
@@ -75,7 +77,7 @@ namespace ringmotor
     {
       archive &request.control &request.value &result &unsettled_means &errors;
       archive &rotor_energies &rotor_power &largest_violation &unsettled &n_iterations &seconds
-          &largest_share &remark &fields;
+          &largest_share &remark &end &fields;
     }
   };
 } // namespace ringmotor

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/motor/marching.h>
 #include <ringmotor/points/contact_fields.h>
 
 #include <utility>
@@ -21,8 +22,13 @@ namespace ringmotor
 
     MeshTransfer(const CondensedMotor &from, const CondensedMotor &to);
     ContactFields fields(const ContactFields &known) const;
+    /** With the same modes. */
+    MarchedState marched(const MarchedState &known) const;
 
   private:
+    /** Forces, motions and status; everything else remains. */
+    void transfer(const StepState &known, StepState &result) const;
+
     std::vector<unsigned int> source; ///< nearest to each node of the new mesh
     /** Those by which a field is interpolated to each node of the new mesh. */
     std::vector<Weights> weights;

@@ -72,6 +72,11 @@ namespace ringmotor
                       const std::vector<PointRequest> &requests, const Start start);
     std::optional<Points> known(const Discretisation &discretisation,
                                 const std::vector<PointRequest> &requests) const;
+    /** Marched points of the motor that is not varied, with steps that may differ: the same ones on
+     * the same mesh, or else on another one, or else similar ones. None where each is to begin from
+     * rest. */
+    Points marched_starts(const Discretisation &discretisation,
+                          const std::vector<PointRequest> &requests);
     Points starts_with_longer_steps(const Discretisation &discretisation,
                                     const std::vector<PointRequest> &requests, const Start start);
     /** Steps of twice the length, if they divide the pitch; of a varied motor, the requested one.
@@ -81,11 +86,12 @@ namespace ringmotor
     const CurvePoint *point_with_longer_steps(const Discretisation &discretisation,
                                               const PointRequest &request) const;
     std::optional<Points> starts_on_other_mesh(const Discretisation &discretisation,
-                                               const std::vector<PointRequest> &requests);
+                                               const std::vector<PointRequest> &requests,
+                                               const Steps &of_starts);
     /** Whether fields are small enough for the folder of kept points. */
     static bool may_be_kept(const std::size_t n_bytes);
-    /** The point of the first curve with the most similar load. */
-    const CurvePoint &similar_point(const PointRequest &request) const;
+    /** The one of some points with the most similar load. */
+    static const CurvePoint &similar_point(const Points &points, const PointRequest &request);
 
     const Parameters &parameters;
     const StepChoice steps;
