@@ -92,7 +92,8 @@ namespace ringmotor
 
   void CurveSearch::refine_meshes()
   {
-    table.fill({{for_first_curve(), requests->all()}}); // which others start from
+    if (is_marched(parameters))
+      table.fill({{scene.for_variations(), requests->all()}}); // which others start from
     while (true)
     {
       double worst = 0.;
@@ -138,7 +139,10 @@ namespace ringmotor
   void CurveSearch::evaluate()
   {
     // The points that others start from, then all the others together, to share them among ranks.
-    for (const Discretisation &start : {scene.plain(), scene.for_variations()})
+    std::vector<Discretisation> starts{scene.plain(), scene.for_variations()};
+    if (is_marched(parameters)) // a coarse mesh and long steps first
+      std::reverse(starts.begin(), starts.end());
+    for (const Discretisation &start : starts)
       table.fill({{start, requests->all()}});
     table.fill(all_needs());
     if (is_marched(parameters))

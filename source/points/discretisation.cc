@@ -91,6 +91,11 @@ namespace ringmotor
     return plain;
   }
 
+  Steps StepChoice::of_meshes() const
+  {
+    return is_marched ? Steps{first_parts()} : plain();
+  }
+
   Steps StepChoice::longest() const
   {
     Steps longest = plain();

@@ -36,7 +36,7 @@ namespace ringmotor
 
   LaterMean later_mean(const std::vector<double> &values)
   {
-    constexpr std::size_t enough = 8, n_batches = 3;
+    constexpr std::size_t enough = 12, n_batches = 3;
     constexpr double of_student = 4.303; // two degrees of freedom
     const std::size_t n = values.size(), length = n / (n_batches + 1);
     if (n < enough)

@@ -9,6 +9,7 @@
 #include "support/record.h"
 
 #include <ringmotor/motor/marching.h>
+#include <ringmotor/points/marched_point.h>
 #include <ringmotor/points/point_finder.h>
 
 #include <gtest/gtest.h>
@@ -217,6 +218,37 @@ TEST_F(RotorAsAWhole, LosesTheSameShareOfAllVibrationsInAPeriod)
     whole_end += end[i];
   }
   EXPECT_NEAR(whole_end / whole_begin, expected, 0.2 * expected);
+}
+
+class RotorAsAWholeLong : public RotorAsAWhole
+{
+};
+
+TEST_F(RotorAsAWholeLong, WandersAboutTheMeanOfItsPoint)
+{
+  // Over a warp it has no period: its point must have the mean of a run of several times the
+  // length.
+  Parameters warped                     = parameters;
+  warped.initial_deformation.amplitude  = 1e-6;
+  warped.initial_deformation.n_waves    = 2;
+  warped.effects["Initial deformation"] = EffectChoice::on;
+  warped.time.time_step                 = motor.period() / 32.;
+  warped.accuracy.contact_target        = 0.1;
+  const PointRequest request{Control::speed, 60. * M_PI / 30.};
+  const CurvePoint point = find_marched(warped, motor, request);
+  MarchedRun run(warped, motor, request, 1, point.end);
+  const double step          = point.fields.time_step;
+  const OperatingPoint later = run.advance(32 * 30, step).mean;
+  record("torque of the point and of thirty periods more (mN m)", 1e3 * point.result.torque);
+  record("torque of the point and of thirty periods more (mN m)", 1e3 * later.torque);
+  record("error bar of the averaging window (mN m)", 1e3 * point.unsettled_means["torque"]);
+  record("friction loss of both (mW)", 1e3 * point.result.friction_loss());
+  record("friction loss of both (mW)", 1e3 * later.friction_loss());
+  record("its error bar (mW)", 1e3 * point.unsettled_means["friction_loss"]);
+  record("periods marched", point.end.end.time / motor.period());
+  EXPECT_NEAR(point.result.torque, later.torque, 1.5 * point.unsettled_means["torque"]);
+  EXPECT_NEAR(point.result.friction_loss(), later.friction_loss(),
+              1.5 * point.unsettled_means["friction_loss"]);
 }
 
 TEST_F(RotorAsAWhole, RisesAndTiltsAsForcesAccelerateIt)

@@ -88,9 +88,12 @@ namespace ringmotor
      * given step lengths are rounded. */
     Steps at_least(const double n_steps) const;
 
-    /** Those with which meshes, waves and averaging windows are compared: the same on all meshes,
-     * and no more than necessary. */
+    /** Those with which waves and averaging windows are compared: no more than necessary. */
     Steps plain() const;
+
+    /** Those with which meshes are compared, the same on all of them: plain() or, of a marched
+     * motor, the first own ones, with which its points are needed anyway. */
+    Steps of_meshes() const;
 
     /** Those with which the search for points begins on a mesh, from the points of another mesh:
      * plain() or a multiple of their length. A search is short from a state with longer steps. */

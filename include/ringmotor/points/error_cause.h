@@ -43,14 +43,15 @@ namespace ringmotor
     /** With the steps with which meshes are compared, on the meshes of a level. */
     Discretisation plain(const unsigned int of_level) const
     {
-      return {of_level, modes_level, steps.plain()};
+      return {of_level, modes_level, steps.of_meshes()};
     }
     Discretisation plain() const { return plain(level); }
     /** That in which motors are varied: what this changes depends little on the mesh. On the last
      * mesh but one, from mesh 2 on; of a marched motor, whose points are dear, from mesh 1 on. */
     Discretisation for_variations() const
     {
-      return plain(level > (is_marched(parameters) ? 0 : 1) ? compared_with(level) : level);
+      return plain(level > (is_marched(parameters) ? 0 : 1) ? compared_with(level) : level)
+          .with(steps.plain());
     }
     const CondensedMotor &motor() const { return table.motor(level, modes_level); }
     /** The speed (rad/s) of the crests of the wave at a point. */

@@ -24,7 +24,7 @@ namespace ringmotor
     /** With a confidence of 95 %, by Student's distribution of the means of the three quarters. */
     double error = 0.;
   };
-  /** Its error is infinite for fewer than eight values. */
+  /** Its error is infinite for fewer than twelve values. */
   LaterMean later_mean(const std::vector<double> &values);
 
   /**
