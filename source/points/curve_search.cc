@@ -92,8 +92,7 @@ namespace ringmotor
 
   void CurveSearch::refine_meshes()
   {
-    if (is_marched(parameters))
-      table.fill({{scene.for_variations(), requests->all()}}); // which others start from
+    fill_starts();
     while (true)
     {
       double worst = 0.;
@@ -136,15 +135,19 @@ namespace ringmotor
     return needs;
   }
 
-  void CurveSearch::evaluate()
+  void CurveSearch::fill_starts()
   {
-    // The points that others start from, then all the others together, to share them among ranks.
     std::vector<Discretisation> starts{scene.plain(), scene.for_variations()};
     if (is_marched(parameters)) // a coarse mesh and long steps first
       std::reverse(starts.begin(), starts.end());
     for (const Discretisation &start : starts)
       table.fill({{start, requests->all()}});
-    table.fill(all_needs());
+  }
+
+  void CurveSearch::evaluate()
+  {
+    fill_starts();
+    table.fill(all_needs()); // together, to share them among ranks
     if (is_marched(parameters))
       table.drop_other_fields(own_points());
     results.clear();

@@ -15,20 +15,22 @@ namespace ringmotor
 {
   using namespace dealii;
 
-  MarchedRun::MarchedRun(const Parameters &parameters, const MotorInUse &motor,
-                         const PointRequest &request, const unsigned int n_joined)
-      : load(load_of(parameters.loading, request)), n_parts(parameters.time.n_snapshots),
-        n_joined(n_joined), begins_from_rest(true),
-        driver(motor, motor_model(parameters).friction, motor_model(parameters).warp, load.preload)
+  namespace
   {
-  }
+    MarchingDriver driver_from(const MotorInUse &motor, const MotorModel &model,
+                               const double preload, const MarchedState *start)
+    {
+      return start ? MarchingDriver(motor, model.friction, model.warp, *start)
+                   : MarchingDriver(motor, model.friction, model.warp, preload);
+    }
+  } // namespace
 
   MarchedRun::MarchedRun(const Parameters &parameters, const MotorInUse &motor,
                          const PointRequest &request, const unsigned int n_joined,
-                         const MarchedState &start)
-      : load(load_of(parameters.loading, request)), n_parts(parameters.time.n_snapshots),
-        n_joined(n_joined), begins_from_rest(false),
-        driver(motor, motor_model(parameters).friction, motor_model(parameters).warp, start)
+                         const MarchedState *start)
+      : begins_from_rest(!start), load(load_of(parameters.loading, request)),
+        n_parts(parameters.time.n_snapshots), n_joined(n_joined),
+        driver(driver_from(motor, motor_model(parameters), load.preload, start))
   {
   }
 
@@ -118,7 +120,7 @@ namespace ringmotor
       /** Continues marching until the mean is known. With inertia transients have to die out
        * first: under more damping than the motor's own, as little of it as turns out to be needed.
        * @throws ComputationError */
-      CurvePoint settle(MarchedRun &run, const bool begins_from_rest);
+      CurvePoint settle(MarchedRun &run);
 
       /** The operating point of a span. */
       CurvePoint point_of(MarchedSpan span) const;
@@ -192,7 +194,7 @@ namespace ringmotor
       run.damp(0.);
     }
 
-    CurvePoint Settling::settle(MarchedRun &run, const bool begins_from_rest)
+    CurvePoint Settling::settle(MarchedRun &run)
     {
       constexpr unsigned int few_spans = 24, most_spans = 80;
       std::optional<CurvePoint> point;
@@ -200,7 +202,7 @@ namespace ringmotor
         point = mean_of(run, most_spans);
       else
       {
-        if (begins_from_rest)
+        if (run.begins_from_rest)
           calm(run, 0.3);
         else
           point = mean_of(run, few_spans);
@@ -224,24 +226,27 @@ namespace ringmotor
       const unsigned int n_periods = (n_parts + 3) / 4;
       const auto n_steps           = static_cast<unsigned int>(
           std::lround(n_periods * motor.wave.period() / n_parts / step_length()));
-      const auto is_known = [&](CurvePoint &point, const PointError &error, const double tolerance)
-      {
-        point.unsettled_means = error;
-        return is_small(error, point, tolerance);
-      };
       means = {};
       for (unsigned int number = 0; number < most_spans; ++number)
       {
-        MarchedSpan span   = run.advance(n_steps, step_length());
-        const bool repeats = span.repeats;
-        means.add(point_of(std::move(span)), repeats);
-        CurvePoint point = means.last();
-        if ((repeats || !vibrates) &&
-            is_known(point, means.error_of_last(), budget.marched_means()))
-          return point;
-        point = means.later();
-        if (is_known(point, means.error_of_later(), budget.wandering_means()))
-          return point;
+        MarchedSpan span     = run.advance(n_steps, step_length());
+        const bool repeats   = span.repeats;
+        CurvePoint point     = point_of(std::move(span));
+        ContactFields fields = std::move(point.fields);
+        means.add(std::move(point), repeats);
+        const auto known = [&](CurvePoint result, const PointError &error)
+        {
+          result.unsettled_means = error;
+          result.fields          = std::move(fields);
+          return result;
+        };
+        if (const PointError error = means.error_of_last();
+            (repeats || !vibrates) && is_small(error, means.last(), budget.marched_means()))
+          return known(means.last(), error);
+        CurvePoint later = means.later();
+        if (const PointError error = means.error_of_later();
+            is_small(error, later, budget.wandering_means()))
+          return known(std::move(later), error);
       }
       return {};
     }
@@ -309,19 +314,17 @@ namespace ringmotor
                           const PointRequest &request, const unsigned int n_joined,
                           const CurvePoint *start)
   {
-    const bool begins_from_rest = parameters.time.n_steps || !start || !start->end.is_known();
-    MarchedRun run              = begins_from_rest
-                                      ? MarchedRun(parameters, motor, request, n_joined)
-                                      : MarchedRun(parameters, motor, request, n_joined, start->end);
+    const bool goes_on = !parameters.time.n_steps && start && start->end.is_known();
+    MarchedRun run(parameters, motor, request, n_joined, goes_on ? &start->end : nullptr);
     Settling settling(parameters, motor, request);
     CurvePoint point;
     if (parameters.time.n_steps)
       point = find_by_window(parameters.time, run, settling);
     else
     {
-      if (begins_from_rest)
+      if (run.begins_from_rest)
         run.advance(1, settling.step_length());
-      point = settling.settle(run, begins_from_rest);
+      point = settling.settle(run);
     }
     point.largest_violation = run.effort().largest_violation;
     point.n_iterations      = run.effort().n_iterations;

@@ -112,8 +112,7 @@ namespace ringmotor
         result.motion.back()[0] = 0.;
         for (const auto &[b, weight] : weights[a])
           result.motion.back()[0] += weight * motion[b][0];
-        if (!known.status.empty())
-          result.status.push_back(known.status[block * n_from + source[a]]);
+        result.status.push_back(known.status[block * n_from + source[a]]);
       }
       // The force of each node goes to the closed nodes around it, or else to the nearest one.
       for (unsigned int b = 0; b < n_from; ++b)

@@ -217,13 +217,13 @@ namespace ringmotor
     if (const std::optional<Points> other =
             starts_on_other_mesh(discretisation, requests, steps.plain()))
       return *other;
-    Points known_so_far, starts;
-    if (const auto known = points.find({level, modes_level, steps.plain()}); known != points.end())
-      for (const auto &[request, point] : known->second)
-        known_so_far.push_back(point);
-    if (!known_so_far.empty())
+    Points others, starts;
+    if (const auto found = points.find({level, modes_level, steps.plain()}); found != points.end())
+      for (const auto &[request, point] : found->second)
+        others.push_back(point);
+    if (!others.empty())
       for (const PointRequest &request : requests)
-        starts.push_back(similar_point(known_so_far, request));
+        starts.push_back(similar_point(others, request));
     return starts;
   }
 

@@ -64,8 +64,6 @@ namespace ringmotor
     for (const PointQuantity &quantity : point_quantities())
       if (quantity.has_own_error())
         by_quantity[quantity.name].push_back(values[quantity.name]);
-    if (!spans.empty())
-      spans.back().fields = {};
     spans.push_back(std::move(span));
   }
 

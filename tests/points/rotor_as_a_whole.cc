@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 
 using namespace ringmotor;
 using namespace ringmotor::tests;
@@ -184,13 +185,14 @@ TEST_F(RotorAsAWhole, GoesOnFromItsStateAsIfItHadNotStopped)
 
 TEST_F(RotorAsAWhole, LosesTheSameShareOfAllVibrationsInAPeriod)
 {
-  // Without contact, from rest under a preload that is gone: the amplitude of each mode falls by
-  // exp(pi eta) in a period of the wave, whatever its frequency.
+  // Lifted off the teeth: the amplitude of each mode falls by exp(pi eta) in a period of the wave,
+  // whatever its frequency. Those that steps resolve, as the scheme damps faster ones; the
+  // energy of slow ones swings within their period.
   MarchingDriver marching(motor, motor_model(parameters).friction, {1e-6, 1}, 14.);
   const double step = motor.period() / 360.;
   for (unsigned int i = 0; i < 60; ++i)
     marching.step({14., {}, 7.}, step);
-  constexpr double loss_factor = 0.1;
+  constexpr double loss_factor = 0.1, resolved = 0.1; // rad in a step
   marching.damp(loss_factor);
   const auto energies = [&]
   {
@@ -198,12 +200,12 @@ TEST_F(RotorAsAWhole, LosesTheSameShareOfAllVibrationsInAPeriod)
     const MarchedState state = marching.state();
     for (unsigned int k = 0; k < state.modes.size(); ++k)
       for (unsigned int r = 0; r < state.modes[k].size(); ++r)
-        of_modes.push_back(
-            std::norm(state.modes[k][r].velocity) +
-            std::norm(motor.modes[k][r].angular_frequency * state.modes[k][r].displacement));
+        if (const double omega = motor.modes[k][r].angular_frequency; omega * step < resolved)
+          of_modes.push_back(std::norm(state.modes[k][r].velocity) +
+                             std::norm(omega * state.modes[k][r].displacement));
     return of_modes;
   };
-  const auto in_the_air = [&] { marching.step({-1e4, {}, 7.}, step); }; // lifted off
+  const auto in_the_air = [&] { marching.step({-1e4, {}, 7.}, step); };
   for (unsigned int i = 0; i < 20; ++i)
     in_the_air();
   const std::vector<double> begin = energies();
@@ -211,13 +213,12 @@ TEST_F(RotorAsAWhole, LosesTheSameShareOfAllVibrationsInAPeriod)
     in_the_air();
   const std::vector<double> end = energies();
   const double expected         = std::exp(-2. * M_PI * loss_factor);
-  double whole_begin = 0., whole_end = 0.;
+  ASSERT_GT(begin.size(), 20u);
   for (unsigned int i = 0; i < begin.size(); ++i)
-  {
-    whole_begin += begin[i];
-    whole_end += end[i];
-  }
-  EXPECT_NEAR(whole_end / whole_begin, expected, 0.2 * expected);
+    EXPECT_NEAR(end[i] / begin[i], expected, 0.3 * expected) << i;
+  const double whole =
+      std::accumulate(end.begin(), end.end(), 0.) / std::accumulate(begin.begin(), begin.end(), 0.);
+  EXPECT_NEAR(whole, expected, 0.2 * expected);
 }
 
 class RotorAsAWholeLong : public RotorAsAWhole
@@ -236,7 +237,7 @@ TEST_F(RotorAsAWholeLong, WandersAboutTheMeanOfItsPoint)
   warped.accuracy.contact_target        = 0.1;
   const PointRequest request{Control::speed, 60. * M_PI / 30.};
   const CurvePoint point = find_marched(warped, motor, request);
-  MarchedRun run(warped, motor, request, 1, point.end);
+  MarchedRun run(warped, motor, request, 1, &point.end);
   const double step          = point.fields.time_step;
   const OperatingPoint later = run.advance(32 * 30, step).mean;
   record("torque of the point and of thirty periods more (mN m)", 1e3 * point.result.torque);

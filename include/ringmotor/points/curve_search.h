@@ -76,6 +76,8 @@ namespace ringmotor
     PointTable::Needs own_points() const;
     /** What own points and their error bars need. */
     PointTable::Needs all_needs() const;
+    /** Computes the points that others start from. */
+    void fill_starts();
     /** Computes all points of the reached level with their time steps and error bars. */
     void evaluate();
     /** Whether powers balance at all points; shortens the steps where they do not. */

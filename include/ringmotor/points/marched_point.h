@@ -20,12 +20,10 @@ namespace ringmotor
   class MarchedRun
   {
   public:
-    /** The bodies of @p motor must outlive this object and all that it returns. */
+    /** The bodies of @p motor must outlive this object and all that it returns. @param start the
+     * state of a similar motor to continue from, instead of one at rest */
     MarchedRun(const Parameters &parameters, const MotorInUse &motor, const PointRequest &request,
-               const unsigned int n_joined = 1);
-    /** Continues from the state of a similar motor. */
-    MarchedRun(const Parameters &parameters, const MotorInUse &motor, const PointRequest &request,
-               const unsigned int n_joined, const MarchedState &start);
+               const unsigned int n_joined = 1, const MarchedState *start = nullptr);
 
     /** Advances by some steps of a length (s). As many of these as possible are joined into one,
      * which is divided into `Time/Snapshots` parts. @throws ComputationError */
@@ -35,6 +33,7 @@ namespace ringmotor
     void damp(const double loss_factor) { driver.damp(loss_factor); }
 
     MarchedState state() const { return driver.state(); }
+    const bool begins_from_rest; ///< and without a torque
 
     /** The certificate of all steps so far, and the effort to find them. */
     const CurvePoint &effort() const { return taken; }
@@ -55,7 +54,6 @@ namespace ringmotor
     const RotorLoad load;
     const unsigned int n_parts;  ///< of a step
     const unsigned int n_joined; ///< steps
-    const bool begins_from_rest;
     MarchingDriver driver;
     OperatingState last;
     std::optional<NodePass> pass; ///< until the last step

@@ -36,15 +36,15 @@ namespace ringmotor
   class SpanMeans
   {
   public:
-    /** Adds the next span. @param repeats see MarchedSpan::repeats */
+    /** Adds the next span, without fields. @param repeats see MarchedSpan::repeats */
     void add(CurvePoint span, const bool repeats);
 
     /** The last span, and how far it may be from the limit. */
     const CurvePoint &last() const { return spans.back(); }
     PointError error_of_last() const;
 
-    /** The mean over the later three quarters of the spans, with the fields of the last one, and
-     * how far it may be from the long-time mean. */
+    /** The mean over the later three quarters of the spans, and how far it may be from the
+     * long-time mean. */
     CurvePoint later() const;
     PointError error_of_later() const;
 
@@ -55,7 +55,7 @@ namespace ringmotor
     }
 
   private:
-    std::vector<CurvePoint> spans; ///< fields of the last one alone
+    std::vector<CurvePoint> spans;
     std::map<std::string, std::vector<double>> by_quantity;
     bool repeats = false;
   };
