@@ -30,6 +30,7 @@ namespace ringmotor
                          const MarchedState *start)
       : begins_from_rest(!start), load(load_of(parameters.loading, request)),
         n_parts(parameters.time.n_snapshots), n_joined(n_joined),
+        most_halvings(parameters.time.n_steps ? 0 : 2),
         driver(driver_from(motor, motor_model(parameters), load.preload, start))
   {
   }
@@ -45,7 +46,7 @@ namespace ringmotor
       for (unsigned int part = 0; part < n_parts; ++part)
       {
         const double length_of_part = together * length / n_parts;
-        add_step(length_of_part, evaluated);
+        add_step(length_of_part, evaluated, most_halvings);
         span.fields.append(fields_of(last, driver.time()));
         span.fields.time_step = length_of_part; // even if it was halved
         if (span.fields.times.size() == 1)
@@ -60,20 +61,18 @@ namespace ringmotor
   void MarchedRun::add_step(const double length, Evaluated &evaluated,
                             const unsigned int n_halvings)
   {
-    constexpr unsigned int most_halvings = 2;
-    const bool may_be_halved             = n_halvings < most_halvings;
     OperatingState state;
     try
     {
       // Two halves are sooner found than what Newton's method does not find at once.
-      state = step(length, may_be_halved ? Fallback::none : Fallback::proximal_points);
+      state = step(length, n_halvings > 0 ? Fallback::none : Fallback::proximal_points);
     }
     catch (const ComputationError &)
     {
-      if (!may_be_halved)
+      if (n_halvings == 0)
         throw;
       for (unsigned int half = 0; half < 2; ++half)
-        add_step(0.5 * length, evaluated, n_halvings + 1);
+        add_step(0.5 * length, evaluated, n_halvings - 1);
       taken.remark = "steps for which Newton's method did not converge were halved";
       return;
     }

@@ -45,15 +45,16 @@ namespace ringmotor
       std::vector<OperatingPoint> results;
       std::vector<double> lengths; ///< s
     };
-    /** Advances by a part of a step, or by halves of it if no state is found at its end.
-     * @throws ComputationError */
-    void add_step(const double length, Evaluated &evaluated, const unsigned int n_halvings = 0);
+    /** Advances by a part of a step, or by halves of it if no state is found at its end and it may
+     * be halved so often. @throws ComputationError */
+    void add_step(const double length, Evaluated &evaluated, const unsigned int n_halvings);
     /** The next state. @throws ComputationError if none is found: when, at which load */
     OperatingState step(const double length, const Fallback fallback);
 
     const RotorLoad load;
-    const unsigned int n_parts;  ///< of a step
-    const unsigned int n_joined; ///< steps
+    const unsigned int n_parts;       ///< of a step
+    const unsigned int n_joined;      ///< steps
+    const unsigned int most_halvings; ///< of a step; none where `Time` counts the steps
     MarchingDriver driver;
     OperatingState last;
     std::optional<NodePass> pass; ///< until the last step

@@ -2,6 +2,7 @@
 #include <ringmotor/contact/solve/proximal_points.h>
 #include <ringmotor/contact/solve/proximal_problem.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -65,10 +66,9 @@ namespace ringmotor
                                  const ComplementarityConstants &constants,
                                  const ContactState &start, RowSolver &solver)
   {
-    constexpr unsigned int most_steps = 80, most_if_close = 240;
-    constexpr double weakest = 1e-8, strongest = 1e5, nearly = 0.05, close = 2e-3,
-                     fulfilled = 1e-10;
-    constexpr NewtonLimits finishing, of_proximal{finishing.most_iterations, 1e-3};
+    constexpr unsigned int most_steps = 80;
+    constexpr double weakest = 1e-8, strongest = 1e5, nearly = 0.05, fulfilled = 1e-10;
+    constexpr NewtonLimits finishing;
     const RigidStiffness rigid_stiffness(problem, constants);
     unsigned int n_systems = 0;
     const auto judged      = [&](const ContactState &state)
@@ -84,11 +84,14 @@ namespace ringmotor
     ContactIterate found = judged(start);
     // Of the springs, relative to the bodies themselves.
     double strength = start.n_pressed() > 0 ? 1. / 16. : 1.;
-    // A chain that has come close is slow where nearly all points stick, but it arrives.
-    const auto may_go_on = [&](const unsigned int step)
-    { return step < (found.certificate.worst() < close ? most_if_close : most_steps); };
-    for (unsigned int step = 0; may_go_on(step) && strength < strongest; ++step)
+    for (unsigned int step = 0; step < most_steps && strength < strongest; ++step)
     {
+      // Errors of the links must add up to little (Rockafellar 1976): a link that is not solved
+      // better than its start does not lead on.
+      constexpr double coarsest = 1e-3, share = 0.03;
+      const NewtonLimits of_link{
+          finishing.most_iterations,
+          std::clamp(share * found.certificate.worst(), finishing.converged, coarsest)};
       const ProximalProblem::Springs springs{strength / constants.normal,
                                              strength / constants.tangential,
                                              rigid_stiffness.against(found.state, strength)};
@@ -97,15 +100,15 @@ namespace ringmotor
                                             constants.tangential / (1. + strength)};
       RowSolver of_springs; // whose systems differ
       const ContactIterate next =
-          newton(proximal, bound_of, softer, found.state, of_proximal, of_springs);
+          newton(proximal, bound_of, softer, found.state, of_link, of_springs);
       found.n_iterations = n_systems += next.n_iterations;
-      if (next.failed || !(next.certificate.worst() <= of_proximal.converged))
+      if (next.failed || !(next.certificate.worst() <= of_link.converged))
       {
         strength *= 8.;
         continue;
       }
-      found = judged(next.state);
-      strength /= 16.;
+      found    = judged(next.state);
+      strength = std::max(weakest, strength / 16.);
       if (found.certificate.worst() > nearly && strength > weakest)
         continue;
       ContactIterate exact = newton(problem, bound_of, constants, found.state, finishing, solver);
