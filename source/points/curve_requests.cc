@@ -63,6 +63,12 @@ namespace ringmotor
     return requests;
   }
 
+  unsigned int spacing_along_curve(const unsigned int n_points)
+  {
+    constexpr unsigned int widest = 4;
+    return std::clamp(2 * (n_points - 1) / 5, 1u, widest);
+  }
+
   CurveRequests::CurveRequests(const Parameters &parameters, PointTable &table,
                                const Discretisation &first)
       : parameters(parameters), table(table), first(first)
@@ -73,6 +79,8 @@ namespace ringmotor
       find_ends();
     require_bearable_torques();
     requests = is_listed() ? listed_points(parameters.loading) : points_of_curve();
+    measured_points =
+        MeasuredPoints(requests, is_listed() ? 1 : spacing_along_curve(requests.size()));
     table.begin_with(first, outline);
     if (!is_driven() || !is_listed())
       table.insert(first, stalled);

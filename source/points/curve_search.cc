@@ -47,7 +47,7 @@ namespace ringmotor
     search();
     if (!is_marched(parameters))
       return;
-    table.restore_fields(own_points());
+    table.restore_fields(own_points(requests->all()));
     for (CurvePoint &result : results)
       result.fields = table.at(own(result.request), result.request).fields;
   }
@@ -67,20 +67,22 @@ namespace ringmotor
     errors   = std::make_unique<const HeldErrors>(parameters, *requests, scene);
     for (const PointRequest &request : requests->all())
       n_parts[request] = steps.first_parts();
-    while (true)
-    {
+    do
       if (!is_fixed)
         refine_meshes();
-      evaluate();
-      if (is_fixed)
-        return;
-      // The power balance needs the shortest steps, which are worth their cost on the last mesh
-      // only.
-      if (errors->worst_of(results) > budget.whole())
-        refine();
-      else if (powers_balance())
-        return;
-    }
+    while (!suffices(requests->measured().all()) || !suffices(requests->all()));
+  }
+
+  bool CurveSearch::suffices(const std::vector<PointRequest> &these)
+  {
+    evaluate(these);
+    if (parameters.accuracy.mode == AccuracyMode::fixed)
+      return true;
+    // The power balance needs the shortest steps, which are worth their cost on the last mesh only.
+    if (errors->worst_of(results) <= budget.whole())
+      return powers_balance();
+    refine();
+    return false;
   }
 
   Discretisation CurveSearch::for_first_curve() const
@@ -100,8 +102,8 @@ namespace ringmotor
         if (cause->cure == Cure::meshes)
         {
           for (const Discretisation &needed : cause->needs(scene))
-            table.fill({{needed, requests->all()}}); // from the one before
-          for (const PointRequest &request : requests->all())
+            table.fill({{needed, requests->measured().all()}}); // from the one before
+          for (const PointRequest &request : requests->measured().all())
             worst = std::max(worst, errors->relative(cause->of(request, scene.plain(), scene)));
         }
       if (worst > budget.whole() && scene.level == finest_level)
@@ -112,23 +114,23 @@ namespace ringmotor
     }
   }
 
-  PointTable::Needs CurveSearch::own_points() const
+  PointTable::Needs CurveSearch::own_points(const std::vector<PointRequest> &of) const
   {
     std::map<Discretisation, std::vector<PointRequest>> by_steps;
-    for (const PointRequest &request : requests->all())
+    for (const PointRequest &request : of)
       by_steps[own(request)].push_back(request);
     return {by_steps.begin(), by_steps.end()};
   }
 
-  PointTable::Needs CurveSearch::all_needs() const
+  PointTable::Needs CurveSearch::needs_of(const std::vector<PointRequest> &these) const
   {
-    const PointTable::Needs by_steps = own_points();
-    PointTable::Needs needs          = by_steps;
+    const std::vector<PointRequest> &measured = requests->measured().all();
+    PointTable::Needs needs                   = own_points(these);
     for (const auto &cause : all_error_causes())
     {
       for (const Discretisation &needed : cause->needs(scene))
-        needs.emplace_back(needed, requests->all());
-      for (const auto &[of_these, these] : by_steps)
+        needs.emplace_back(needed, measured);
+      for (const auto &[of_these, these] : own_points(measured))
         for (const Discretisation &needed : cause->needs_beside(of_these, scene))
           needs.emplace_back(needed, these);
     }
@@ -141,31 +143,62 @@ namespace ringmotor
     if (is_marched(parameters)) // a coarse mesh and long steps first
       std::reverse(starts.begin(), starts.end());
     for (const Discretisation &start : starts)
-      table.fill({{start, requests->all()}});
+      table.fill({{start, requests->measured().all()}});
   }
 
-  void CurveSearch::evaluate()
+  void CurveSearch::evaluate(const std::vector<PointRequest> &these)
   {
+    for (const PointRequest &request : these)
+      n_parts.at(request) = std::max(n_parts.at(request), parts_nearby(request));
     fill_starts();
-    table.fill(all_needs()); // together, to share them among ranks
+    table.fill(needs_of(these)); // together, to share them among ranks
     if (is_marched(parameters))
-      table.drop_other_fields(own_points());
+      table.drop_other_fields(own_points(requests->all()));
     results.clear();
-    for (const PointRequest &request : requests->all())
+    for (const PointRequest &request : these)
     {
       results.push_back(table.at(own(request), request));
       for (const auto &cause : all_error_causes())
-        results.back().errors[cause->name] = cause->of(request, own(request), scene);
+        results.back().errors[cause->name] = error_of(*cause, request);
     }
+  }
+
+  unsigned int CurveSearch::parts_nearby(const PointRequest &request) const
+  {
+    unsigned int fewest = steps.most_parts();
+    for (const PointRequest &measured : requests->measured().around(request))
+      fewest = std::min(fewest, n_parts.at(measured));
+    return fewest;
+  }
+
+  PointError CurveSearch::error_of(const ErrorCause &cause, const PointRequest &request) const
+  {
+    if (!cause.compares(own(request), scene))
+      return cause.of(request, own(request), scene);
+    PointError error;
+    for (const PointRequest &measured : requests->measured().around(request))
+    {
+      PointError there = cause.of(measured, own(measured), scene);
+      if (cause.cure == Cure::steps)
+      {
+        // Errors of time integration are of first or second order: the safe side of both.
+        const double length = own(measured).steps.number() / own(request).steps.number();
+        there *= std::max(length, length * length);
+      }
+      error.raise(there);
+    }
+    return error;
   }
 
   bool CurveSearch::powers_balance()
   {
     bool is_balanced = true;
-    for (const PointRequest &request : requests->all())
+    for (const CurvePoint &point : results)
     {
+      const PointRequest &request = point.request;
       const unsigned int parts =
-          balance.parts_for(table.at(own(request), request), scene.level, n_parts.at(request));
+
+          balance.parts_for(point, scene.level, n_parts.at(request));
       if (parts == n_parts.at(request))
         continue;
       shorten_steps(request, parts);
@@ -265,7 +298,8 @@ namespace ringmotor
 
   CurveSearch::StaticFrictionEffect CurveSearch::static_friction_effect()
   {
-    const PointRequest middle = requests->all()[(requests->all().size() - 1) / 2];
+    const PointRequest middle =
+        requests->measured().around(requests->all()[(requests->all().size() - 1) / 2]).front();
     // Differences do not need steps so short that powers balance.
     const Discretisation plain = scene.for_variations();
     const CurvePoint &before   = table.at(plain, middle);

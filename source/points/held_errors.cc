@@ -26,7 +26,7 @@ namespace ringmotor
       {
         const PointQuantity &quantity = quantity_named(held.quantity);
         double largest                = 0.;
-        for (const PointRequest &request : requests.all())
+        for (const PointRequest &request : requests.measured().all())
           largest =
               std::max(largest, std::abs(quantity.value(scene.table.at(scene.plain(), request))));
         worst = std::max(worst, value / scales.of(held.quantity, largest) *

@@ -89,10 +89,10 @@ namespace ringmotor
 
   void PointTable::begin_with(const Discretisation &discretisation, const Points &curve)
   {
-    first_curve = curve;
     points.clear();
-    for (const CurvePoint &point : first_curve)
+    for (const CurvePoint &point : curve)
       insert(discretisation, point);
+    first_curve = points[discretisation];
   }
 
   void PointTable::drop_other_fields(const Needs &needs)
@@ -101,10 +101,11 @@ namespace ringmotor
     std::size_t n_bytes = 0;
     for (const auto &[discretisation, requests] : needs)
       for (const PointRequest &request : requests)
-      {
-        needed.emplace(discretisation, request);
-        n_bytes += at(discretisation, request).fields.n_bytes();
-      }
+        if (const CurvePoint *const point = find(discretisation, request))
+        {
+          needed.emplace(discretisation, request);
+          n_bytes += point->fields.n_bytes();
+        }
     for (auto &[discretisation, of_requests] : points)
       for (auto &[request, point] : of_requests)
       {
@@ -196,8 +197,7 @@ namespace ringmotor
         return *coarser;
     if (!(discretisation == discretisation.with(steps.longest())))
       return starts_with_longer_steps(discretisation, requests, start);
-    if (const std::optional<Points> other =
-            starts_on_other_mesh(discretisation, requests, steps.longest()))
+    if (const std::optional<Points> other = starts_on_other_mesh(discretisation, requests))
       return *other;
     Points starts;
     if (start == Start::rest)
@@ -205,25 +205,50 @@ namespace ringmotor
     else if (!first_curve.empty())
       for (const PointRequest &request : requests)
         starts.push_back(similar_point(first_curve, request));
+    else
+      starts = similar_points(discretisation, requests);
     return starts;
   }
 
   PointTable::Points PointTable::marched_starts(const Discretisation &discretisation,
                                                 const std::vector<PointRequest> &requests)
   {
-    const auto [level, modes_level] = std::pair(discretisation.level, discretisation.modes_level);
-    if (const std::optional<Points> same = known({level, modes_level, steps.plain()}, requests))
-      return *same;
-    if (const std::optional<Points> other =
-            starts_on_other_mesh(discretisation, requests, steps.plain()))
-      return *other;
-    Points others, starts;
-    if (const auto found = points.find({level, modes_level, steps.plain()}); found != points.end())
-      for (const auto &[request, point] : found->second)
-        others.push_back(point);
-    if (!others.empty())
+    const unsigned int modes_level = discretisation.modes_level;
+    Points starts            = similar_points(discretisation.with(discretisation.steps), requests);
+    const auto use_if_closer = [&](Points others, const MeshTransfer *const transfer)
+    {
+      if (starts.empty())
+        starts.resize(others.size());
+      for (std::size_t i = 0; i < others.size(); ++i)
+        if (others[i].end.is_known() &&
+            (!starts[i].end.is_known() ||
+             distance(others[i], requests[i]) < distance(starts[i], requests[i])))
+        {
+          starts[i] = std::move(others[i]);
+          if (transfer)
+            starts[i].end = transfer->marched(starts[i].end);
+        }
+    };
+    use_if_closer(similar_points({discretisation.level, modes_level, steps.plain()}, requests),
+                  nullptr);
+    for (const auto &[levels, timed] : motors)
+      if (levels.first == modes_level && levels.second != discretisation.level)
+      {
+        const MeshTransfer transfer(timed->motor, motor(discretisation.level, modes_level));
+        use_if_closer(similar_points({levels.second, modes_level, steps.plain()}, requests),
+                      &transfer);
+      }
+    return starts;
+  }
+
+  PointTable::Points PointTable::similar_points(const Discretisation &discretisation,
+                                                const std::vector<PointRequest> &requests) const
+  {
+    Points starts;
+    const auto found = points.find(discretisation);
+    if (found != points.end() && !found->second.empty())
       for (const PointRequest &request : requests)
-        starts.push_back(similar_point(others, request));
+        starts.push_back(similar_point(found->second, request));
     return starts;
   }
 
@@ -261,35 +286,36 @@ namespace ringmotor
 
   std::optional<PointTable::Points>
   PointTable::starts_on_other_mesh(const Discretisation &discretisation,
-                                   const std::vector<PointRequest> &requests,
-                                   const Steps &of_starts)
+                                   const std::vector<PointRequest> &requests)
   {
     for (const auto &[levels, timed] : motors)
     {
       const auto &[modes_level, level] = levels;
       if (modes_level != discretisation.modes_level || level == discretisation.level)
         continue;
-      std::optional<Points> starts = known({level, modes_level, of_starts}, requests);
+      std::optional<Points> starts = known({level, modes_level, steps.longest()}, requests);
       if (!starts)
         continue;
       const MeshTransfer transfer(timed->motor, motor(discretisation.level, modes_level));
       for (CurvePoint &point : *starts)
-        if (!is_marched(parameters))
-          point.fields = transfer.fields(point.fields);
-        else if (point.end.is_known())
-          point.end = transfer.marched(point.end);
+        point.fields = transfer.fields(point.fields);
       return starts;
     }
     return {};
   }
 
-  const CurvePoint &PointTable::similar_point(const Points &points, const PointRequest &request)
+  const CurvePoint &PointTable::similar_point(const ByRequest &points, const PointRequest &request)
   {
-    const PointQuantity &load = prescribed(request);
-    const auto distance       = [&](const CurvePoint &point)
-    { return std::abs(load.value(point) - request.value); };
-    return *std::min_element(points.begin(), points.end(),
-                             [&](const CurvePoint &one, const CurvePoint &other)
-                             { return distance(one) < distance(other); });
+    return std::min_element(
+               points.begin(), points.end(),
+               [&](const auto &one, const auto &other)
+               { return distance(one.second, request) < distance(other.second, request); })
+        ->second;
+  }
+
+  double PointTable::distance(const CurvePoint &point, const PointRequest &request)
+  {
+    return point.request == request ? 0.
+                                    : std::abs(prescribed(request).value(point) - request.value);
   }
 } // namespace ringmotor

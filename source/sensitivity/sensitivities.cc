@@ -28,7 +28,7 @@ namespace ringmotor
     };
 
     /** Where the other two motors are. */
-    struct Trial
+    struct Places
     {
       Side side;
       double step; ///< relative to the largest one
@@ -36,8 +36,8 @@ namespace ringmotor
 
     /** Smaller changes for motors that can barely be made or whose meshes have almost other cells,
      * changes to one side for those where that is the case on the other side. */
-    constexpr Trial trials[] = {{Side::both, 1.},   {Side::both, 0.25},   {Side::above, 0.5},
-                                {Side::below, 0.5}, {Side::above, 0.125}, {Side::below, 0.125}};
+    constexpr Places trials[] = {{Side::both, 1.},   {Side::both, 0.25},   {Side::above, 0.5},
+                                 {Side::below, 0.5}, {Side::above, 0.125}, {Side::below, 0.125}};
 
     std::vector<LogDerivative> derivatives(const NearbyMotors &motors, const MotorEntry &entry,
                                            const Side side, const double step)
@@ -63,7 +63,7 @@ namespace ringmotor
     Found find(const NearbyMotors &motors, const MotorEntry &entry, const double largest_step)
     {
       Found found;
-      for (const Trial &trial : trials)
+      for (const Places &trial : trials)
         try
         {
           found.step = trial.step * largest_step * entry.scale;

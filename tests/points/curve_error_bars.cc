@@ -178,6 +178,68 @@ TEST(CurveErrorBars, OfAnOperatingPointDoNotDependOnTheOthers)
     EXPECT_EQ(speed_bar(alone, cause->name), speed_bar(among, cause->name)) << cause->name;
 }
 
+TEST(CurveErrorBars, AlongACurveAreThoseOfTheMeasuredPointsOnBothSides)
+{
+  // A straight curve: ten torques, whose errors grow with them, and stall.
+  constexpr double a = 0.02, b = 0.1;
+  std::set<double> on_other_mesh;
+  Search search(
+      {}, 0.5,
+      {a, b,
+       [&](CurvePoint &point, const Discretisation &discretisation, const CondensedMotor &)
+       {
+         if (discretisation.level == 0)
+           on_other_mesh.insert(point.result.torque);
+       }});
+  search.parameters.loading.n_curve_points = 11;
+  const std::vector<CurvePoint> points     = search.find().points();
+  ASSERT_EQ(points.size(), 11u);
+  EXPECT_EQ(on_other_mesh.size(), 5u); // of four torques, and at stall
+  const auto alone = [&](const unsigned int i)
+  {
+    const double torque = points[i].request.value;
+    return point_at(torque, {torque}, a, b);
+  };
+  for (unsigned int i = 0; i < 10; ++i)
+  {
+    const CurvePoint before = alone(i / 3 * 3), after = alone((i + 2) / 3 * 3);
+    for (const auto &cause : all_error_causes())
+      EXPECT_NEAR(speed_bar(points[i], cause->name),
+                  std::max(speed_bar(before, cause->name), speed_bar(after, cause->name)), 1e-12)
+          << cause->name << " at point " << i;
+    EXPECT_GE(speed_bar(points[i], causes::meshes), a * 0.25 * (1. + points[i].request.value));
+  }
+}
+
+TEST(CurveErrorBars, OfStepsFollowTheirLengths)
+{
+  // Powers at the second torque need steps half as long as at the first and the last one, whose
+  // errors it takes: of first order in the steps. At the third, steps may be twice as long.
+  constexpr double b   = 0.4;
+  const auto parts_for = [](const CurvePoint &point)
+  {
+    const double torque = point.result.torque;
+    return torque > 0.5 && torque < 1.2 ? 8u : torque > 1.2 && torque < 2. ? 2u : 4u;
+  };
+  Search search(
+      {}, 0.5,
+      {0., b, [&](CurvePoint &point, const Discretisation &discretisation, const CondensedMotor &) {
+         point.result.tangential_loss =
+             discretisation.steps.n_parts < parts_for(point) ? 0.49 : 0.5;
+       }});
+  search.parameters.loading.n_curve_points = 11;
+  const std::vector<CurvePoint> points     = search.find().points();
+  std::set<double> errors;
+  for (unsigned int i = 0; i < 10; ++i)
+  {
+    const double error = points[i].result.speed - (8. - points[i].request.value);
+    errors.insert(error);
+    EXPECT_GE(speed_bar(points[i], causes::time_step), error - 1e-12) << i;
+    EXPECT_LE(speed_bar(points[i], causes::time_step), 2. * error + 1e-12) << i;
+  }
+  EXPECT_GT(*errors.rbegin(), 3. * *errors.begin()); // steps do differ
+}
+
 TEST(CurveErrorBars, OfMeshesFollowTheLastChange)
 {
   // Errors of the meshes 0 to 3.

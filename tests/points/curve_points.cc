@@ -35,6 +35,25 @@ namespace
   constexpr Control by_torque = Control::torque, by_speed = Control::speed;
 } // namespace
 
+TEST(CurvePoints, AreMeasuredAtTheEndsOfEachPartAndEvenlyBetween)
+{
+  std::vector<PointRequest> curve;
+  for (unsigned int i = 0; i < 8; ++i)
+    curve.push_back({by_torque, 0.1 * i});
+  for (unsigned int i = 0; i < 3; ++i)
+    curve.push_back({by_speed, 2. - i});
+  const MeasuredPoints some(curve, 4);
+  expect_requests(some.all(), {curve[0], curve[3], curve[7], curve[8], curve[10]});
+  expect_requests(some.around(curve[0]), {curve[0]});
+  expect_requests(some.around(curve[2]), {curve[0], curve[3]});
+  expect_requests(some.around(curve[3]), {curve[3]});
+  expect_requests(some.around(curve[5]), {curve[3], curve[7]});
+  expect_requests(some.around(curve[9]), {curve[8], curve[10]});
+  expect_requests(MeasuredPoints(curve, 1).all(), curve);
+  const std::vector<PointRequest> short_curve{curve[0], curve[4], curve[10]};
+  expect_requests(MeasuredPoints(short_curve, 4).all(), short_curve);
+}
+
 TEST(CurvePoints, OfAStraightCurveAreAtEqualTorques)
 {
   expect_requests(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/points/measured_points.h>
 #include <ringmotor/points/point_table.h>
 #include <ringmotor/points/quantity_scales.h>
 
@@ -20,6 +21,10 @@ namespace ringmotor
   std::vector<PointRequest> points_along_curve(const std::vector<CurvePoint> &shape,
                                                unsigned int n_points);
 
+  /** By how many points at most those of a curve are apart at which errors are measured, see
+   * MeasuredPoints: all of five, four of eleven and more. */
+  unsigned int spacing_along_curve(const unsigned int n_points);
+
   /**
    * Which operating points a search looks for: those that `Loading` lists, or those along a curve.
    * A first, coarse curve tells where that begins and ends, and is what the others start from.
@@ -32,6 +37,8 @@ namespace ringmotor
     CurveRequests(const Parameters &parameters, PointTable &table, const Discretisation &first);
 
     const std::vector<PointRequest> &all() const { return requests; }
+    /** Those at which errors are measured: listed ones, and some along a curve. */
+    const MeasuredPoints &measured() const { return measured_points; }
     /** Whether the wave does not turn the rotor: within the target it stands still under a quarter
      * of the torque that friction can bear. This is then the last point of a curve. */
     bool rotor_sticks() const { return stalled.request.control == Control::torque; }
@@ -75,5 +82,6 @@ namespace ringmotor
      * shape of the curve. */
     std::vector<CurvePoint> outline;
     std::vector<PointRequest> requests;
+    MeasuredPoints measured_points;
   };
 } // namespace ringmotor

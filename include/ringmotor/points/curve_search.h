@@ -18,8 +18,8 @@ namespace ringmotor
    * and torques meet `Accuracy/Contact target`.
    *
    * The meshes are the same for all points; each point has its own time step, short enough that its
-   * powers also balance. The errors of a point are estimated from its own changes alone, see
-   * ErrorCause.
+   * powers also balance. The errors of a point are estimated from its own changes, see ErrorCause;
+   * along a curve from those of points nearby, see MeasuredPoints.
    */
   class CurveSearch
   {
@@ -72,15 +72,22 @@ namespace ringmotor
     Discretisation for_first_curve() const;
     /** Refines the meshes while their error alone is too large. */
     void refine_meshes();
-    /** The requests by the discretisation in which their results are given. */
-    PointTable::Needs own_points() const;
-    /** What own points and their error bars need. */
-    PointTable::Needs all_needs() const;
-    /** Computes the points that others start from. */
+    /** Some requests by the discretisation in which their results are given. */
+    PointTable::Needs own_points(const std::vector<PointRequest> &of) const;
+    /** What own points and the error bars need. */
+    PointTable::Needs needs_of(const std::vector<PointRequest> &these) const;
+    /** Computes the measured points from which others start. */
     void fill_starts();
-    /** Computes all points of the reached level with their time steps and error bars. */
-    void evaluate();
-    /** Whether powers balance at all points; shortens the steps where they do not. */
+    /** The part of the error bar of a point that a cause has. */
+    PointError error_of(const ErrorCause &cause, const PointRequest &request) const;
+    /** Computes points of the reached level with their time steps and error bars. */
+    void evaluate(const std::vector<PointRequest> &these);
+    /** Evaluates points. If they miss the target or the balance of powers, refines what helps.
+     * @return whether they do not, or are not refined */
+    bool suffices(const std::vector<PointRequest> &these);
+    /** Of a step: the smaller number of the measured points around a point. */
+    unsigned int parts_nearby(const PointRequest &request) const;
+    /** Whether powers balance at the evaluated points; shortens the steps where they do not. */
     bool powers_balance();
     /** For each point that misses the target takes the fewest cures that are expected to suffice.
      * @throws ComputationError if a point has none */

@@ -78,8 +78,8 @@ namespace ringmotor
     }
     virtual ~ErrorCause() = default;
 
-    /** Discretisations in which all points are needed beside their own ones; none if the motor has
-     * no such errors. */
+    /** Discretisations in which all measured points are needed beside their own ones; none if the
+     * motor has no such errors. */
     virtual std::vector<Discretisation> needs(const ErrorScene &) const { return {}; }
 
     /** The same of points alone whose own discretisation is @p own. */
@@ -87,6 +87,13 @@ namespace ringmotor
                                                      const ErrorScene &) const
     {
       return {};
+    }
+
+    /** Whether the errors of a point whose own discretisation is @p own are found by comparison
+     * with other ones. */
+    bool compares(const Discretisation &own, const ErrorScene &scene) const
+    {
+      return !needs(scene).empty() || !needs_beside(own, scene).empty();
     }
 
     /** The error of a point, each number not negative; empty if the motor has none. @param own the

@@ -53,9 +53,9 @@ namespace ringmotor
     }
     /** No point starts from the first curve any more: there are better ones. */
     void leave_first_curve() { first_curve.clear(); }
-    /** Drops the fields of all points but these: of marched points, from which nothing starts, they
-     * take much memory, here and where they are kept. If those of these points are large, they are
-     * not kept either. */
+    /** Drops the fields of all points but these, as far as they are known: of marched points, from
+     * which nothing starts, they take much memory, here and where they are kept. If those of these
+     * points are large, they are not kept either. */
     void drop_other_fields(const Needs &needs);
     /** Computes these points again where a store has no more fields of them. */
     void restore_fields(const Needs &needs);
@@ -66,17 +66,21 @@ namespace ringmotor
     double motor_seconds(const unsigned int level, const unsigned int modes_level) const;
 
   private:
-    using Points = std::vector<CurvePoint>;
+    using Points    = std::vector<CurvePoint>;
+    using ByRequest = std::map<PointRequest, CurvePoint>;
     /** One for each request; none where each is to start from the one before. */
     Points starts_for(const Discretisation &discretisation,
                       const std::vector<PointRequest> &requests, const Start start);
     std::optional<Points> known(const Discretisation &discretisation,
                                 const std::vector<PointRequest> &requests) const;
-    /** Marched points of the motor that is not varied, with steps that may differ: the same ones on
-     * the same mesh, or else on another one, or else similar ones. None where each is to begin from
-     * rest. */
+    /** Known marched points of the motor that is not varied with the most similar loads, if
+     * possible the same ones: on the same mesh, or else on another one. None where each is to begin
+     * from rest. */
     Points marched_starts(const Discretisation &discretisation,
                           const std::vector<PointRequest> &requests);
+    /** The most similar known points in the same discretisation; none if none is known. */
+    Points similar_points(const Discretisation &discretisation,
+                          const std::vector<PointRequest> &requests) const;
     Points starts_with_longer_steps(const Discretisation &discretisation,
                                     const std::vector<PointRequest> &requests, const Start start);
     /** Steps of twice the length, if they divide the pitch; of a varied motor, the requested one.
@@ -86,19 +90,20 @@ namespace ringmotor
     const CurvePoint *point_with_longer_steps(const Discretisation &discretisation,
                                               const PointRequest &request) const;
     std::optional<Points> starts_on_other_mesh(const Discretisation &discretisation,
-                                               const std::vector<PointRequest> &requests,
-                                               const Steps &of_starts);
+                                               const std::vector<PointRequest> &requests);
     /** Whether fields are small enough for the folder of kept points. */
     static bool may_be_kept(const std::size_t n_bytes);
     /** The one of some points with the most similar load. */
-    static const CurvePoint &similar_point(const Points &points, const PointRequest &request);
+    static const CurvePoint &similar_point(const ByRequest &points, const PointRequest &request);
+    /** Between the load of a point and that of a request. */
+    static double distance(const CurvePoint &point, const PointRequest &request);
 
     const Parameters &parameters;
     const StepChoice steps;
     PointSource &source;
     /** By level of the modes, then of the meshes. */
     std::map<std::pair<unsigned int, unsigned int>, std::unique_ptr<const TimedMotor>> motors;
-    std::map<Discretisation, std::map<PointRequest, CurvePoint>> points;
-    Points first_curve;
+    std::map<Discretisation, ByRequest> points;
+    ByRequest first_curve;
   };
 } // namespace ringmotor
