@@ -5,6 +5,8 @@
 #include <deal.II/base/types.h>
 #include <deal.II/lac/full_matrix.h>
 
+#include <boost/serialization/is_bitwise_serializable.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -18,7 +20,7 @@ namespace ringmotor
   /** The length of the tangential part. */
   inline double tangential_norm(const PointVector &vector)
   {
-    return std::hypot(vector[1], vector[2]);
+    return std::sqrt(vector[1] * vector[1] + vector[2] * vector[2]); // hypot() is slow
   }
 
   /** The unknowns of a contact problem. */
@@ -121,3 +123,12 @@ namespace ringmotor
                                      dealii::FullMatrix<double> &matrix) const = 0;
   };
 } // namespace ringmotor
+
+namespace boost::serialization
+{
+  /** Archives take arrays of them as a whole. */
+  template <>
+  struct is_bitwise_serializable<ringmotor::PointVector> : mpl::true_
+  {
+  };
+} // namespace boost::serialization
