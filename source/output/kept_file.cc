@@ -16,7 +16,7 @@ namespace ringmotor
   {
     // The file: this line, a line with the checksum of all that follows it, the key with its length
     // before it, and the content.
-    const std::string first_line = "ringmotor, kept for a later run\n";
+    const std::string first_line = "ringmotor, kept for a later run, with checksum\n";
 
     /** Eight digits that differ if a few bits do (CRC-32). There may be a gigabyte of bytes. */
     std::string checksum(const std::string_view bytes)

@@ -141,11 +141,11 @@ namespace ringmotor
               "a whole number of steps. Units: s.");
     add_entry(prm, "Number of steps", n_steps, number_or("auto", whole_number(1, most_steps)),
               "Number of steps of the scheme \"marching\"; \"auto\" continues until the means over "
-              "whole periods of the solution are constant.");
+              "whole periods of the solution are known to a part of Accuracy/Contact target.");
     add_entry(prm, "Average from step", average_from_step,
               number_or("auto", whole_number(1, most_steps)),
               "First step, counted from 1, over which results are averaged; \"auto\" averages over "
-              "the last whole period of the solution.");
+              "the last whole period of the solution, or over many if they differ.");
     add_entry(prm, "Average to step", average_to_step,
               number_or("auto", whole_number(1, most_steps)),
               "Last step over which results are averaged, \"auto\" as before.");

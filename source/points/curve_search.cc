@@ -63,21 +63,20 @@ namespace ringmotor
           "; run the program stator with these parameters (and Accuracy/Mode = adaptive) first");
     scene.level = is_fixed ? accuracy.interface_refinement : 1;
     table.condense({scene.level, ErrorScene::compared_with(scene.level)}, scene.modes_level);
-    requests = std::make_unique<const CurveRequests>(parameters, table, for_first_curve());
+    requests = std::make_unique<CurveRequests>(parameters, table, for_first_curve());
     errors   = std::make_unique<const HeldErrors>(parameters, *requests, scene);
     for (const PointRequest &request : requests->all())
       n_parts[request] = steps.first_parts();
+    if (is_fixed)
+      return evaluate(requests->all());
     do
-      if (!is_fixed)
-        refine_meshes();
+      refine_meshes();
     while (!suffices(requests->measured().all()) || !suffices(requests->all()));
   }
 
   bool CurveSearch::suffices(const std::vector<PointRequest> &these)
   {
     evaluate(these);
-    if (parameters.accuracy.mode == AccuracyMode::fixed)
-      return true;
     // The power balance needs the shortest steps, which are worth their cost on the last mesh only.
     if (errors->worst_of(results) <= budget.whole())
       return powers_balance();
@@ -171,7 +170,7 @@ namespace ringmotor
     return fewest;
   }
 
-  PointError CurveSearch::error_of(const ErrorCause &cause, const PointRequest &request) const
+  PointError CurveSearch::error_of(const ErrorCause &cause, const PointRequest &request)
   {
     if (!cause.compares(own(request), scene))
       return cause.of(request, own(request), scene);
@@ -187,7 +186,7 @@ namespace ringmotor
       }
       error.raise(there);
     }
-    return error;
+    return error.raise(cause.least_of(table.at(own(request), request), scene));
   }
 
   bool CurveSearch::powers_balance()
@@ -225,6 +224,16 @@ namespace ringmotor
 
   void CurveSearch::refine()
   {
+    bool all_measured = true;
+    for (const CurvePoint &point : results)
+      if (!requests->measured().contain(point.request) &&
+          errors->relative(point.error()) > budget.whole())
+      {
+        requests->measure(point.request);
+        all_measured = false;
+      }
+    if (!all_measured)
+      return;
     for (const auto &cause : all_error_causes())
       errors->require_bearable(*cause, results);
     const double target = std::pow(budget.whole(), 2); // squares add up

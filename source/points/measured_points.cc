@@ -6,6 +6,7 @@
 namespace ringmotor
 {
   MeasuredPoints::MeasuredPoints(const std::vector<PointRequest> &curve, const unsigned int spacing)
+      : curve(curve)
   {
     for (auto begin = curve.begin(); begin != curve.end();)
     {
@@ -13,18 +14,34 @@ namespace ringmotor
                                             [&](const PointRequest &request)
                                             { return request.control != begin->control; });
       const std::size_t last = end - begin - 1, n_intervals = (last + spacing - 1) / spacing;
-      const auto measured_one = [&](const std::size_t interval)
-      { return n_intervals == 0 ? 0 : interval * last / n_intervals; };
-      for (std::size_t interval = 0; interval <= n_intervals; ++interval)
-      {
-        const PointRequest &here = begin[measured_one(interval)];
-        measured.push_back(here);
-        neighbours[here] = {here};
-        if (interval < n_intervals)
-          for (std::size_t i = measured_one(interval) + 1; i < measured_one(interval + 1); ++i)
-            neighbours[begin[i]] = {here, begin[measured_one(interval + 1)]};
-      }
+      chosen.insert(*begin);
+      for (std::size_t interval = 1; interval <= n_intervals; ++interval)
+        chosen.insert(begin[interval * last / n_intervals]);
       begin = end;
     }
+    find_neighbours();
+  }
+
+  void MeasuredPoints::add(const PointRequest &request)
+  {
+    chosen.insert(request);
+    find_neighbours();
+  }
+
+  void MeasuredPoints::find_neighbours()
+  {
+    measured.clear();
+    std::vector<PointRequest> between;
+    for (const PointRequest &request : curve)
+      if (!contain(request))
+        between.push_back(request);
+      else
+      {
+        for (const PointRequest &one : between)
+          neighbours[one] = {measured.back(), request};
+        between.clear();
+        measured.push_back(request);
+        neighbours[request] = {request};
+      }
   }
 } // namespace ringmotor

@@ -205,7 +205,7 @@ namespace ringmotor
     else if (!first_curve.empty())
       for (const PointRequest &request : requests)
         starts.push_back(similar_point(first_curve, request));
-    else
+    else if (first_curve_is_left)
       starts = similar_points(discretisation, requests);
     return starts;
   }
@@ -238,6 +238,8 @@ namespace ringmotor
         use_if_closer(similar_points({levels.second, modes_level, steps.plain()}, requests),
                       &transfer);
       }
+    for (CurvePoint &point : starts)
+      point.fields.drop_values(); // much memory, and of no use to them
     return starts;
   }
 
@@ -246,9 +248,17 @@ namespace ringmotor
   {
     Points starts;
     const auto found = points.find(discretisation);
-    if (found != points.end() && !found->second.empty())
-      for (const PointRequest &request : requests)
-        starts.push_back(similar_point(found->second, request));
+    if (found == points.end() || found->second.empty())
+      return starts;
+    // Of several waves that a voltage may sustain, the largest one is meant.
+    const auto largest =
+        std::max_element(found->second.begin(), found->second.end(),
+                         [](const auto &one, const auto &other)
+                         { return one.second.result.amplitude < other.second.result.amplitude; });
+    for (const PointRequest &request : requests)
+      starts.push_back(parameters.wave.drive == Drive::voltage
+                           ? largest->second
+                           : similar_point(found->second, request));
     return starts;
   }
 

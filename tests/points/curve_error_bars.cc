@@ -211,6 +211,38 @@ TEST(CurveErrorBars, AlongACurveAreThoseOfTheMeasuredPointsOnBothSides)
   }
 }
 
+TEST(CurveErrorBars, ThatWouldMissTheTargetBetweenMeasuredPointsAreMeasured)
+{
+  // Below 3 N m the mesh matters, above 4.2 N m the wave: each within the target, of 0.32 rad/s,
+  // both together not. Between them neither does.
+  Search search(
+      {}, 0.04,
+      {0., 0.,
+       [&](CurvePoint &point, const Discretisation &discretisation, const CondensedMotor &)
+       {
+         if (discretisation.level == 0 && point.result.torque < 3.)
+           point.result.speed += 0.125;
+         if (MadeUpPoints::variation_of(discretisation) == "larger wave" &&
+             point.result.torque > 4.2)
+           point.result.speed += 0.25;
+       }});
+  search.parameters.loading.n_curve_points = 11;
+  const CurveSearch &found                 = search.find();
+  EXPECT_EQ(found.discretisation().level, 1u);
+  for (const CurvePoint &point : found.points())
+  {
+    const double torque = point.result.torque, bar = point.error()["speed"];
+    if (torque > 3. && torque < 4.2)
+    {
+      EXPECT_LT(bar, 0.1) << torque;
+    }
+    else if (point.request.control == Control::torque)
+    {
+      EXPECT_GT(bar, 0.24) << torque;
+    }
+  }
+}
+
 TEST(CurveErrorBars, OfStepsFollowTheirLengths)
 {
   // Powers at the second torque need steps half as long as at the first and the last one, whose

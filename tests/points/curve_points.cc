@@ -49,6 +49,12 @@ TEST(CurvePoints, AreMeasuredAtTheEndsOfEachPartAndEvenlyBetween)
   expect_requests(some.around(curve[3]), {curve[3]});
   expect_requests(some.around(curve[5]), {curve[3], curve[7]});
   expect_requests(some.around(curve[9]), {curve[8], curve[10]});
+  MeasuredPoints more = some;
+  more.add(curve[5]);
+  expect_requests(more.all(), {curve[0], curve[3], curve[5], curve[7], curve[8], curve[10]});
+  expect_requests(more.around(curve[5]), {curve[5]});
+  expect_requests(more.around(curve[4]), {curve[3], curve[5]});
+  expect_requests(more.around(curve[6]), {curve[5], curve[7]});
   expect_requests(MeasuredPoints(curve, 1).all(), curve);
   const std::vector<PointRequest> short_curve{curve[0], curve[4], curve[10]};
   expect_requests(MeasuredPoints(short_curve, 4).all(), short_curve);

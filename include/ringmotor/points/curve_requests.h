@@ -39,6 +39,8 @@ namespace ringmotor
     const std::vector<PointRequest> &all() const { return requests; }
     /** Those at which errors are measured: listed ones, and some along a curve. */
     const MeasuredPoints &measured() const { return measured_points; }
+    /** Measures the errors of another point, too. */
+    void measure(const PointRequest &request) { measured_points.add(request); }
     /** Whether the wave does not turn the rotor: within the target it stands still under a quarter
      * of the torque that friction can bear. This is then the last point of a curve. */
     bool rotor_sticks() const { return stalled.request.control == Control::torque; }

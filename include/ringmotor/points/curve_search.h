@@ -51,11 +51,11 @@ namespace ringmotor
      * its meshes and modes, and for all points the shortest of their steps. */
     Parameters frozen() const;
     /** The largest error bar of the quantities that `Accuracy/Quantities` lists, relative to the
-     * largest of their values. */
+     * largest of their values at measured points. */
     double worst_error() const { return errors->worst_of(results); }
 
-    /** How much the result at the middle point would change, in rad/s for a given torque, else in
-     * N m. */
+    /** How much the result at the middle point, or at a measured one near it, would change, in
+     * rad/s for a given torque, else in N m. */
     struct StaticFrictionEffect
     {
       CurvePoint middle;
@@ -67,8 +67,8 @@ namespace ringmotor
   private:
     /** Finds all points, those of a marched motor perhaps without their fields. */
     void search();
-    /** That of the curve which shows where points are wanted. Of a marched motor, from whose points
-     * nothing starts, it is the cheap one for variations. */
+    /** That of the curve which shows where points are wanted. Of a marched motor, whose points
+     * are dear, it is the cheap one for variations. */
     Discretisation for_first_curve() const;
     /** Refines the meshes while their error alone is too large. */
     void refine_meshes();
@@ -79,17 +79,19 @@ namespace ringmotor
     /** Computes the measured points from which others start. */
     void fill_starts();
     /** The part of the error bar of a point that a cause has. */
-    PointError error_of(const ErrorCause &cause, const PointRequest &request) const;
+    PointError error_of(const ErrorCause &cause, const PointRequest &request);
     /** Computes points of the reached level with their time steps and error bars. */
     void evaluate(const std::vector<PointRequest> &these);
     /** Evaluates points. If they miss the target or the balance of powers, refines what helps.
-     * @return whether they do not, or are not refined */
+     * @return whether they do not */
     bool suffices(const std::vector<PointRequest> &these);
     /** Of a step: the smaller number of the measured points around a point. */
     unsigned int parts_nearby(const PointRequest &request) const;
     /** Whether powers balance at the evaluated points; shortens the steps where they do not. */
     bool powers_balance();
-    /** For each point that misses the target takes the fewest cures that are expected to suffice.
+    /** Measures the errors of points that miss the target by those of their neighbours. Without
+     * such points takes, for each one that misses it, the fewest cures that are expected to
+     * suffice.
      * @throws ComputationError if a point has none */
     void refine();
     /** The squares of the relative errors of a point that can be made smaller, by what does. */
@@ -116,7 +118,7 @@ namespace ringmotor
      * nothing against the scatter of impacts. */
     const unsigned int finest_level;
     PowerBalance balance;
-    std::unique_ptr<const CurveRequests> requests;
+    std::unique_ptr<CurveRequests> requests;
     std::unique_ptr<const HeldErrors> errors;
     std::map<PointRequest, unsigned int> n_parts; ///< of a step
     std::vector<CurvePoint> results;

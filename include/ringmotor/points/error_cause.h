@@ -101,6 +101,12 @@ namespace ringmotor
     virtual PointError of(const PointRequest &request, const Discretisation &own,
                           const ErrorScene &scene) const = 0;
 
+    /** What a point tells of its error without comparison: its error is at least this. */
+    virtual PointError least_of(const CurvePoint & /*point*/, const ErrorScene &) const
+    {
+      return {};
+    }
+
     /** What a user can do where this cause alone is too large and nothing else helps, as the end of
      * a sentence from its punctuation on; empty: no more than about any other error. */
     virtual std::string remedy(const Parameters &) const { return {}; }

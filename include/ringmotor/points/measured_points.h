@@ -4,6 +4,7 @@
 #include <ringmotor/points/curve_point.h>
 
 #include <map>
+#include <set>
 #include <vector>
 
 namespace ringmotor
@@ -23,7 +24,11 @@ namespace ringmotor
     explicit MeasuredPoints(const std::vector<PointRequest> &curve = {},
                             const unsigned int spacing             = 1);
 
+    /** Measures another point of the curve, too. */
+    void add(const PointRequest &request);
+
     const std::vector<PointRequest> &all() const { return measured; }
+    bool contain(const PointRequest &request) const { return chosen.count(request) > 0; }
     /** The point itself if it is measured, else those on both sides. */
     const std::vector<PointRequest> &around(const PointRequest &request) const
     {
@@ -31,7 +36,11 @@ namespace ringmotor
     }
 
   private:
-    std::vector<PointRequest> measured;
+    void find_neighbours();
+
+    std::vector<PointRequest> curve;
+    std::set<PointRequest> chosen;
+    std::vector<PointRequest> measured; ///< these in the order of the curve
     std::map<PointRequest, std::vector<PointRequest>> neighbours;
   };
 } // namespace ringmotor

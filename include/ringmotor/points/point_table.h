@@ -15,7 +15,8 @@ namespace ringmotor
    * Operating points by discretisation and request, which are computed when they are asked for, and
    * the motors that they need. Each search for a steady state starts from the best point that is
    * known: the same one with coarser modes, with longer steps, on another mesh, or a similar one of
-   * the first curve.
+   * the first curve or, once that is left, of the same discretisation; each marched point from the
+   * most similar one.
    */
   class PointTable
   {
@@ -33,7 +34,8 @@ namespace ringmotor
     /** Where points without a better start begin. */
     enum class Start
     {
-      similar_point, ///< the nearest one of the first curve or else the one before
+      similar_point, ///< the nearest one of the first curve or else the one before; after it is
+                     ///< left, the nearest one of the same discretisation
       rest
     };
     /** Requests by discretisation. */
@@ -52,10 +54,14 @@ namespace ringmotor
       points[discretisation][point.request] = point;
     }
     /** No point starts from the first curve any more: there are better ones. */
-    void leave_first_curve() { first_curve.clear(); }
-    /** Drops the fields of all points but these, as far as they are known: of marched points, from
-     * which nothing starts, they take much memory, here and where they are kept. If those of these
-     * points are large, they are not kept either. */
+    void leave_first_curve()
+    {
+      first_curve.clear();
+      first_curve_is_left = true;
+    }
+    /** Drops the fields of all points but these, as far as they are known: of marched points,
+     * from whose fields nothing starts, they take much memory, here and where they are kept. If
+     * those of these points are large, they are not kept either. */
     void drop_other_fields(const Needs &needs);
     /** Computes these points again where a store has no more fields of them. */
     void restore_fields(const Needs &needs);
@@ -78,7 +84,8 @@ namespace ringmotor
      * from rest. */
     Points marched_starts(const Discretisation &discretisation,
                           const std::vector<PointRequest> &requests);
-    /** The most similar known points in the same discretisation; none if none is known. */
+    /** The most similar known points in the same discretisation, or that with the largest wave if a
+     * voltage drives it; none if none is known. */
     Points similar_points(const Discretisation &discretisation,
                           const std::vector<PointRequest> &requests) const;
     Points starts_with_longer_steps(const Discretisation &discretisation,
@@ -105,5 +112,6 @@ namespace ringmotor
     std::map<std::pair<unsigned int, unsigned int>, std::unique_ptr<const TimedMotor>> motors;
     std::map<Discretisation, ByRequest> points;
     ByRequest first_curve;
+    bool first_curve_is_left = false;
   };
 } // namespace ringmotor

@@ -91,7 +91,7 @@ namespace ringmotor
       constexpr double coarsest = 1e-3, share = 0.03;
       const NewtonLimits of_link{
           finishing.most_iterations,
-          std::clamp(share * found.certificate.worst(), finishing.converged, coarsest)};
+          std::clamp(share * found.certificate.worst(), 0.3 * fulfilled, coarsest)};
       const ProximalProblem::Springs springs{strength / constants.normal,
                                              strength / constants.tangential,
                                              rigid_stiffness.against(found.state, strength)};

@@ -58,8 +58,13 @@ namespace ringmotor
           if (const CurvePoint *const before =
                   scene.table.find(scene.plain(coarser_level - 1), request))
             error.raise(margin / ratio * change(*before, coarser));
-        error.raise(least_error(scene.level, point, scene.crest_speed(point)));
+        error.raise(least_of(point, scene));
         return error.raise(least_of_power(point, error));
+      }
+
+      PointError least_of(const CurvePoint &point, const ErrorScene &scene) const override
+      {
+        return least_error(scene.level, point, scene.crest_speed(point));
       }
     };
   } // namespace

@@ -93,11 +93,16 @@ namespace ringmotor
         error.add_independent(of_harmonics * change(coarse, other));
         const CondensedMotor &motor = scene.motor();
         if (rotor_resonates(motor))
-        {
-          error.raise(least_error(point, motor, scene.crest_speed(point)));
           error.raise(least_share(motor) * scene.change_by(bodies_at_rest, request));
-        }
+        error.raise(least_of(point, scene));
         return error.raise(least_of_power(point, error));
+      }
+
+      PointError least_of(const CurvePoint &point, const ErrorScene &scene) const override
+      {
+        const CondensedMotor &motor = scene.motor();
+        return rotor_resonates(motor) ? least_error(point, motor, scene.crest_speed(point))
+                                      : PointError();
       }
     };
   } // namespace

@@ -62,10 +62,14 @@ namespace ringmotor
         // C / n with n steps per pitch: C follows from two values of n.
         const double n = own.steps.number(), of_other = both.back().steps.number();
         PointError error = of_other / std::abs(of_other - n) * change(with_own_steps, with_others);
-        error.raise(resolution(point, scene.motor()));
-        PointError missing;
-        missing["friction_loss"] = std::abs(point.result.missing_power());
-        return error.raise(missing);
+        return error.raise(least_of(point, scene));
+      }
+
+      PointError least_of(const CurvePoint &point, const ErrorScene &scene) const override
+      {
+        PointError least       = resolution(point, scene.motor());
+        least["friction_loss"] = std::abs(point.result.missing_power());
+        return least;
       }
     };
   } // namespace
