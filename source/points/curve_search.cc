@@ -124,14 +124,15 @@ namespace ringmotor
   PointTable::Needs CurveSearch::needs_of(const std::vector<PointRequest> &these) const
   {
     const std::vector<PointRequest> &measured = requests->measured().all();
+    const PointTable::Needs by_steps          = own_points(measured);
     PointTable::Needs needs                   = own_points(these);
     for (const auto &cause : all_error_causes())
     {
       for (const Discretisation &needed : cause->needs(scene))
         needs.emplace_back(needed, measured);
-      for (const auto &[of_these, these] : own_points(measured))
-        for (const Discretisation &needed : cause->needs_beside(of_these, scene))
-          needs.emplace_back(needed, these);
+      for (const auto &[own_one, requests_of_it] : by_steps)
+        for (const Discretisation &needed : cause->needs_beside(own_one, scene))
+          needs.emplace_back(needed, requests_of_it);
     }
     return needs;
   }

@@ -21,8 +21,8 @@ namespace ringmotor
   std::vector<PointRequest> points_along_curve(const std::vector<CurvePoint> &shape,
                                                unsigned int n_points);
 
-  /** By how many points at most those of a curve are apart at which errors are measured, see
-   * MeasuredPoints: all of five, four of eleven and more. */
+  /** How many points apart the measured ones of a curve are at most, see MeasuredPoints: one if
+   * there are up to five points, which measures all of them, four from eleven points on. */
   unsigned int spacing_along_curve(const unsigned int n_points);
 
   /**
