@@ -4,6 +4,7 @@
 #include <deal.II/base/quadrature_lib.h>
 
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace ringmotor
@@ -12,11 +13,10 @@ namespace ringmotor
 
   namespace
   {
-    constexpr unsigned int n_layers = 2, n_strains = 5, first_shear = 3;
+    constexpr unsigned int n_strains = 5, first_shear = 3;
     /** The local axes of each strain; shear strains are twice the tensor's. */
     constexpr std::array<std::pair<unsigned int, unsigned int>, n_strains> axes_of{
         {{0, 0}, {1, 1}, {0, 1}, {0, 2}, {1, 2}}};
-    constexpr double shear_correction = 5. / 6.;
     /** Stiffness of the tie of the rotation about the normal, relative to the bending stiffness of
      * a cell. */
     constexpr double drill_fraction = 1e-3;
@@ -29,6 +29,13 @@ namespace ringmotor
       value.push_back(fe.shape_value(node, point));
       gradient.push_back(fe.shape_grad(node, point));
     }
+  }
+
+  double ShellElement::drill_stiffness(const Material &material, const ShellSection &section,
+                                       const double area)
+  {
+    return drill_fraction * material.young_modulus / (2. * (1. + material.poisson_ratio)) *
+           std::pow(section.thickness, 3) / (12. * area);
   }
 
   ShellElement::ShellElement(const Mapping<2, 3> &mapping, const FiniteElement<2, 3> &fe)
@@ -185,7 +192,7 @@ namespace ringmotor
     const double shear = material.young_modulus / (2. * (1. + nu));
     const double plane = material.young_modulus / (1. - nu * nu);
     const double t     = section.thickness;
-    const double drill = drill_fraction * shear * t * t * t / (12. * area);
+    const double drill = drill_stiffness(material, section, area);
     const QGauss<1> layers(n_layers);
     const unsigned int n_rows = n_strains + 1; // with the sum of the strains 11 and 22
 

@@ -77,14 +77,20 @@ namespace ringmotor
       : body(parameters, LipModes::discretisation(level)), frequency(frequency),
         up_to(2. / 3. * n_harmonics * frequency), kept(kept)
   {
+    const bool is_revolved = RevolvedSection::describes(body.sector);
+    if (is_revolved)
+      revolved.emplace(body.sector);
     if (motor_model(parameters).rotor_moves_as_whole)
     {
-      all.emplace(body.sector);
+      any_frequency = true;
+      if (!is_revolved)
+        all.emplace(body.sector);
       for (unsigned int k = 2; 2 * k <= parameters.motor.n_teeth; ++k)
         excited[k];
       return;
     }
-    responses.emplace(body.sector);
+    if (!is_revolved)
+      responses.emplace(body.sector);
     for (auto &[k, harmonics] : harmonics_by_diameter(parameters.motor, n_harmonics))
       if (k >= 2 && range.contains(harmonics.front()))
         excited[k] = std::move(harmonics);
@@ -92,7 +98,7 @@ namespace ringmotor
 
   std::vector<Mode> RotorModeSolver::modes(const unsigned int k)
   {
-    if (!kept || all)
+    if (!kept || any_frequency)
       return compute(k);
     const auto known = kept->find(*excited.find(k));
     return known == kept->end() ? kept->emplace(*excited.find(k), compute(k)).first->second
@@ -101,17 +107,19 @@ namespace ringmotor
 
   std::vector<Mode> RotorModeSolver::compute(const unsigned int k)
   {
-    if (all)
-      return all->below(k, std::pow(up_to, 2));
+    if (any_frequency)
+      return revolved ? revolved->below(k, std::pow(up_to, 2)) : all->below(k, std::pow(up_to, 2));
     // Low harmonics have few vibrations below three times their own frequency.
     constexpr unsigned int least_harmonic      = 4;
     const std::vector<unsigned int> &harmonics = excited.at(k);
     std::vector<double> frequencies;
     for (const unsigned int harmonic : harmonics)
       frequencies.push_back(harmonic * frequency);
-    const auto loads = smooth_loads(body.sector, body.lip, k, {1, 4, /*vanish_at_cut =*/true});
-    return without_fast_vectors(responses->at(k, loads, frequencies),
-                                std::max(harmonics.back(), least_harmonic) * frequency);
+    return without_fast_vectors(
+        revolved
+            ? revolved->responses(k, smooth_loads_in_section(body.lip, 1), frequencies)
+            : responses->at(k, smooth_loads(body.sector, body.lip, k, {1, 4, true}), frequencies),
+        std::max(harmonics.back(), least_harmonic) * frequency);
   }
 
   LipModes::LipModes(const Parameters &parameters, const unsigned int level, const double frequency,

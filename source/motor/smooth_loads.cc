@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/mesh/places.h>
 #include <ringmotor/motor/smooth_loads.h>
 
 #include <algorithm>
@@ -9,17 +10,51 @@ namespace ringmotor
 {
   using namespace dealii;
 
+  namespace
+  {
+    struct Extent
+    {
+      double inner = std::numeric_limits<double>::max(), outer = 0., end = 0.;
+
+      explicit Extent(const ContactSurface &surface)
+      {
+        for (const SurfaceNode &node : surface.nodes)
+        {
+          inner = std::min(inner, node.place[0]);
+          outer = std::max(outer, node.place[0]);
+          end   = std::max(end, node.place[1]);
+        }
+      }
+      /** Of the width, from the inner end. */
+      double across(const SurfaceNode &node) const
+      {
+        return (node.place[0] - inner) / (outer - inner);
+      }
+    };
+  } // namespace
+
+  std::vector<LinearForm> smooth_loads_in_section(const ContactSurface &surface,
+                                                  const unsigned int degree)
+  {
+    const Extent extent(surface);
+    std::vector<LinearForm> loads;
+    for (const unsigned int component : {0u, 1u, 2u})
+      for (unsigned int i = 0; i <= degree; ++i)
+      {
+        loads.emplace_back();
+        for (const SurfaceNode &node : surface.nodes)
+          if (is_same_place(node.place[1], 0., extent.end))
+            for (const auto &[dof, coefficient] : node.displacement[component])
+              loads.back().emplace_back(dof, std::pow(extent.across(node), i) * coefficient);
+      }
+    return loads;
+  }
+
   std::vector<std::vector<double>> smooth_loads(const CyclicSector &sector,
                                                 const ContactSurface &surface, const unsigned int k,
                                                 const LoadDegrees &degrees)
   {
-    double inner = std::numeric_limits<double>::max(), outer = 0., end = 0.;
-    for (const SurfaceNode &node : surface.nodes)
-    {
-      inner = std::min(inner, node.place[0]);
-      outer = std::max(outer, node.place[0]);
-      end   = std::max(end, node.place[1]);
-    }
+    const Extent extent(surface);
     std::vector<std::vector<double>> loads;
     for (const unsigned int component : {0u, 1u, 2u})
       for (unsigned int i = 0; i <= degrees.across; ++i)
@@ -31,9 +66,8 @@ namespace ringmotor
               {Vector<double>(sector.n_dofs()), Vector<double>(sector.n_dofs())}};
           for (const SurfaceNode &node : surface.nodes)
           {
-            const double across = (node.place[0] - inner) / (outer - inner),
-                         around = node.place[1] / end,
-                         force  = std::pow(across, i) * std::pow(around, j) *
+            const double around = node.place[1] / extent.end,
+                         force  = std::pow(extent.across(node), i) * std::pow(around, j) *
                                  (degrees.vanish_at_cut ? 1. - around * around : 1.);
             for (const auto &[dof, coefficient] : node.displacement[component])
               forces[part][dof] += force * coefficient;

@@ -67,12 +67,12 @@ namespace ringmotor
     /** Combinations of vectors whose stiffness and mass are given that are orthogonal with respect
      * to both and have unit mass, with their stiffness. What rounding takes from the vectors is
      * small in strain energy, so that the compliance, which is of second order in it, is exact. */
-    struct RitzVectors
+    struct RitzWeights
     {
       std::vector<double> values; ///< ascending
       FullMatrix<double> weights; ///< of each vector, in each combination
 
-      RitzVectors(const FullMatrix<double> &stiffness, const FullMatrix<double> &mass)
+      RitzWeights(const FullMatrix<double> &stiffness, const FullMatrix<double> &mass)
       {
         const FullMatrix<double> basis = orthonormal(stiffness);
         FullMatrix<double> times_basis(mass.m(), basis.n()), reduced(basis.n(), basis.n());
@@ -101,7 +101,83 @@ namespace ringmotor
       a.Tmmult(product, b);
       return product;
     }
+    struct Response
+    {
+      double frequency;            ///< rad/s
+      std::vector<double> motions; ///< one after the other
+    };
+
+    Response response(const SymmetricMotions &motions, const std::vector<double> &loads,
+                      const double frequency)
+    {
+      Response response{frequency, loads};
+      motions.solve(frequency * frequency, response.motions);
+      return response;
+    }
+
+    /** At a frequency, or next to it if that is a resonance. */
+    Response beside_resonance(const SymmetricMotions &motions, const std::vector<double> &loads,
+                              const double frequency, const Response &rest)
+    {
+      // Next to a resonance all responses are nearly the same mode, and rounding hides how they
+      // differ. Farther away that mode is found as well.
+      constexpr double too_strong = 1e4, elsewhere = 1.003;
+      constexpr unsigned int n_attempts = 10;
+      const auto work                   = [&](const Response &response) {
+        return std::abs(
+                              std::inner_product(loads.begin(), loads.end(), response.motions.begin(), 0.));
+      };
+      double beside = frequency;
+      for (unsigned int attempt = 0; attempt < n_attempts; ++attempt, beside *= elsewhere)
+      {
+        Response found = response(motions, loads, beside);
+        if (work(found) < too_strong * work(rest))
+          return found;
+      }
+      throw ComputationError("nodal diameter " + std::to_string(motions.nodal_diameter) +
+                             ": the response is resonant from " +
+                             std::to_string(frequency / (2. * numbers::PI)) + " to " +
+                             std::to_string(beside / (2. * numbers::PI)) + " Hz");
+    }
   } // namespace
+
+  RitzVectors response_vectors(const SymmetricMotions &problem,
+                               const std::vector<std::vector<double>> &loads,
+                               const std::vector<double> &frequencies)
+  {
+    std::vector<double> all_loads;
+    for (const std::vector<double> &load : loads)
+      all_loads.insert(all_loads.end(), load.begin(), load.end());
+    std::vector<Response> responses{response(problem, all_loads, 0.)};
+    for (const double frequency : frequencies)
+      responses.push_back(beside_resonance(problem, all_loads, frequency, responses.front()));
+
+    std::vector<double> motions, inertia, squares;
+    for (const Response &response : responses)
+    {
+      motions.insert(motions.end(), response.motions.begin(), response.motions.end());
+      squares.insert(squares.end(), loads.size(), response.frequency * response.frequency);
+    }
+    problem.multiply_mass(motions, inertia);
+
+    // The stiffness times a response is the load and the inertia of that response.
+    const Matrix columns = as_columns(motions, problem.size);
+    const FullMatrix<double> mass =
+                                 product_of_transposed(columns, as_columns(inertia, problem.size)),
+                             work = product_of_transposed(columns,
+                                                          as_columns(all_loads, problem.size));
+    FullMatrix<double> stiffness(squares.size(), squares.size());
+    for (unsigned int i = 0; i < squares.size(); ++i)
+      for (unsigned int j = 0; j < squares.size(); ++j)
+        stiffness(i, j) = work(i, j % loads.size()) + mass(i, j) * squares[j];
+
+    const RitzWeights ritz(stiffness, mass);
+    Matrix weights(ritz.weights.m(), ritz.weights.n()), combined(problem.size, ritz.weights.n());
+    weights = ritz.weights;
+    columns.mmult(combined, weights);
+    const double *const begin = &combined(0, 0);
+    return {ritz.values, {begin, begin + problem.size * ritz.values.size()}};
+  }
 
   ResponseModes::ResponseModes(const CyclicSector &sector)
       : sector(sector), at_rest(sector), at_frequency(sector)
@@ -110,79 +186,26 @@ namespace ringmotor
     Assert(!sector.is_complex(), ExcMessage("not on a whole sector"));
   }
 
-  ResponseModes::Response ResponseModes::response(const unsigned int k,
-                                                  const std::vector<double> &loads,
-                                                  const double frequency)
-  {
-    CyclicFactors &factors = frequency == 0. ? at_rest : at_frequency;
-    factors.factorise(k, frequency * frequency);
-    Response response{frequency, loads};
-    factors.solve(response.motions);
-    return response;
-  }
-
-  ResponseModes::Response ResponseModes::beside_resonance(const unsigned int k,
-                                                          const std::vector<double> &loads,
-                                                          const double frequency,
-                                                          const Response &rest)
-  {
-    // Next to a resonance all responses are nearly the same mode, and rounding hides how they
-    // differ. Farther away that mode is found as well.
-    constexpr double too_strong = 1e4, elsewhere = 1.003;
-    constexpr unsigned int n_attempts = 10;
-    const auto work                   = [&](const Response &response) {
-      return std::abs(std::inner_product(loads.begin(), loads.end(), response.motions.begin(), 0.));
-    };
-    double beside = frequency;
-    for (unsigned int attempt = 0; attempt < n_attempts; ++attempt, beside *= elsewhere)
-    {
-      Response found = response(k, loads, beside);
-      if (work(found) < too_strong * work(rest))
-        return found;
-    }
-    throw ComputationError("nodal diameter " + std::to_string(k) +
-                           ": the response is resonant from " +
-                           std::to_string(frequency / (2. * numbers::PI)) + " to " +
-                           std::to_string(beside / (2. * numbers::PI)) + " Hz");
-  }
-
   std::vector<Mode> ResponseModes::at(const unsigned int k,
                                       const std::vector<std::vector<double>> &loads,
                                       const std::vector<double> &frequencies)
   {
-    std::vector<double> all_loads;
-    for (const std::vector<double> &load : loads)
-      all_loads.insert(all_loads.end(), load.begin(), load.end());
-    std::vector<Response> responses{response(k, all_loads, 0.)};
-    for (const double frequency : frequencies)
-      responses.push_back(beside_resonance(k, all_loads, frequency, responses.front()));
-
     const std::size_t n = sector.n_unknowns();
-    std::vector<double> motions, inertia, squares;
-    for (const Response &response : responses)
-    {
-      motions.insert(motions.end(), response.motions.begin(), response.motions.end());
-      squares.insert(squares.end(), loads.size(), response.frequency * response.frequency);
-    }
-    sector.multiply_mass(k, motions, inertia);
-
-    // The stiffness times a response is the load and the inertia of that response.
-    const Matrix columns          = as_columns(motions, n);
-    const FullMatrix<double> mass = product_of_transposed(columns, as_columns(inertia, n));
-    const FullMatrix<double> work = product_of_transposed(columns, as_columns(all_loads, n));
-    FullMatrix<double> stiffness(squares.size(), squares.size());
-    for (unsigned int i = 0; i < squares.size(); ++i)
-      for (unsigned int j = 0; j < squares.size(); ++j)
-        stiffness(i, j) = work(i, j % loads.size()) + mass(i, j) * squares[j];
-
-    const RitzVectors ritz(stiffness, mass);
-    Matrix weights(ritz.weights.m(), ritz.weights.n()), combined(n, ritz.weights.n());
-    weights = ritz.weights;
-    columns.mmult(combined, weights);
+    const RitzVectors ritz =
+        response_vectors({n, k,
+                          [&](const double shift, std::vector<double> &motions)
+                          {
+                            CyclicFactors &factors = shift == 0. ? at_rest : at_frequency;
+                            factors.factorise(k, shift);
+                            factors.solve(motions);
+                          },
+                          [&](const std::vector<double> &motions, std::vector<double> &inertia)
+                          { sector.multiply_mass(k, motions, inertia); }},
+                         loads, frequencies);
     std::vector<Mode> modes;
-    for (unsigned int r = 0; r < ritz.values.size(); ++r)
+    for (std::size_t r = 0; r < ritz.values.size(); ++r)
     {
-      const double *const begin = &combined(0, r);
+      const auto begin = ritz.vectors.begin() + r * n;
       modes.push_back(
           {k, ritz.values[r], /*rigid =*/false, sector.expand(k, {begin, begin + n}), 0.});
     }

@@ -44,9 +44,12 @@ namespace
 
 TEST(RotorModes, MakeUpTheDynamicCompliance)
 {
-  const Parameters parameters      = reference_motor();
-  const ContactDiscretisation mesh = ContactDiscretisation::level(0);
-  const ToothBody tooth(parameters, mesh);
+  const Parameters parameters = reference_motor();
+  const ToothBody tooth(parameters, ContactDiscretisation::level(0));
+  // On the same section as the modes, which follow waves around the rotor exactly: cells have to be
+  // so narrow that they nearly do, too.
+  ContactDiscretisation mesh = LipModes::discretisation(2);
+  mesh.lip.n_around          = 2;
   const RotorBody body(parameters, mesh);
   const double pitch          = 2. * M_PI / 90.;
   const MortarCoupling mortar = couple(tooth.whole_top.surface, body.whole_lip.surface, pitch, 0.);
@@ -61,7 +64,7 @@ TEST(RotorModes, MakeUpTheDynamicCompliance)
   };
   const RingCompliance at_rest = ring_of(body.condensed(), true);
   const double drive           = 2. * M_PI * 30e3;
-  const RingModes modes        = LipModes(parameters, 0, drive, 30).at(tooth.whole_top.surface, 0.);
+  const RingModes modes        = LipModes(parameters, 2, drive, 30).at(tooth.whole_top.surface, 0.);
   for (const unsigned int m : {1u, 2u, 3u, 6u, 9u})
   {
     const unsigned int k = nodal_diameter_of_harmonic(parameters.motor, m);
@@ -86,7 +89,7 @@ TEST(RotorModes, MakeUpTheDynamicCompliance)
                    (1. / (square - std::pow(m * drive, 2)) - 1. / square);
         }
         // Vectors above three times the frequency respond as at rest.
-        EXPECT_LT(std::abs(found - expected[i]), (m < 6 ? 5e-4 : 2e-2) * largest) << m << " " << i;
+        EXPECT_LT(std::abs(found - expected[i]), (m < 6 ? 1e-3 : 2e-2) * largest) << m << " " << i;
       }
     }
   }
@@ -139,7 +142,10 @@ TEST(LipAmplification, IsThatOfTheShiftedStiffness)
   const double drive          = 2. * M_PI * 30e3;
   const LipModes modes(parameters, 1, drive, 20);
   const LipAmplification amplification(parameters, modes, 1, 3);
-  const RotorBody body(parameters, LipModes::discretisation(1));
+  // As above; the static part is that of cells two degrees wide, under forces on their nodes.
+  ContactDiscretisation mesh = LipModes::discretisation(1);
+  mesh.lip.n_around          = 4;
+  const RotorBody body(parameters, mesh);
   // Of that pressure on the motion along a direction (0 normal, 2 radial).
   const auto work =
       [&](const unsigned int k, const double frequency, const unsigned int direction = 0)
@@ -174,7 +180,7 @@ TEST(LipAmplification, IsThatOfTheShiftedStiffness)
   {
     EXPECT_EQ(amplification.nodal_diameter(m), 7 * m);
     const double expected = work(7 * m, m * drive) / work(7 * m, 1.);
-    EXPECT_NEAR(amplification.at(m, m * drive), expected, 1e-4 * std::abs(expected)) << m;
+    EXPECT_NEAR(amplification.at(m, m * drive), expected, 1e-3 * std::abs(expected)) << m;
     const double inwards = work(7 * m, m * drive, 2) / work(7 * m, m * drive);
     EXPECT_NEAR(amplification.radial_ratio(m, m * drive), inwards, 1e-3 * std::abs(inwards)) << m;
   }

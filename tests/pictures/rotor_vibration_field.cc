@@ -143,7 +143,7 @@ namespace
       return largest;
     }
 
-    static constexpr unsigned int n_teeth = 90, modes_level = 1;
+    static constexpr unsigned int n_teeth = 90, modes_level = 2;
     static constexpr double pitch = 2. * M_PI / n_teeth;
     const Parameters parameters;
     const StatorWave wave;

@@ -38,7 +38,14 @@ namespace ringmotor
   class ShellElement
   {
   public:
+    static constexpr unsigned int n_layers   = 2; ///< Gauss points across the thickness
+    static constexpr double shear_correction = 5. / 6.;
+
     ShellElement(const dealii::Mapping<2, 3> &mapping, const dealii::FiniteElement<2, 3> &fe);
+
+    /** N/m, per area: of the tie of the rotation about the normal, in a cell of this area (m^2). */
+    static double drill_stiffness(const Material &material, const ShellSection &section,
+                                  const double area);
 
     /** Reinitialises for a shell cell with this @p material and @p section. */
     void reinit(const dealii::Triangulation<2, 3>::active_cell_iterator &cell,

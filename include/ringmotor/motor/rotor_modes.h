@@ -4,6 +4,7 @@
 #include <ringmotor/motor/condensed_motor.h>
 #include <ringmotor/structure/modes.h>
 #include <ringmotor/structure/response_modes.h>
+#include <ringmotor/structure/revolved_modes.h>
 
 #include <array>
 #include <limits>
@@ -68,10 +69,12 @@ namespace ringmotor
     const RotorBody body;
 
   private:
+    bool any_frequency = false;    ///< excites the rotor, which moves as a whole
     const double frequency, up_to; ///< rad/s; modes below the latter if the rotor moves as a whole
     std::map<unsigned int, std::vector<unsigned int>> excited;
-    std::optional<ResponseModes> responses;
-    std::optional<ModeSolver> all;
+    std::optional<RevolvedModes> revolved;  ///< where the rotor is a body of revolution
+    std::optional<ResponseModes> responses; ///< where it is not: of excited frequencies
+    std::optional<ModeSolver> all;          ///< or of all
     ModesByDiameter<Mode> *const kept;
 
     std::vector<Mode> compute(const unsigned int k);

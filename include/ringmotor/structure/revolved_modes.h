@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/structure/modes.h>
+#include <ringmotor/structure/revolved_section.h>
+
+#include <vector>
+
+namespace ringmotor
+{
+  /**
+   * The vibrations of a body of revolution by the nodal diameters k of its N sectors. Each is found
+   * by itself from waves of the orders k + j N for whole numbers j, which sectors see as the same:
+   * as many as the polynomials of the sector resolve.
+   */
+  class RevolvedModes
+  {
+  public:
+    /** @p sector, which RevolvedSection describes, must outlive this object. */
+    explicit RevolvedModes(const CyclicSector &sector);
+
+    /** The orders of nodal diameter @p k, the lowest first. */
+    std::vector<int> orders(const unsigned int k) const;
+
+    /** See response_vectors(). @param loads in the half plane theta = 0, each of them as the wave
+     * of each order */
+    std::vector<Mode> responses(const unsigned int k, const std::vector<LinearForm> &loads,
+                                const std::vector<double> &frequencies);
+
+    /** All modes of nodal diameter @p k below a shift (rad^2/s^2), see ModeSolver::below(). Of a
+     * body without rigid motions of that nodal diameter. */
+    std::vector<Mode> below(const unsigned int k, const double shift);
+
+  private:
+    void add(const unsigned int k, const int order, const double eigenvalue, const double *unknowns,
+             std::vector<Mode> &modes) const;
+
+    const CyclicSector &sector;
+    RevolvedSection section;
+  };
+} // namespace ringmotor
