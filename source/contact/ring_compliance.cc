@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace ringmotor
 {
@@ -193,6 +194,13 @@ namespace ringmotor
     prepare();
   }
 
+  RingCompliance::RingCompliance(std::vector<FullMatrix<double>> entries)
+      : node_count(entries.front().m() / 3), near(entries.size()), table(std::move(entries)),
+        is_given_by_table(true)
+  {
+    make_product();
+  }
+
   void RingCompliance::add_within_sectors(const FullMatrix<double> &compliance)
   {
     near[0].Tadd(1., compliance);
@@ -308,21 +316,25 @@ namespace ringmotor
     return result;
   }
 
-  void RingCompliance::tabulate()
+  std::vector<FullMatrix<double>> RingCompliance::all_entries() const
   {
     std::vector<FullMatrix<double>> all;
     for (unsigned int distance = 0; distance < n_sectors(); ++distance)
       all.push_back(entries_at(*this, distance));
-    table = std::move(all);
+    return all;
+  }
+
+  void RingCompliance::tabulate()
+  {
+    table = all_entries();
     if (applies_table())
       make_product();
   }
 
-  void RingCompliance::tabulate_if_small()
+  bool RingCompliance::is_small() const
   {
     constexpr std::size_t most_numbers = 1u << 24;
-    if (static_cast<std::size_t>(n_sectors()) * 9 * node_count * node_count <= most_numbers)
-      tabulate();
+    return static_cast<std::size_t>(n_sectors()) * 9 * node_count * node_count <= most_numbers;
   }
 
   void RingCompliance::prepare()

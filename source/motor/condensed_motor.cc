@@ -216,7 +216,8 @@ namespace ringmotor
     motor.degree                 = discretisation.degree;
     motor.n_dofs                 = tooth.n_dofs + rotor.n_dofs;
     add_teeth(motor, tooth, rotor.mortar, parameters, model);
-    motor.compliance.tabulate_if_small();
+    if (motor.compliance.is_small())
+      motor.compliance.tabulate();
     if (motor.n_repeats() > 1)
       motor.folded = motor.compliance.folded(motor.n_repeats());
     motor.constants = constants_for(motor.compliance);

@@ -57,18 +57,17 @@ namespace ringmotor
 
   RingCompliance MarchedModes::compliance(const double dt) const
   {
-    const unsigned int n_shapes = modes->shapes.n();
-    std::vector<std::vector<Complex>> waves(n_sectors / 2 + 1,
-                                            std::vector<Complex>(n_shapes * n_shapes));
-    for (unsigned int k = 0; k < waves.size(); ++k)
+    std::vector<std::vector<Complex>> waves;
+    for (unsigned int k = 0; 2 * k <= n_sectors; ++k)
     {
+      std::vector<Complex> factors;
       for (const ModesByShapes::Mode &mode : modes->by_diameter[k])
-        mode.add(std::pow(mode.frequency, 2) *
-                         dynamics.scheme.response_in_step(dt, mode.frequency,
-                                                          mode.damping(dynamics) + added_damping) -
-                     1.,
-                 waves[k]);
-      for (Complex &entry : waves[k]) // the ring compliance's waves are exp(+i k j alpha)
+        factors.push_back(std::pow(mode.frequency, 2) *
+                              dynamics.scheme.response_in_step(
+                                  dt, mode.frequency, mode.damping(dynamics) + added_damping) -
+                          1.);
+      waves.push_back(modes->sum_over_modes(k, factors));
+      for (Complex &entry : waves.back()) // the ring compliance's waves are exp(+i k j alpha)
         entry = std::conj(entry);
     }
     return RingCompliance(n_sectors, modes->shapes, waves);

@@ -53,16 +53,16 @@ namespace ringmotor
 
   RingCompliance SteadyInertia::compliance() const
   {
-    const unsigned int n_shapes = modes->shapes.n();
-    std::vector<std::vector<Complex>> waves(n_instants / 2 + 1,
-                                            std::vector<Complex>(n_shapes * n_shapes));
-    for (unsigned int m = 0; m < waves.size(); ++m)
+    std::vector<std::vector<Complex>> waves;
+    for (unsigned int m = 0; 2 * m <= n_instants; ++m)
     {
       const HistoryWave around = wave(m);
+      std::vector<Complex> factors;
       for (const ModesByShapes::Mode &mode : modes->by_diameter[around.k])
-        mode.add(mode.amplification(dynamics, around, dt) - mode.at_once, waves[m]);
+        factors.push_back(mode.amplification(dynamics, around, dt) - mode.at_once);
+      waves.push_back(modes->sum_over_modes(around.k, factors));
       if (around.conjugate)
-        for (Complex &entry : waves[m])
+        for (Complex &entry : waves.back())
           entry = std::conj(entry);
     }
     return RingCompliance(n_instants, modes->shapes, waves);

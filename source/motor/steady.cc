@@ -35,6 +35,18 @@ namespace ringmotor
           negligible;
       return dynamics;
     }
+
+    /** With what follows from a solution. */
+    OperatingState operating_state(const std::shared_ptr<const RingContact> &contact,
+                                   ContactSolution solution)
+    {
+      solution.speed = contact->speed(solution.state);
+      OperatingState state{contact, std::move(solution)};
+      state.modal_power  = contact->modal_power(state.solution.state);
+      state.modal_motion = contact->modal_motion(state.solution.state);
+      state.vibration    = contact->vibration_of_modes(state.solution.state);
+      return state;
+    }
   } // namespace
 
   std::string text_of(const RotorLoad &load)
@@ -105,27 +117,24 @@ namespace ringmotor
       n_iterations             = solution.n_iterations += n_iterations;
       from.state               = solution.state;
       from.motion.clear();
-      OperatingState state{contact, std::move(solution)};
-      state.solution.memory = memory.assumed();
-      state.solution.speed  = contact->speed(state.solution.state);
-      state.modal_power     = contact->modal_power(state.solution.state);
-      state.modal_motion    = contact->modal_motion(state.solution.state);
-      state.vibration       = contact->vibration_of_modes(state.solution.state);
-      return state;
+      solution.memory = memory.assumed();
+      return solution;
     };
     for (unsigned int round = 0; round < most_rounds; ++round)
     {
-      OperatingState state = solved();
-      if (memory.settled(state.solution))
-        return state;
+      const ContactSolution solution = solved();
+      if (memory.settled(solution))
+        return operating_state(contact, solution);
       const unsigned int period = memory.period();
+      if (period <= 1)
+        continue;
+      OperatingState state = operating_state(contact, solution);
       for (unsigned int other = 1; other < period; ++other)
       {
-        state.others.push_back(solved());
+        state.others.push_back(operating_state(contact, solved()));
         memory.settled(state.others.back().solution);
       }
-      if (period > 1)
-        return state;
+      return state;
     }
     throw ComputationError("the memory of the friction law did not settle in " +
                            std::to_string(most_rounds) + " iterations");

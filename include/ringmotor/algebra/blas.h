@@ -16,4 +16,8 @@ extern "C"
               const std::complex<double> *a, const int *lda, const std::complex<double> *x,
               const int *incx, const std::complex<double> *beta, std::complex<double> *y,
               const int *incy);
+  void zgemm_(const char *transpose_a, const char *transpose_b, const int *m, const int *n,
+              const int *k, const std::complex<double> *alpha, const std::complex<double> *a,
+              const int *lda, const std::complex<double> *b, const int *ldb,
+              const std::complex<double> *beta, std::complex<double> *c, const int *ldc);
 }

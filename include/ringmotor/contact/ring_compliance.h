@@ -51,6 +51,10 @@ namespace ringmotor
     RingCompliance(const unsigned int n_sectors, const dealii::FullMatrix<double> &basis,
                    const std::vector<std::vector<std::complex<double>>> &waves);
 
+    /** A ring given by all of its entries, by distance: rows are components of moved nodes, columns
+     * those of loaded ones. */
+    explicit RingCompliance(std::vector<dealii::FullMatrix<double>> entries);
+
     /** Adds a compliance within each sector, three components for each node. */
     void add_within_sectors(const dealii::FullMatrix<double> &compliance);
 
@@ -88,12 +92,19 @@ namespace ringmotor
      * that period. */
     RingCompliance folded(const unsigned int fold) const;
 
-    /** By distance, what add_entries() reads; empty without a table. */
-    const std::vector<dealii::FullMatrix<double>> &all_entries() const { return table; }
+    /** All entries by distance. */
+    std::vector<dealii::FullMatrix<double>> all_entries() const;
     /** Makes a table of all entries, from which add_entries() reads them. */
     void tabulate();
-    /** The same if the table is small enough. */
-    void tabulate_if_small();
+    bool has_table() const { return !table.empty(); }
+    /** Whether a table is small enough to be made. */
+    bool is_small() const;
+    /** Whether the table is applied as a whole, which is faster where a sector has no more unknowns
+     * than far-reaching shapes. */
+    bool applies_table() const
+    {
+      return has_table() && (is_given_by_table || 2 * node_count <= basis.n());
+    }
 
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
@@ -109,9 +120,6 @@ namespace ringmotor
     }
 
   private:
-    /** Whether the table is applied as a whole: where a sector has no more unknowns than
-     * far-reaching shapes. */
-    bool applies_table() const { return !table.empty() && 2 * node_count <= basis.n(); }
     /** Computes the members that follow from the others. */
     void prepare();
     /** Sets up the product with K, or with the table, by FFT. */
@@ -124,7 +132,8 @@ namespace ringmotor
     dealii::FullMatrix<double> basis;               ///< a row for each component of a node
     std::vector<dealii::FullMatrix<double>> kernel; ///< by distance, transposed
     std::vector<dealii::FullMatrix<double>> table;  ///< by distance, of all entries; may be empty
-    CirculantProduct ring_product;                  ///< with the kernel, or with the table
+    bool is_given_by_table = false;
+    CirculantProduct ring_product; ///< with the kernel, or with the table
     Far of_far;
   };
 

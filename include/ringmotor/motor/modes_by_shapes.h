@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <ringmotor/algebra/blas.h>
 #include <ringmotor/algebra/rank_factors.h>
 #include <ringmotor/motor/ring_modes.h>
 
@@ -108,16 +109,28 @@ namespace ringmotor
         return frequency * frequency *
                dynamics.scheme.response(wave.z, dt, frequency, damping(dynamics));
       }
-
-      /** Adds @p factor motion motion^H / omega^2, by shapes, by rows. */
-      void add(const Complex &factor, std::vector<Complex> &matrix) const
-      {
-        const std::size_t n = shares.size();
-        for (std::size_t i = 0; i < n; ++i)
-          for (std::size_t j = 0; j < n; ++j)
-            matrix[i * n + j] += factor * shares[i] * std::conj(shares[j]);
-      }
     };
+
+    /** The sum of factor motion motion^H / omega^2 over the modes of nodal diameter @p k, by
+     * shapes, by rows. @param factors of each mode */
+    std::vector<Complex> sum_over_modes(const unsigned int k,
+                                        const std::vector<Complex> &factors) const
+    {
+      const int n = shapes.n(), n_modes = factors.size();
+      std::vector<Complex> sum(static_cast<std::size_t>(n) * n), scaled, conjugate;
+      if (sum.empty() || factors.empty())
+        return sum;
+      for (int r = 0; r < n_modes; ++r)
+        for (const Complex &share : by_diameter[k][r].shares)
+        {
+          scaled.push_back(factors[r] * share);
+          conjugate.push_back(std::conj(share));
+        }
+      const Complex one(1.), zero;
+      zgemm_("N", "T", &n, &n, &n_modes, &one, conjugate.data(), &n, scaled.data(), &n, &zero,
+             sum.data(), &n);
+      return sum;
+    }
 
     /** Forces on shapes due to those on the nodes of all sectors (or instants) j, as the amplitude
      * of exp(i m angle j). */

@@ -17,28 +17,31 @@ namespace ringmotor
   {
     AssertDimension(instant.size(), n_blocks());
     AssertDimension(of_modes.n_sectors(), n_blocks());
-    of_modes.tabulate_if_small();
     far_with_modes.shapes = RingCompliance::far_shapes({&at_once, &of_modes});
     far_with_modes.kernel = of_modes.between(far_with_modes.shapes);
     const std::vector<FullMatrix<double>> at_same_sample = at_once.between(far_with_modes.shapes);
     for (unsigned int tooth = 0; tooth < at_same_sample.size(); ++tooth)
       far_with_modes.kernel[instants_between(tooth, 0)].add(1., at_same_sample[tooth]);
-    if (at_once.all_entries().empty() || of_modes.all_entries().empty())
+    if (!at_once.has_table() || !of_modes.is_small())
       return;
-    all = of_modes.all_entries();
-    for (unsigned int tooth = 0; tooth < at_once.n_sectors(); ++tooth)
-      all[instants_between(tooth, 0)].add(1., at_once.all_entries()[tooth]);
+    std::vector<FullMatrix<double>> entries           = of_modes.all_entries();
+    const std::vector<FullMatrix<double>> same_sample = at_once.all_entries();
+    for (unsigned int tooth = 0; tooth < same_sample.size(); ++tooth)
+      entries[instants_between(tooth, 0)].add(1., same_sample[tooth]);
+    whole.emplace(std::move(entries));
   }
 
   void BlockCompliance::add_motions(const std::vector<PointVector> &force,
                                     std::vector<PointVector> &motion) const
   {
-    add_motions_at_once(force, motion);
+    const bool at_once_by_itself = !whole || !at_once.applies_table();
+    if (at_once_by_itself)
+      add_motions_at_once(force, motion);
     if (instant.empty())
       return;
     const std::vector<PointVector> forces = by_instant(force);
     std::vector<PointVector> moved(motion.size());
-    of_modes.add_motions(&forces[0][0], &moved[0][0]);
+    (at_once_by_itself ? of_modes : *whole).add_motions(&forces[0][0], &moved[0][0]);
     moved = by_point(moved);
     for (std::size_t point = 0; point < motion.size(); ++point)
       motion[point] += moved[point];
@@ -56,10 +59,10 @@ namespace ringmotor
                                     const unsigned int first, FullMatrix<double> &matrix,
                                     const unsigned int row, const unsigned int column) const
   {
-    if (!all.empty())
+    if (whole)
     {
-      add_selected(all[instants_between(moved, loaded)], rows, columns, factor, first, matrix, row,
-                   column);
+      whole->add_entries(instants_between(moved, loaded), rows, columns, factor, first, matrix, row,
+                         column);
       return;
     }
     if (sample(moved) == sample(loaded))

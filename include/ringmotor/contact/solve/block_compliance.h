@@ -4,6 +4,7 @@
 #include <ringmotor/contact/ring_compliance.h>
 #include <ringmotor/contact/solve/contact_problem.h>
 
+#include <optional>
 #include <vector>
 
 namespace ringmotor
@@ -79,7 +80,6 @@ namespace ringmotor
     RingCompliance of_modes;
     const std::vector<unsigned int> instant; ///< of each block; empty without modes
     RingCompliance::Far far_with_modes;
-    std::vector<dealii::FullMatrix<double>> all; ///< entries of their sum by instants, if both
-                                                 ///< have a table
+    std::optional<RingCompliance> whole; ///< their sum by instants, if its entries are not too many
   };
 } // namespace ringmotor
