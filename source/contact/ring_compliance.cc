@@ -182,7 +182,6 @@ namespace ringmotor
           near[d].add(1., shares.of(seen[b], by_surface));
         }
     }
-    prepare();
   }
 
   RingCompliance::RingCompliance(const unsigned int n_sectors, const FullMatrix<double> &basis,
@@ -191,14 +190,12 @@ namespace ringmotor
         kernel(transposed_sectors_of(waves, n_sectors, basis.n()))
   {
     AssertDimension(waves.size(), n_sectors / 2 + 1);
-    prepare();
   }
 
   RingCompliance::RingCompliance(std::vector<FullMatrix<double>> entries)
       : node_count(entries.front().m() / 3), near(entries.size()), table(std::move(entries)),
         is_given_by_table(true)
   {
-    make_product();
   }
 
   void RingCompliance::add_within_sectors(const FullMatrix<double> &compliance)
@@ -218,7 +215,7 @@ namespace ringmotor
       return;
     if (applies_table())
     {
-      ring_product.add(forces, motions, n_rings);
+      ring_product().add(forces, motions, n_rings);
       return;
     }
     for (unsigned int ring = 0; ring < n_rings; ++ring)
@@ -237,7 +234,7 @@ namespace ringmotor
     std::vector<double> by_far(static_cast<std::size_t>(columns) * n_far), far(by_far.size(), 0.);
     dgemm_("N", "N", &n_far, &columns, &width, &one, &basis(0, 0), &n_far, forces, &width, &zero,
            by_far.data(), &n_far);
-    ring_product.add(by_far.data(), far.data(), n_rings);
+    ring_product().add(by_far.data(), far.data(), n_rings);
     dgemm_("T", "N", &width, &columns, &n_far, &one, &basis(0, 0), &n_far, far.data(), &n_far, &one,
            motions, &width);
   }
@@ -312,7 +309,7 @@ namespace ringmotor
     add_to_folded(result.kernel);
     if (!table.empty())
       add_to_folded(result.table);
-    result.prepare();
+    result.forget_what_follows();
     return result;
   }
 
@@ -327,8 +324,7 @@ namespace ringmotor
   void RingCompliance::tabulate()
   {
     table = all_entries();
-    if (applies_table())
-      make_product();
+    product_by_transform.reset();
   }
 
   bool RingCompliance::is_small() const
@@ -337,23 +333,34 @@ namespace ringmotor
     return static_cast<std::size_t>(n_sectors()) * 9 * node_count * node_count <= most_numbers;
   }
 
-  void RingCompliance::prepare()
+  void RingCompliance::forget_what_follows()
   {
-    make_product();
-    if (n_sectors() > 1)
-    {
-      of_far.shapes = far_shapes({this});
-      of_far.kernel = between(of_far.shapes);
-    }
+    product_by_transform.reset();
+    of_far.reset();
   }
 
-  void RingCompliance::make_product()
+  const RingCompliance::Far &RingCompliance::far() const
   {
-    std::vector<FullMatrix<double>> transposed_table;
-    if (applies_table())
-      for (const FullMatrix<double> &matrix : table)
-        transposed_table.push_back(transposed(matrix));
-    ring_product = CirculantProduct(applies_table() ? transposed_table : kernel);
+    if (!of_far)
+    {
+      of_far.emplace();
+      of_far->shapes = far_shapes({this});
+      of_far->kernel = between(of_far->shapes);
+    }
+    return *of_far;
+  }
+
+  const CirculantProduct &RingCompliance::ring_product() const
+  {
+    if (!product_by_transform)
+    {
+      std::vector<FullMatrix<double>> transposed_table;
+      if (applies_table())
+        for (const FullMatrix<double> &matrix : table)
+          transposed_table.push_back(transposed(matrix));
+      product_by_transform.emplace(applies_table() ? transposed_table : kernel);
+    }
+    return *product_by_transform;
   }
 
   FullMatrix<double> RingCompliance::seen_from_afar() const

@@ -23,12 +23,17 @@ namespace ringmotor
     return interpolated;
   }
 
-  SteadyInertia::SteadyInertia(const RingModes &modes, const unsigned int n_waves,
-                               const unsigned int n_sectors, const double period,
-                               const unsigned int n_instants, const double dt,
+  std::shared_ptr<const ModesByShapes> by_shapes(const RingModes &modes)
+  {
+    return std::make_shared<const ModesByShapes>(modes);
+  }
+
+  SteadyInertia::SteadyInertia(std::shared_ptr<const ModesByShapes> of_ring,
+                               const unsigned int n_waves, const unsigned int n_sectors,
+                               const double period, const unsigned int n_instants, const double dt,
                                const RingDynamics &dynamics)
-      : modes(std::make_shared<const ModesByShapes>(modes)), n_waves(n_waves), n_sectors(n_sectors),
-        n_instants(n_instants), angle(2. * numbers::PI * dt / period), dt(dt), dynamics(dynamics)
+      : modes(std::move(of_ring)), n_waves(n_waves), n_sectors(n_sectors), n_instants(n_instants),
+        angle(2. * numbers::PI * dt / period), dt(dt), dynamics(dynamics)
   {
   }
 

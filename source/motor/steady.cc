@@ -75,7 +75,8 @@ namespace ringmotor
 
   SteadyDriver::SteadyDriver(const MotorInUse &motor, const Friction &friction,
                              const SteadyStep &step)
-      : motor(motor), friction(friction), step(step)
+      : motor(motor), friction(friction), step(step),
+        modes(motor.modes->empty() ? nullptr : by_shapes(*motor.modes))
   {
     set_wave(motor.wave);
   }
@@ -84,8 +85,14 @@ namespace ringmotor
   {
     const bool has_other_frequency = wave.angular_frequency != motor.wave.angular_frequency;
     motor.wave                     = wave;
-    if (!motor.modes->empty() && (!dynamics || has_other_frequency))
-      dynamics = std::make_shared<const SteadyDynamics>(motor, step, motor.dynamics);
+    if (modes && (!dynamics || has_other_frequency))
+      dynamics = with_inertia(motor.dynamics);
+  }
+
+  std::shared_ptr<const SteadyDynamics>
+  SteadyDriver::with_inertia(const RingDynamics &of_modes) const
+  {
+    return std::make_shared<const SteadyDynamics>(motor, modes, step, of_modes);
   }
 
   OperatingState SteadyDriver::find(const RotorLoad &load, StepState from) const
@@ -94,12 +101,12 @@ namespace ringmotor
   }
 
   OperatingState SteadyDriver::find(const RotorLoad &load, StepState from,
-                                    std::shared_ptr<const SteadyDynamics> with_inertia,
+                                    std::shared_ptr<const SteadyDynamics> of_modes,
                                     const Fallback fallback) const
   try
   {
     const auto contact =
-        std::make_shared<const RingContact>(motor, load, step, std::move(with_inertia));
+        std::make_shared<const RingContact>(motor, load, step, std::move(of_modes));
     RowSolver solver;
     unsigned int n_iterations = 0;
     from.state.rigid.resize(contact->n_rigid());
@@ -226,10 +233,7 @@ namespace ringmotor
   {
     constexpr double shortest = 1. / 8.;
     const auto by             = [&](const RingDynamics &there, const Fallback fallback)
-    {
-      return start_at(
-          find(load, from, std::make_shared<const SteadyDynamics>(motor, step, there), fallback));
-    };
+    { return start_at(find(load, from, with_inertia(there), fallback)); };
     double done = 0., length = 1.;
     while (done < 1.)
       try
@@ -256,9 +260,7 @@ namespace ringmotor
     {
       RingDynamics damped      = motor.dynamics;
       damped.added_loss_factor = (std::pow(3., stage) - 1.) * std::max(least, damped.loss_factor);
-      start =
-          start_at(find(load, start, std::make_shared<const SteadyDynamics>(motor, step, damped),
-                        Fallback::none));
+      start                    = start_at(find(load, start, with_inertia(damped), Fallback::none));
     }
     return find(load, start, dynamics, Fallback::none);
   }

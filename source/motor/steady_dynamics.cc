@@ -33,9 +33,10 @@ namespace ringmotor
     }
   } // namespace
 
-  SteadyDynamics::SteadyDynamics(const MotorInUse &motor, const SteadyStep &step,
+  SteadyDynamics::SteadyDynamics(const MotorInUse &motor,
+                                 std::shared_ptr<const ModesByShapes> modes, const SteadyStep &step,
                                  const RingDynamics &dynamics)
-      : inertia(*motor.modes, motor.bodies.n_waves, motor.bodies.n_teeth, motor.wave.period(),
+      : inertia(std::move(modes), motor.bodies.n_waves, motor.bodies.n_teeth, motor.wave.period(),
                 motor.bodies.n_teeth / motor.bodies.n_repeats() * step.n_samples,
                 step_length(motor.bodies, motor.wave, step), dynamics),
         compliance(motor.bodies.repeating(), step.n_samples, inertia.compliance(),

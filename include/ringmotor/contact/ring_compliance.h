@@ -9,6 +9,7 @@
 
 #include <complex>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace ringmotor
@@ -67,7 +68,7 @@ namespace ringmotor
       dealii::FullMatrix<double> shapes; ///< by node and component, orthonormal columns
       std::vector<dealii::FullMatrix<double>> kernel; ///< by distance: motions by forces; 0 at 0
     };
-    const Far &far() const { return of_far; }
+    const Far &far() const;
     /** The shapes of Far for the sum of some compliances of the same sectors. */
     static dealii::FullMatrix<double> far_shapes(const std::vector<const RingCompliance *> &rings);
     /** Motions of given shapes due to forces on them, by distance. */
@@ -113,17 +114,17 @@ namespace ringmotor
       archive &node_count &near &basis &kernel &has_table;
       if (Archive::is_loading::value)
       {
-        prepare();
+        forget_what_follows();
         if (has_table)
           tabulate();
       }
     }
 
   private:
-    /** Computes the members that follow from the others. */
-    void prepare();
-    /** Sets up the product with K, or with the table, by FFT. */
-    void make_product();
+    /** The product with the kernel, or with the table, by FFT. */
+    const CirculantProduct &ring_product() const;
+    /** To be called when other members have changed. */
+    void forget_what_follows();
     /** The motions of a sector due to forces on some other sectors that are not near. */
     dealii::FullMatrix<double> seen_from_afar() const;
 
@@ -133,8 +134,9 @@ namespace ringmotor
     std::vector<dealii::FullMatrix<double>> kernel; ///< by distance, transposed
     std::vector<dealii::FullMatrix<double>> table;  ///< by distance, of all entries; may be empty
     bool is_given_by_table = false;
-    CirculantProduct ring_product; ///< with the kernel, or with the table
-    Far of_far;
+    // What follows from these is computed when it is needed first.
+    mutable std::optional<CirculantProduct> product_by_transform;
+    mutable std::optional<Far> of_far;
   };
 
   /** Adds @p factor times the three by three entries for each pair of nodes @p rows and @p columns

@@ -99,6 +99,8 @@ namespace ringmotor
   };
 
   class ModesByShapes;
+  /** The modes as SteadyInertia reads them. */
+  std::shared_ptr<const ModesByShapes> by_shapes(const RingModes &modes);
 
   /** A wave around the ring in the history of a steady state. */
   struct HistoryWave
@@ -120,9 +122,9 @@ namespace ringmotor
   public:
     /** @param period s, of the wave; @param n_instants of it; @param dt s, length of a step, one or
      * several intervals between instants */
-    SteadyInertia(const RingModes &modes, const unsigned int n_waves, const unsigned int n_sectors,
-                  const double period, const unsigned int n_instants, const double dt,
-                  const RingDynamics &dynamics);
+    SteadyInertia(std::shared_ptr<const ModesByShapes> modes, const unsigned int n_waves,
+                  const unsigned int n_sectors, const double period, const unsigned int n_instants,
+                  const double dt, const RingDynamics &dynamics);
 
     /** Motions at the instants due to forces at the instants. */
     RingCompliance compliance() const;

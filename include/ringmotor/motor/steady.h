@@ -73,9 +73,10 @@ namespace ringmotor
     }
 
   private:
+    std::shared_ptr<const SteadyDynamics> with_inertia(const RingDynamics &of_modes) const;
     OperatingState find(const RotorLoad &load, StepState start) const;
     OperatingState find(const RotorLoad &load, StepState start,
-                        std::shared_ptr<const SteadyDynamics> with_inertia,
+                        std::shared_ptr<const SteadyDynamics> of_modes,
                         const Fallback fallback = Fallback::proximal_points) const;
     /** The state as the start of the search for another one. */
     static StepState start_at(const OperatingState &state);
@@ -114,8 +115,9 @@ namespace ringmotor
     MotorInUse motor;
     const Friction friction;
     const SteadyStep step;
-    std::shared_ptr<const SteadyDynamics> dynamics; ///< of a motor with inertia
-    std::optional<StepState> next, other;           ///< to start from, and if that fails
+    const std::shared_ptr<const ModesByShapes> modes; ///< null without inertia
+    std::shared_ptr<const SteadyDynamics> dynamics;   ///< of a motor with inertia
+    std::optional<StepState> next, other;             ///< to start from, and if that fails
   };
 
   /** The distance that each contact point has slipped (m) since it stuck or came into contact, at

@@ -24,7 +24,9 @@ namespace ringmotor
   /** The dynamic compliance of a motor with inertia in its steady state. */
   struct SteadyDynamics
   {
-    SteadyDynamics(const MotorInUse &motor, const SteadyStep &step, const RingDynamics &dynamics);
+    /** @param modes by_shapes() of the motor's modes */
+    SteadyDynamics(const MotorInUse &motor, std::shared_ptr<const ModesByShapes> modes,
+                   const SteadyStep &step, const RingDynamics &dynamics);
 
     const SteadyInertia inertia;
     const BlockCompliance compliance; ///< static and dynamic

@@ -17,11 +17,6 @@ namespace ringmotor
   {
     AssertDimension(instant.size(), n_blocks());
     AssertDimension(of_modes.n_sectors(), n_blocks());
-    far_with_modes.shapes = RingCompliance::far_shapes({&at_once, &of_modes});
-    far_with_modes.kernel = of_modes.between(far_with_modes.shapes);
-    const std::vector<FullMatrix<double>> at_same_sample = at_once.between(far_with_modes.shapes);
-    for (unsigned int tooth = 0; tooth < at_same_sample.size(); ++tooth)
-      far_with_modes.kernel[instants_between(tooth, 0)].add(1., at_same_sample[tooth]);
     if (!at_once.has_table() || !of_modes.is_small())
       return;
     std::vector<FullMatrix<double>> entries           = of_modes.all_entries();
@@ -29,6 +24,23 @@ namespace ringmotor
     for (unsigned int tooth = 0; tooth < same_sample.size(); ++tooth)
       entries[instants_between(tooth, 0)].add(1., same_sample[tooth]);
     whole.emplace(std::move(entries));
+  }
+
+  const RingCompliance::Far &BlockCompliance::far() const
+  {
+    if (instant.empty())
+      return at_once.far();
+    if (!far_with_modes)
+    {
+      RingCompliance::Far far;
+      far.shapes = RingCompliance::far_shapes({&at_once, &of_modes});
+      far.kernel = of_modes.between(far.shapes);
+      const std::vector<FullMatrix<double>> at_same_sample = at_once.between(far.shapes);
+      for (unsigned int tooth = 0; tooth < at_same_sample.size(); ++tooth)
+        far.kernel[instants_between(tooth, 0)].add(1., at_same_sample[tooth]);
+      far_with_modes = std::move(far);
+    }
+    return *far_with_modes;
   }
 
   void BlockCompliance::add_motions(const std::vector<PointVector> &force,

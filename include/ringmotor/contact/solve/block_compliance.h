@@ -70,16 +70,13 @@ namespace ringmotor
     {
       return (n_blocks() + instant[moved] - instant[loaded]) % n_blocks();
     }
-    const RingCompliance::Far &far() const
-    {
-      return instant.empty() ? at_once.far() : far_with_modes;
-    }
+    const RingCompliance::Far &far() const;
 
     const RingCompliance &at_once;
     const unsigned int n_samples;
     RingCompliance of_modes;
     const std::vector<unsigned int> instant; ///< of each block; empty without modes
-    RingCompliance::Far far_with_modes;
+    mutable std::optional<RingCompliance::Far> far_with_modes; ///< computed when it is needed first
     std::optional<RingCompliance> whole; ///< their sum by instants, if its entries are not too many
   };
 } // namespace ringmotor
