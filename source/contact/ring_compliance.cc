@@ -192,16 +192,11 @@ namespace ringmotor
     AssertDimension(waves.size(), n_sectors / 2 + 1);
   }
 
-  RingCompliance::RingCompliance(std::vector<FullMatrix<double>> entries)
-      : node_count(entries.front().m() / 3), near(entries.size()), table(std::move(entries)),
-        is_given_by_table(true)
-  {
-  }
-
   void RingCompliance::add_within_sectors(const FullMatrix<double> &compliance)
   {
     near[0].Tadd(1., compliance);
     Assert(table.empty(), ExcMessage("the table is made last"));
+    forget_what_follows();
   }
 
   void RingCompliance::add_motions(const double *forces, double *motions,
@@ -353,13 +348,7 @@ namespace ringmotor
   const CirculantProduct &RingCompliance::ring_product() const
   {
     if (!product_by_transform)
-    {
-      std::vector<FullMatrix<double>> transposed_table;
-      if (applies_table())
-        for (const FullMatrix<double> &matrix : table)
-          transposed_table.push_back(transposed(matrix));
-      product_by_transform.emplace(applies_table() ? transposed_table : kernel);
-    }
+      product_by_transform.emplace(applies_table() ? transposed_of(table) : kernel);
     return *product_by_transform;
   }
 

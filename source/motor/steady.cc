@@ -129,13 +129,13 @@ namespace ringmotor
     };
     for (unsigned int round = 0; round < most_rounds; ++round)
     {
-      const ContactSolution solution = solved();
+      ContactSolution solution = solved();
       if (memory.settled(solution))
-        return operating_state(contact, solution);
+        return operating_state(contact, std::move(solution));
       const unsigned int period = memory.period();
       if (period <= 1)
         continue;
-      OperatingState state = operating_state(contact, solution);
+      OperatingState state = operating_state(contact, std::move(solution));
       for (unsigned int other = 1; other < period; ++other)
       {
         state.others.push_back(operating_state(contact, solved()));

@@ -101,22 +101,23 @@ namespace ringmotor
       a.Tmmult(product, b);
       return product;
     }
+
     struct Response
     {
       double frequency;            ///< rad/s
       std::vector<double> motions; ///< one after the other
     };
 
-    Response response(const SymmetricMotions &motions, const std::vector<double> &loads,
+    Response response(const SymmetricMotions &body, const std::vector<double> &loads,
                       const double frequency)
     {
       Response response{frequency, loads};
-      motions.solve(frequency * frequency, response.motions);
+      body.solve(frequency * frequency, response.motions);
       return response;
     }
 
     /** At a frequency, or next to it if that is a resonance. */
-    Response beside_resonance(const SymmetricMotions &motions, const std::vector<double> &loads,
+    Response beside_resonance(const SymmetricMotions &body, const std::vector<double> &loads,
                               const double frequency, const Response &rest)
     {
       // Next to a resonance all responses are nearly the same mode, and rounding hides how they
@@ -130,27 +131,26 @@ namespace ringmotor
       double beside = frequency;
       for (unsigned int attempt = 0; attempt < n_attempts; ++attempt, beside *= elsewhere)
       {
-        Response found = response(motions, loads, beside);
+        Response found = response(body, loads, beside);
         if (work(found) < too_strong * work(rest))
           return found;
       }
-      throw ComputationError("nodal diameter " + std::to_string(motions.nodal_diameter) +
-                             ": the response is resonant from " +
+      throw ComputationError(body.name + ": the response is resonant from " +
                              std::to_string(frequency / (2. * numbers::PI)) + " to " +
                              std::to_string(beside / (2. * numbers::PI)) + " Hz");
     }
   } // namespace
 
-  RitzVectors response_vectors(const SymmetricMotions &problem,
+  RitzVectors response_vectors(const SymmetricMotions &body,
                                const std::vector<std::vector<double>> &loads,
                                const std::vector<double> &frequencies)
   {
     std::vector<double> all_loads;
     for (const std::vector<double> &load : loads)
       all_loads.insert(all_loads.end(), load.begin(), load.end());
-    std::vector<Response> responses{response(problem, all_loads, 0.)};
+    std::vector<Response> responses{response(body, all_loads, 0.)};
     for (const double frequency : frequencies)
-      responses.push_back(beside_resonance(problem, all_loads, frequency, responses.front()));
+      responses.push_back(beside_resonance(body, all_loads, frequency, responses.front()));
 
     std::vector<double> motions, inertia, squares;
     for (const Response &response : responses)
@@ -158,25 +158,24 @@ namespace ringmotor
       motions.insert(motions.end(), response.motions.begin(), response.motions.end());
       squares.insert(squares.end(), loads.size(), response.frequency * response.frequency);
     }
-    problem.multiply_mass(motions, inertia);
+    body.multiply_mass(motions, inertia);
 
     // The stiffness times a response is the load and the inertia of that response.
-    const Matrix columns = as_columns(motions, problem.size);
-    const FullMatrix<double> mass =
-                                 product_of_transposed(columns, as_columns(inertia, problem.size)),
-                             work = product_of_transposed(columns,
-                                                          as_columns(all_loads, problem.size));
+    const Matrix columns          = as_columns(motions, body.size);
+    const FullMatrix<double> mass = product_of_transposed(columns, as_columns(inertia, body.size)),
+                             work =
+                                 product_of_transposed(columns, as_columns(all_loads, body.size));
     FullMatrix<double> stiffness(squares.size(), squares.size());
     for (unsigned int i = 0; i < squares.size(); ++i)
       for (unsigned int j = 0; j < squares.size(); ++j)
         stiffness(i, j) = work(i, j % loads.size()) + mass(i, j) * squares[j];
 
     const RitzWeights ritz(stiffness, mass);
-    Matrix weights(ritz.weights.m(), ritz.weights.n()), combined(problem.size, ritz.weights.n());
+    Matrix weights(ritz.weights.m(), ritz.weights.n()), combined(body.size, ritz.weights.n());
     weights = ritz.weights;
     columns.mmult(combined, weights);
     const double *const begin = &combined(0, 0);
-    return {ritz.values, {begin, begin + problem.size * ritz.values.size()}};
+    return {ritz.values, {begin, begin + body.size * ritz.values.size()}};
   }
 
   ResponseModes::ResponseModes(const CyclicSector &sector)
@@ -192,7 +191,7 @@ namespace ringmotor
   {
     const std::size_t n = sector.n_unknowns();
     const RitzVectors ritz =
-        response_vectors({n, k,
+        response_vectors({n, "nodal diameter " + std::to_string(k),
                           [&](const double shift, std::vector<double> &motions)
                           {
                             CyclicFactors &factors = shift == 0. ? at_rest : at_frequency;

@@ -13,10 +13,16 @@ namespace ringmotor
 
   namespace
   {
+    /** Pairs of equal frequencies stay as they are. */
     void sort_by_frequency(std::vector<Mode> &modes)
     {
-      std::sort(modes.begin(), modes.end(),
-                [](const Mode &a, const Mode &b) { return a.eigenvalue < b.eigenvalue; });
+      std::stable_sort(modes.begin(), modes.end(),
+                       [](const Mode &a, const Mode &b) { return a.eigenvalue < b.eigenvalue; });
+    }
+
+    std::string text_of(const unsigned int k, const int order)
+    {
+      return "nodal diameter " + std::to_string(k) + ", waves of order " + std::to_string(order);
     }
   } // namespace
 
@@ -34,17 +40,32 @@ namespace ringmotor
     {
       const std::size_t n_before = orders.size();
       for (const int order : {first - j * n_sectors, first + j * n_sectors})
-        if (2 * std::abs(order) <= degree * n_sectors)
+        if (2 * std::abs(order) <= degree * n_sectors && !is_conjugate(k, order))
           orders.push_back(order);
       if (orders.size() == n_before)
         return orders;
     }
   }
 
+  bool RevolvedModes::has_conjugates(const unsigned int k) const
+  {
+    return 2 * k % sector.sector_mesh().n_sectors == 0;
+  }
+
+  bool RevolvedModes::is_conjugate(const unsigned int k, const int order) const
+  {
+    return order < 0 && has_conjugates(k);
+  }
+
   void RevolvedModes::add(const unsigned int k, const int order, const double eigenvalue,
                           const double *unknowns, std::vector<Mode> &modes) const
   {
     modes.push_back({k, eigenvalue, /*rigid =*/false, section.expand(order, unknowns), 0.});
+    if (!has_conjugates(k) || order == 0)
+      return;
+    modes.push_back(modes.back());
+    for (ComplexField *field : modes.back().motion.parts())
+      field->imaginary *= -1.;
   }
 
   std::vector<Mode> RevolvedModes::responses(const unsigned int k,
@@ -58,7 +79,7 @@ namespace ringmotor
     for (const int order : orders(k))
     {
       const RitzVectors ritz =
-          response_vectors({section.size(), k,
+          response_vectors({section.size(), text_of(k, order),
                             [&](const double shift, std::vector<double> &motions)
                             {
                               section.factorise(order, shift);
@@ -89,17 +110,19 @@ namespace ringmotor
       const unsigned int count = section.n_negative();
       if (count == 0)
         continue;
-      const std::vector<Eigenpair> pairs =
-          eigenpairs(pencil, EigenvalueChoice::below, count, generic_vector(pencil.size));
-      for (const Eigenpair &pair : pairs)
+      unsigned int found = 0;
+      for (const Eigenpair &pair :
+           eigenpairs(pencil, EigenvalueChoice::below, count, generic_vector(pencil.size)))
         if (pair.value < shift)
+        {
+          ++found;
           add(k, order, pair.value, pair.vector.data(), modes);
-        else
-          throw ComputationError("waves of order " + std::to_string(order) +
-                                 ": the factorisation counts " + std::to_string(count) +
-                                 " modes below " +
-                                 std::to_string(std::sqrt(shift) / (2. * numbers::PI)) +
-                                 " Hz, the eigensolver did not find them all");
+        }
+      if (found != count)
+        throw ComputationError(text_of(k, order) + ": the factorisation counts " +
+                               std::to_string(count) + " modes below " +
+                               std::to_string(std::sqrt(shift) / (2. * numbers::PI)) +
+                               " Hz, the eigensolver did not find them all");
     }
     sort_by_frequency(modes);
     return modes;

@@ -118,9 +118,13 @@ namespace ringmotor
         if (!is_revolved(cell, angle) || sector.material_table().at(cell->material_id()).law)
           return false;
     if (sector.shell_dofs().has_active_dofs())
+    {
+      if (sector.shell_dofs().get_fe().degree < 2)
+        return false; // has shear strains of its own
       for (const auto &cell : sector.shell_dofs().active_cell_iterators())
         if (!is_revolved(cell, angle))
           return false;
+    }
     return true;
   }
 
@@ -130,7 +134,7 @@ namespace ringmotor
         factors(n_unknowns, MPI_COMM_SELF)
   {
     Assert(describes(sector), ExcMessage("Not one layer of cells of a body of revolution."));
-    source.assign(sector.nodes().size(), none);
+    find_sources();
     if (sector.dofs().has_active_dofs())
     {
       add_solids();
@@ -140,15 +144,35 @@ namespace ringmotor
       add_shells();
   }
 
+  template <int dim>
+  void RevolvedSection::find_sources(const FiniteElement<dim, 3> &fe, const unsigned int face,
+                                     const std::vector<Dof> &dofs)
+  {
+    const std::vector<unsigned int> of_face = nodes_on_face(fe.base_element(0), face);
+    for (unsigned int i = 0; i < of_face.size(); ++i)
+      for (unsigned int component = 0; component < fe.n_components(); component += 3)
+        source[sector.nodes().node(dofs[fe.component_to_system_index(component, i)])] =
+            sector.nodes().node(dofs[fe.component_to_system_index(component, of_face[i])]);
+  }
+
+  void RevolvedSection::find_sources()
+  {
+    source.assign(sector.nodes().size(), none);
+    if (sector.dofs().has_active_dofs())
+      for (const auto &cell : sector.dofs().active_cell_iterators())
+        find_sources(sector.dofs().get_fe(), face_on_mirror(cell), sector.dofs_of(cell));
+    if (sector.shell_dofs().has_active_dofs())
+      for (const auto &cell : sector.shell_dofs().active_cell_iterators())
+        find_sources(sector.shell_dofs().get_fe(), face_on_mirror(cell), sector.dofs_of(cell));
+  }
+
   void RevolvedSection::add_solids()
   {
-    const FiniteElement<3> &fe = sector.dofs().get_fe();
-    SemiAnalyticSolid solid(sector.geometry(), fe);
+    SemiAnalyticSolid solid(sector.geometry(), sector.dofs().get_fe());
     for (const auto &cell : sector.dofs().active_cell_iterators())
     {
       const unsigned int face     = face_on_mirror(cell);
       const std::vector<Dof> dofs = sector.dofs_of(cell);
-      follow(fe, face, dofs);
       std::vector<Dof> on_face;
       for (const unsigned int i : solid.local_dofs(face))
         on_face.push_back(dofs[i]);
@@ -158,13 +182,11 @@ namespace ringmotor
 
   void RevolvedSection::add_shells()
   {
-    const FiniteElement<2, 3> &fe = sector.shell_dofs().get_fe();
-    SemiAnalyticShell shell(sector.shell_geometry(), fe);
+    SemiAnalyticShell shell(sector.shell_geometry(), sector.shell_dofs().get_fe());
     for (const auto &cell : sector.shell_dofs().active_cell_iterators())
     {
       const unsigned int edge     = face_on_mirror(cell);
       const std::vector<Dof> dofs = sector.dofs_of(cell);
-      follow(fe, edge, dofs);
       std::vector<Dof> on_edge;
       for (const unsigned int i : shell.local_dofs(edge))
         on_edge.push_back(dofs[i]);
@@ -177,7 +199,7 @@ namespace ringmotor
   void RevolvedSection::add_foundations()
   {
     // Springs along a normal that turns with the body store the same energy for waves of any
-    // order, for n = 0 that of a motion that is the same all around.
+    // order. It is taken from the motion with n = 0, which is the same all around.
     const FiniteElement<3> &fe = sector.dofs().get_fe();
     const SectorNodes &nodes   = sector.nodes();
     const SemiAnalyticSolid solid(sector.geometry(), fe);
@@ -213,17 +235,6 @@ namespace ringmotor
         });
   }
 
-  template <int dim>
-  void RevolvedSection::follow(const FiniteElement<dim, 3> &fe, const unsigned int face,
-                               const std::vector<Dof> &dofs)
-  {
-    const std::vector<unsigned int> of_face = nodes_on_face(fe.base_element(0), face);
-    for (unsigned int i = 0; i < of_face.size(); ++i)
-      for (unsigned int component = 0; component < fe.n_components(); component += 3)
-        source[sector.nodes().node(dofs[fe.component_to_system_index(component, i)])] =
-            sector.nodes().node(dofs[fe.component_to_system_index(component, of_face[i])]);
-  }
-
   std::vector<std::pair<unsigned int, double>> RevolvedSection::rows_of(const Dof dof) const
   {
     if (row[dof] != none)
@@ -232,7 +243,7 @@ namespace ringmotor
     if (const auto *const masters = sector.dependent().get_constraint_entries(dof))
       for (const auto &[master, weight] : *masters)
       {
-        Assert(row[master] != none, ExcMessage("A node follows one at another angle."));
+        AssertThrow(row[master] != none, ExcMessage("A node follows one at another angle."));
         rows.emplace_back(row[master], weight);
       }
     return rows;
@@ -241,8 +252,13 @@ namespace ringmotor
   void RevolvedSection::add(const std::vector<Dof> &dofs, WaveMatrices matrices)
   {
     Element element;
+    struct Share
+    {
+      unsigned int dof, column;
+      double weight;
+    };
     std::map<unsigned int, unsigned int> place;
-    std::vector<std::array<double, 3>> sums; // local number, place, weight
+    std::vector<Share> shares;
     bool follows_others = false;
     for (unsigned int i = 0; i < dofs.size(); ++i)
     {
@@ -251,7 +267,7 @@ namespace ringmotor
       {
         if (place.emplace(r, element.rows.size()).second)
           element.rows.push_back(r);
-        sums.push_back({{1. * i, 1. * place.at(r), weight}});
+        shares.push_back({i, place.at(r), weight});
       }
     }
     for (FullMatrix<double> *matrix : all_of(matrices))
@@ -259,8 +275,8 @@ namespace ringmotor
       if (follows_others)
       {
         FullMatrix<double> follows(dofs.size(), element.rows.size());
-        for (const auto &[i, column, weight] : sums)
-          follows(i, column) += weight;
+        for (const auto &[dof, column, weight] : shares)
+          follows(dof, column) += weight;
         *matrix = transformed(*matrix, follows);
       }
       *matrix *= meshed_angle;
@@ -321,6 +337,11 @@ namespace ringmotor
   SectorMotion RevolvedSection::expand(const int order, const double *const unknowns) const
   {
     const SectorNodes &nodes = sector.nodes();
+    Vector<double> in_section(sector.n_dofs());
+    for (Dof dof = 0; dof < row.size(); ++dof)
+      if (row[dof] != none)
+        in_section[dof] = unknowns[row[dof]];
+    sector.dependent().distribute(in_section);
     std::array<Vector<double>, 2> fields{
         {Vector<double>(sector.n_dofs()), Vector<double>(sector.n_dofs())}};
     for (unsigned int node = 0; node < source.size(); ++node)
@@ -332,16 +353,16 @@ namespace ringmotor
                                               Tensor<1, 3>({-std::sin(angle), std::cos(angle), 0.}),
                                               Tensor<1, 3>({0., 0., 1.})}};
       for (unsigned int c = 0; c < 3; ++c)
-        if (const Dof dof = nodes.dof(source[node], c); row[dof] != none)
-        {
-          const bool turned = nodes.turned_by_mirror(dof);
-          const std::array<double, 2> parts{
-              {turned ? sine : cosine, turned ? cosine : -sine}}; // of i^turned exp(-i n theta)
-          for (unsigned int d = 0; d < 3; ++d)
-            for (const unsigned int part : {0u, 1u})
-              fields[part][nodes.dof(node, d)] += unknowns[row[dof]] * parts[part] *
-                                                  (nodes.direction(nodes.dof(node, d)) * axes[c]);
-        }
+      {
+        const Dof dof     = nodes.dof(source[node], c);
+        const bool turned = nodes.turned_by_mirror(dof);
+        const std::array<double, 2> parts{
+            {turned ? sine : cosine, turned ? cosine : -sine}}; // of i^turned exp(-i n theta)
+        for (unsigned int d = 0; d < 3; ++d)
+          for (const unsigned int part : {0u, 1u})
+            fields[part][nodes.dof(node, d)] +=
+                in_section[dof] * parts[part] * (nodes.direction(nodes.dof(node, d)) * axes[c]);
+      }
     }
     return sector.to_motion(std::move(fields));
   }

@@ -52,10 +52,6 @@ namespace ringmotor
     RingCompliance(const unsigned int n_sectors, const dealii::FullMatrix<double> &basis,
                    const std::vector<std::vector<std::complex<double>>> &waves);
 
-    /** A ring given by all of its entries, by distance: rows are components of moved nodes, columns
-     * those of loaded ones. */
-    explicit RingCompliance(std::vector<dealii::FullMatrix<double>> entries);
-
     /** Adds a compliance within each sector, three components for each node. */
     void add_within_sectors(const dealii::FullMatrix<double> &compliance);
 
@@ -102,10 +98,7 @@ namespace ringmotor
     bool is_small() const;
     /** Whether the table is applied as a whole, which is faster where a sector has no more unknowns
      * than far-reaching shapes. */
-    bool applies_table() const
-    {
-      return has_table() && (is_given_by_table || 2 * node_count <= basis.n());
-    }
+    bool applies_table() const { return has_table() && 2 * node_count <= basis.n(); }
 
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
@@ -114,6 +107,7 @@ namespace ringmotor
       archive &node_count &near &basis &kernel &has_table;
       if (Archive::is_loading::value)
       {
+        table.clear();
         forget_what_follows();
         if (has_table)
           tabulate();
@@ -133,7 +127,6 @@ namespace ringmotor
     dealii::FullMatrix<double> basis;               ///< a row for each component of a node
     std::vector<dealii::FullMatrix<double>> kernel; ///< by distance, transposed
     std::vector<dealii::FullMatrix<double>> table;  ///< by distance, of all entries; may be empty
-    bool is_given_by_table = false;
     // What follows from these is computed when it is needed first.
     mutable std::optional<CirculantProduct> product_by_transform;
     mutable std::optional<Far> of_far;

@@ -24,8 +24,8 @@ namespace ringmotor
    *
    *     U = (u_r, i u_theta, u_z) exp(-i n theta),
    *
-   * per radian of the body: u.K u is twice the strain energy of the real and of the imaginary part
-   * of U, with K = constant + n linear + n^2 quadratic in N/m, u.M u the same of the kinetic
+   * per radian of the body: u.K u is twice the strain energy of the real and the imaginary part of
+   * U together, with K = constant + n linear + n^2 quadratic in N/m, u.M u the same of the kinetic
    * energy at unit frequency, in kg m^2. Unknowns are u_r, u_theta, u_z of the nodes in a section
    * (semi-analytic finite elements; Wilson, AIAA Journal 3, 1965).
    */

@@ -84,7 +84,8 @@ namespace ringmotor
    * The vibrations of the rotor with two nodal diameters and more, on a separate mesh. With fewer
    * nodal diameters the rotor also moves as a whole: in a uniform ring its response to these is
    * static, and each other nodal diameter is excited at the frequencies of a few harmonics only.
-   * ResponseModes give its response there, with all modes. A rotor that moves as a whole, see
+   * Ritz vectors give its response there (RevolvedModes,
+   * ResponseModes). A rotor that moves as a whole, see
    * MotorModel, is excited at any frequency: it has the modes of all nodal diameters from two on up
    * to two thirds of the frequency of the highest harmonic, and in addition the inertia of its rise
    * and its near-rigid modes; its elastic deformation with fewer than two nodal diameters remains

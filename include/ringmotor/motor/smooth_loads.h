@@ -24,8 +24,8 @@ namespace ringmotor
                                                 const ContactSurface &surface, const unsigned int k,
                                                 const LoadDegrees &degrees);
 
-  /** Polynomials of this degree across the surface in all three directions, where it meets the half
-   * plane theta = 0: the loads by which waves of RevolvedModes are excited. */
+  /** Polynomials up to this degree across the surface in all three directions, where it meets the
+   * half plane theta = 0: the loads by which waves of RevolvedModes are excited. */
   std::vector<LinearForm> smooth_loads_in_section(const ContactSurface &surface,
                                                   const unsigned int degree);
 } // namespace ringmotor

@@ -5,6 +5,7 @@
 #include <ringmotor/structure/modes.h>
 
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace ringmotor
@@ -13,7 +14,7 @@ namespace ringmotor
   struct SymmetricMotions
   {
     std::size_t size;
-    unsigned int nodal_diameter; ///< named where the solution fails
+    std::string name; ///< of the symmetry, for messages where the solution fails
     /** Replaces loads, one or several one after the other, by the motions under them: with the
      * stiffness reduced by a shift (rad^2/s^2) times the mass. */
     std::function<void(const double, std::vector<double> &)> solve;
@@ -41,7 +42,7 @@ namespace ringmotor
    * @return at most as many as loads, at rest and at each frequency
    * @throws ComputationError if the solver fails, or finds resonance wherever it looks
    */
-  RitzVectors response_vectors(const SymmetricMotions &motions,
+  RitzVectors response_vectors(const SymmetricMotions &body,
                                const std::vector<std::vector<double>> &loads,
                                const std::vector<double> &frequencies);
 

@@ -10,8 +10,9 @@ namespace ringmotor
 {
   /**
    * The vibrations of a body of revolution by the nodal diameters k of its N sectors. Each is found
-   * by itself from waves of the orders k + j N for whole numbers j, which sectors see as the same:
-   * as many as the polynomials of the sector resolve.
+   * by itself from waves of the orders n = k + j N for whole numbers j, which sectors see as the
+   * same, up to |n| = p N / 2: between the nodes of the sector, polynomials of degree p cannot
+   * follow higher ones.
    */
   class RevolvedModes
   {
@@ -19,7 +20,8 @@ namespace ringmotor
     /** @p sector, which RevolvedSection describes, must outlive this object. */
     explicit RevolvedModes(const CyclicSector &sector);
 
-    /** The orders of nodal diameter @p k, the lowest first. */
+    /** The orders of nodal diameter @p k, the lowest first; without negative ones that are
+     * conjugate to others of the same nodal diameter. */
     std::vector<int> orders(const unsigned int k) const;
 
     /** See response_vectors(). @param loads in the half plane theta = 0, each of them as the wave
@@ -32,6 +34,10 @@ namespace ringmotor
     std::vector<Mode> below(const unsigned int k, const double shift);
 
   private:
+    /** Whether orders n and -n belong to this nodal diameter. */
+    bool has_conjugates(const unsigned int k) const;
+    bool is_conjugate(const unsigned int k, const int order) const;
+    /** With its conjugate, if that is of the same nodal diameter. */
     void add(const unsigned int k, const int order, const double eigenvalue, const double *unknowns,
              std::vector<Mode> &modes) const;
 

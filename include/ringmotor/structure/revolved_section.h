@@ -15,8 +15,8 @@ namespace ringmotor
    * The section of a body of revolution that moves in waves, U(r, z) exp(-i n theta) in cylindrical
    * components: waves of different orders n do not act on each other, so that each is a problem in
    * the half plane theta = 0, see WaveMatrices. Unknowns are those of the nodes there, the mirror
-   * plane of a half sector, in N, m, kg of that half sector. For a mesh with one layer of cells
-   * around.
+   * plane of a half sector; forces and masses are those of the half sector. For a mesh with one
+   * layer of cells around.
    */
   class RevolvedSection
   {
@@ -63,12 +63,14 @@ namespace ringmotor
     void add_solids();
     void add_shells();
     void add_foundations();
-    /** Adds matrices per radian, without what depends on others. */
+    /** Adds matrices per radian, with those degrees of freedom that depend on others condensed to
+     * what they follow. */
     void add(const std::vector<Dof> &dofs, WaveMatrices matrices);
-    /** Finds the nodes in the half plane that those of a cell repeat. */
+    void find_sources();
+    /** Those of the nodes of a cell. */
     template <int dim>
-    void follow(const dealii::FiniteElement<dim, 3> &fe, const unsigned int face,
-                const std::vector<Dof> &dofs);
+    void find_sources(const dealii::FiniteElement<dim, 3> &fe, const unsigned int face,
+                      const std::vector<Dof> &dofs);
     /** The unknowns that a degree of freedom follows, with weights. */
     std::vector<std::pair<unsigned int, double>> rows_of(const Dof dof) const;
 

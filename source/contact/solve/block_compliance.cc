@@ -19,11 +19,10 @@ namespace ringmotor
     AssertDimension(of_modes.n_sectors(), n_blocks());
     if (!at_once.has_table() || !of_modes.is_small())
       return;
-    std::vector<FullMatrix<double>> entries           = of_modes.all_entries();
+    whole                                             = of_modes.all_entries();
     const std::vector<FullMatrix<double>> same_sample = at_once.all_entries();
     for (unsigned int tooth = 0; tooth < same_sample.size(); ++tooth)
-      entries[instants_between(tooth, 0)].add(1., same_sample[tooth]);
-    whole.emplace(std::move(entries));
+      whole[instants_between(tooth, 0)].add(1., same_sample[tooth]);
   }
 
   const RingCompliance::Far &BlockCompliance::far() const
@@ -46,14 +45,21 @@ namespace ringmotor
   void BlockCompliance::add_motions(const std::vector<PointVector> &force,
                                     std::vector<PointVector> &motion) const
   {
-    const bool at_once_by_itself = !whole || !at_once.applies_table();
+    const bool at_once_by_itself = whole.empty() || !at_once.applies_table();
     if (at_once_by_itself)
       add_motions_at_once(force, motion);
     if (instant.empty())
       return;
     const std::vector<PointVector> forces = by_instant(force);
     std::vector<PointVector> moved(motion.size());
-    (at_once_by_itself ? of_modes : *whole).add_motions(&forces[0][0], &moved[0][0]);
+    if (at_once_by_itself)
+      of_modes.add_motions(&forces[0][0], &moved[0][0]);
+    else
+    {
+      if (!product_with_whole)
+        product_with_whole.emplace(transposed_of(whole));
+      product_with_whole->add(&forces[0][0], &moved[0][0], 1);
+    }
     moved = by_point(moved);
     for (std::size_t point = 0; point < motion.size(); ++point)
       motion[point] += moved[point];
@@ -71,10 +77,10 @@ namespace ringmotor
                                     const unsigned int first, FullMatrix<double> &matrix,
                                     const unsigned int row, const unsigned int column) const
   {
-    if (whole)
+    if (!whole.empty())
     {
-      whole->add_entries(instants_between(moved, loaded), rows, columns, factor, first, matrix, row,
-                         column);
+      add_selected(whole[instants_between(moved, loaded)], rows, columns, factor, first, matrix,
+                   row, column);
       return;
     }
     if (sample(moved) == sample(loaded))

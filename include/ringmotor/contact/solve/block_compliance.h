@@ -77,6 +77,9 @@ namespace ringmotor
     RingCompliance of_modes;
     const std::vector<unsigned int> instant; ///< of each block; empty without modes
     mutable std::optional<RingCompliance::Far> far_with_modes; ///< computed when it is needed first
-    std::optional<RingCompliance> whole; ///< their sum by instants, if its entries are not too many
+    /** Entries of the sum of both by instants, and the product with them; if both have a small
+     * table. */
+    std::vector<dealii::FullMatrix<double>> whole;
+    mutable std::optional<CirculantProduct> product_with_whole; ///< made when it is needed first
   };
 } // namespace ringmotor
