@@ -310,6 +310,8 @@ namespace ringmotor
 
   std::vector<FullMatrix<double>> RingCompliance::all_entries() const
   {
+    if (has_table())
+      return table;
     std::vector<FullMatrix<double>> all;
     for (unsigned int distance = 0; distance < n_sectors(); ++distance)
       all.push_back(entries_at(*this, distance));

@@ -116,9 +116,10 @@ namespace ringmotor
     for (const unsigned int harmonic : harmonics)
       frequencies.push_back(harmonic * frequency);
     return without_fast_vectors(
-        revolved
-            ? revolved->responses(k, smooth_loads_in_section(body.lip, 1), frequencies)
-            : responses->at(k, smooth_loads(body.sector, body.lip, k, {1, 4, true}), frequencies),
+        revolved ? revolved->responses(k, smooth_loads_in_section(body.lip, 1), frequencies)
+                 : responses->at(
+                       k, smooth_loads(body.sector, body.lip, k, {1, 4, /*vanish_at_cut =*/true}),
+                       frequencies),
         std::max(harmonics.back(), least_harmonic) * frequency);
   }
 

@@ -3,6 +3,7 @@
 #include <ringmotor/algebra/no_index.h>
 #include <ringmotor/mesh/ids.h>
 #include <ringmotor/mesh/places.h>
+#include <ringmotor/structure/independent_dofs.h>
 #include <ringmotor/structure/revolved_section.h>
 
 #include <deal.II/base/mpi.h>
@@ -95,14 +96,13 @@ namespace ringmotor
       return {{&matrices.constant, &matrices.linear, &matrices.quadratic, &matrices.mass}};
     }
 
-    /** follows^T matrix follows. */
-    FullMatrix<double> transformed(const FullMatrix<double> &matrix,
-                                   const FullMatrix<double> &follows)
+    std::vector<SectorNodes::Dof> at(const std::vector<unsigned int> &places,
+                                     const std::vector<SectorNodes::Dof> &dofs)
     {
-      FullMatrix<double> times(matrix.m(), follows.n()), result(follows.n(), follows.n());
-      matrix.mmult(times, follows);
-      follows.Tmmult(result, times);
-      return result;
+      std::vector<SectorNodes::Dof> chosen;
+      for (const unsigned int place : places)
+        chosen.push_back(dofs[place]);
+      return chosen;
     }
   } // namespace
 
@@ -171,12 +171,9 @@ namespace ringmotor
     SemiAnalyticSolid solid(sector.geometry(), sector.dofs().get_fe());
     for (const auto &cell : sector.dofs().active_cell_iterators())
     {
-      const unsigned int face     = face_on_mirror(cell);
-      const std::vector<Dof> dofs = sector.dofs_of(cell);
-      std::vector<Dof> on_face;
-      for (const unsigned int i : solid.local_dofs(face))
-        on_face.push_back(dofs[i]);
-      add(on_face, solid.matrices(cell, face, sector.material_table().at(cell->material_id())));
+      const unsigned int face = face_on_mirror(cell);
+      add(at(solid.local_dofs(face), sector.dofs_of(cell)),
+          solid.matrices(cell, face, sector.material_table().at(cell->material_id())));
     }
   }
 
@@ -185,12 +182,8 @@ namespace ringmotor
     SemiAnalyticShell shell(sector.shell_geometry(), sector.shell_dofs().get_fe());
     for (const auto &cell : sector.shell_dofs().active_cell_iterators())
     {
-      const unsigned int edge     = face_on_mirror(cell);
-      const std::vector<Dof> dofs = sector.dofs_of(cell);
-      std::vector<Dof> on_edge;
-      for (const unsigned int i : shell.local_dofs(edge))
-        on_edge.push_back(dofs[i]);
-      add(on_edge,
+      const unsigned int edge = face_on_mirror(cell);
+      add(at(shell.local_dofs(edge), sector.dofs_of(cell)),
           shell.matrices(cell, edge, sector.material_table().at(cell->material_id()),
                          sector.sector_mesh().sections.at(cell->material_id()), meshed_angle));
     }
@@ -206,14 +199,11 @@ namespace ringmotor
     sector.for_each_owned_foundation(
         [&](const auto &cell, const types::boundary_id, FoundationElement &element)
         {
-          const std::vector<Dof> dofs = sector.dofs_of(cell);
-          std::vector<Dof> on_face;
+          const std::vector<Dof> dofs    = sector.dofs_of(cell),
+                                 on_face = at(solid.local_dofs(face_on_mirror(cell)), dofs);
           std::map<Dof, unsigned int> place;
-          for (const unsigned int i : solid.local_dofs(face_on_mirror(cell)))
-          {
-            place.emplace(dofs[i], on_face.size());
-            on_face.push_back(dofs[i]);
-          }
+          for (const Dof dof : on_face)
+            place.emplace(dof, place.size());
           FullMatrix<double> stiffness(dofs.size(), dofs.size()),
               follows(dofs.size(), on_face.size());
           element.matrix(stiffness);
@@ -235,55 +225,26 @@ namespace ringmotor
         });
   }
 
-  std::vector<std::pair<unsigned int, double>> RevolvedSection::rows_of(const Dof dof) const
+  unsigned int RevolvedSection::row_of(const Dof dof) const
   {
-    if (row[dof] != none)
-      return {{row[dof], 1.}};
-    std::vector<std::pair<unsigned int, double>> rows;
-    if (const auto *const masters = sector.dependent().get_constraint_entries(dof))
-      for (const auto &[master, weight] : *masters)
-      {
-        AssertThrow(row[master] != none, ExcMessage("A node follows one at another angle."));
-        rows.emplace_back(row[master], weight);
-      }
-    return rows;
+    AssertThrow(row[dof] != none, ExcMessage("A node follows one at another angle."));
+    return row[dof];
   }
 
   void RevolvedSection::add(const std::vector<Dof> &dofs, WaveMatrices matrices)
   {
-    Element element;
-    struct Share
-    {
-      unsigned int dof, column;
-      double weight;
-    };
-    std::map<unsigned int, unsigned int> place;
-    std::vector<Share> shares;
-    bool follows_others = false;
-    for (unsigned int i = 0; i < dofs.size(); ++i)
-    {
-      follows_others |= row[dofs[i]] == none;
-      for (const auto &[r, weight] : rows_of(dofs[i]))
-      {
-        if (place.emplace(r, element.rows.size()).second)
-          element.rows.push_back(r);
-        shares.push_back({i, place.at(r), weight});
-      }
-    }
+    const IndependentDofs independent(dofs, sector.dependent());
+    if (independent.dofs().empty())
+      return;
     for (FullMatrix<double> *matrix : all_of(matrices))
     {
-      if (follows_others)
-      {
-        FullMatrix<double> follows(dofs.size(), element.rows.size());
-        for (const auto &[dof, column, weight] : shares)
-          follows(dof, column) += weight;
-        *matrix = transformed(*matrix, follows);
-      }
+      independent.condense(*matrix);
       *matrix *= meshed_angle;
     }
-    element.matrices = std::move(matrices);
-    if (!element.rows.empty())
-      elements.push_back(std::move(element));
+    Element element{{}, std::move(matrices)};
+    for (const Dof dof : independent.dofs())
+      element.rows.push_back(row_of(dof));
+    elements.push_back(std::move(element));
   }
 
   void RevolvedSection::factorise(const int order, const double shift)
@@ -329,8 +290,14 @@ namespace ringmotor
   {
     std::vector<double> loads(n_unknowns, 0.);
     for (const auto &[dof, force] : load)
-      for (const auto &[r, weight] : rows_of(dof))
-        loads[r] += weight * force;
+    {
+      const auto *const masters = sector.dependent().get_constraint_entries(dof);
+      if (!masters)
+        loads[row_of(dof)] += force;
+      else
+        for (const auto &[master, weight] : *masters)
+          loads[row_of(master)] += weight * force;
+    }
     return loads;
   }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/algebra/dense_product.h>
+#include <ringmotor/structure/independent_dofs.h>
 #include <ringmotor/structure/sector_stiffness.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <map>
 
 namespace ringmotor
 {
@@ -196,51 +196,12 @@ namespace ringmotor
                             FullMatrix<double> &matrix)
   {
     all.nodes().rotate_to_axes(dofs, matrix);
-    remove_dependent(dofs, matrix);
+    const IndependentDofs independent(dofs, all.dependent());
+    independent.condense(matrix);
+    dofs = independent.dofs();
     if (!dofs.empty()) // not clamped all around
       own.push_back(n_inner > 0 ? eliminate(dofs, n_inner, matrix)
                                 : Element{dofs, lower_triangle(&matrix(0, 0), dofs.size())});
-  }
-
-  void SectorStiffness::remove_dependent(std::vector<Dof> &dofs, FullMatrix<double> &matrix) const
-  {
-    const AffineConstraints<double> &dependent = all.dependent();
-    if (std::none_of(dofs.begin(), dofs.end(),
-                     [&](const Dof dof) { return dependent.is_constrained(dof); }))
-      return;
-    // Masters first, so that inner degrees of freedom stay the last ones.
-    std::map<Dof, unsigned int> place;
-    std::vector<Dof> independent;
-    const auto place_of = [&](const Dof dof)
-    {
-      const auto [found, is_new] = place.emplace(dof, independent.size());
-      if (is_new)
-        independent.push_back(dof);
-      return found->second;
-    };
-    for (const Dof dof : dofs)
-      if (dependent.is_constrained(dof))
-        for (const auto &entry : *dependent.get_constraint_entries(dof))
-          place_of(entry.first);
-    for (const Dof dof : dofs)
-      if (!dependent.is_constrained(dof))
-        place_of(dof);
-
-    FullMatrix<double> follows(dofs.size(), independent.size()),
-        times(dofs.size(), independent.size()), result(independent.size(), independent.size());
-    for (unsigned int i = 0; i < dofs.size(); ++i)
-      if (!dependent.is_constrained(dofs[i]))
-        follows(i, place.at(dofs[i])) = 1.;
-      else
-        for (const auto &[master, weight] : *dependent.get_constraint_entries(dofs[i]))
-          follows(i, place.at(master)) += weight;
-    if (!independent.empty())
-    {
-      matrix.mmult(times, follows);
-      follows.Tmmult(result, times);
-    }
-    dofs   = independent;
-    matrix = result;
   }
 
   SectorStiffness::Element SectorStiffness::eliminate(const std::vector<Dof> &dofs,

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <ringmotor/elements/sum_of_squares.h>
 #include <ringmotor/mesh/sections.h>
 #include <ringmotor/parameters/materials.h>
 
-#include <deal.II/base/quadrature.h>
 #include <deal.II/base/tensor.h>
 #include <deal.II/fe/fe.h>
 #include <deal.II/fe/fe_values.h>

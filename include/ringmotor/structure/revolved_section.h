@@ -6,7 +6,6 @@
 #include <ringmotor/structure/cyclic_sector.h>
 #include <ringmotor/structure/sector_factors.h>
 
-#include <utility>
 #include <vector>
 
 namespace ringmotor
@@ -29,8 +28,6 @@ namespace ringmotor
     explicit RevolvedSection(const SectorElements &sector);
 
     unsigned int size() const { return n_unknowns; }
-    /** rad, of the part of the sector that is meshed. */
-    double angle() const { return meshed_angle; }
 
     /** Factorises K(n) - shift M, shift in rad^2/s^2. @throws ComputationError if it is singular */
     void factorise(const int order, const double shift);
@@ -71,11 +68,11 @@ namespace ringmotor
     template <int dim>
     void find_sources(const dealii::FiniteElement<dim, 3> &fe, const unsigned int face,
                       const std::vector<Dof> &dofs);
-    /** The unknowns that a degree of freedom follows, with weights. */
-    std::vector<std::pair<unsigned int, double>> rows_of(const Dof dof) const;
+    /** Of a degree of freedom in the half plane that depends on no others. */
+    unsigned int row_of(const Dof dof) const;
 
     const SectorElements &sector;
-    const double meshed_angle;
+    const double meshed_angle;           ///< rad, of the part of the sector that is meshed
     const std::vector<unsigned int> row; ///< by degree of freedom; none if elsewhere or dependent
     const unsigned int n_unknowns;
     std::vector<unsigned int> source; ///< by node: that at the same place in the half plane

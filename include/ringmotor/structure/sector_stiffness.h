@@ -79,8 +79,6 @@ namespace ringmotor
     /** The share of a cell with a potential. */
     void add_piezoelectric(const SectorElements::Cell &cell, SolidElement &element,
                            const double shift);
-    /** Turns a matrix into that of the degrees of freedom that do not depend on others. */
-    void remove_dependent(std::vector<Dof> &dofs, dealii::FullMatrix<double> &matrix) const;
     /** What remains of an element when its last @p n_inner degrees of freedom are eliminated. */
     Element eliminate(const std::vector<Dof> &dofs, const unsigned int n_inner,
                       const dealii::FullMatrix<double> &matrix);
