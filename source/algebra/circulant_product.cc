@@ -96,17 +96,6 @@ namespace ringmotor
     return sectors;
   }
 
-  std::vector<FullMatrix<double>> transposed_of(const std::vector<FullMatrix<double>> &matrices)
-  {
-    std::vector<FullMatrix<double>> result;
-    for (const FullMatrix<double> &matrix : matrices)
-    {
-      result.emplace_back(matrix.n(), matrix.m());
-      result.back().copy_transposed(matrix);
-    }
-    return result;
-  }
-
   CirculantProduct::CirculantProduct(const std::vector<FullMatrix<double>> &kernel)
       : width(kernel.empty() ? 0 : kernel.front().m()), n_sectors(kernel.size())
   {

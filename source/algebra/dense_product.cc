@@ -4,6 +4,8 @@
 
 namespace ringmotor
 {
+  using dealii::FullMatrix;
+
   void add_product(const double factor, const Transposed transposed, const std::vector<double> &a,
                    const std::size_t n_inner, const std::vector<double> &b,
                    std::vector<double> &result)
@@ -24,5 +26,30 @@ namespace ringmotor
       for (std::size_t column = 0; column < static_cast<std::size_t>(columns); ++column)
         dgemv_(op, &a_rows, &a_columns, &factor, a.data(), &a_rows, b.data() + column * inner,
                &step, &one, result.data() + column * rows, &step);
+  }
+
+  FullMatrix<double> product(const FullMatrix<double> &a, const FullMatrix<double> &b,
+                             const Transposed transposed_a)
+  {
+    const bool is_transposed = transposed_a == Transposed::yes;
+    FullMatrix<double> result(is_transposed ? a.n() : a.m(), b.n());
+    if (!a.empty() && !b.empty())
+      is_transposed ? a.Tmmult(result, b) : a.mmult(result, b);
+    return result;
+  }
+
+  FullMatrix<double> transposed(const FullMatrix<double> &matrix)
+  {
+    FullMatrix<double> result(matrix.n(), matrix.m());
+    result.copy_transposed(matrix);
+    return result;
+  }
+
+  std::vector<FullMatrix<double>> transposed(const std::vector<FullMatrix<double>> &matrices)
+  {
+    std::vector<FullMatrix<double>> result;
+    for (const FullMatrix<double> &matrix : matrices)
+      result.push_back(transposed(matrix));
+    return result;
   }
 } // namespace ringmotor

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/algebra/blas.h>
+#include <ringmotor/algebra/dense_product.h>
 #include <ringmotor/algebra/rank_factors.h>
 #include <ringmotor/contact/ring_compliance.h>
 
@@ -15,56 +16,6 @@ namespace ringmotor
 
   namespace
   {
-    /** The weights of the surface's motions in those of the contact points, from the lower sector,
-     * the same one, and the higher one. */
-    class Shares
-    {
-    public:
-      explicit Shares(const MortarCoupling &coupling) : coupling(coupling) {}
-
-      bool has(const int sector) const
-      {
-        for (const MortarCoupling::Node &node : coupling.nodes)
-          for (const MortarCoupling::Weight &weight : node.weights)
-            if (weight.sector == sector)
-              return true;
-        return false;
-      }
-
-      /** Rows of contact points from rows of the surface's nodes. */
-      FullMatrix<double> of(const int sector, const FullMatrix<double> &surface) const
-      {
-        FullMatrix<double> result(3 * coupling.nodes.size(), surface.n());
-        for (unsigned int a = 0; a < coupling.nodes.size(); ++a)
-          for (const MortarCoupling::Weight &weight : coupling.nodes[a].weights)
-            if (weight.sector == sector)
-              for (unsigned int c = 0; c < 3; ++c)
-                for (unsigned int j = 0; j < surface.n(); ++j)
-                  result(3 * a + c, j) += weight.weight * surface(3 * weight.rotor_node + c, j);
-        return result;
-      }
-
-    private:
-      const MortarCoupling &coupling;
-    };
-
-    FullMatrix<double> transposed(const FullMatrix<double> &matrix)
-    {
-      FullMatrix<double> result(matrix.n(), matrix.m());
-      result.copy_transposed(matrix);
-      return result;
-    }
-
-    /** a b, or a^T b; zero if the inner dimension is zero. */
-    FullMatrix<double> product(const FullMatrix<double> &a, const FullMatrix<double> &b,
-                               const bool transposed_a = false)
-    {
-      FullMatrix<double> result(transposed_a ? a.n() : a.m(), b.n());
-      if (!a.empty() && !b.empty())
-        transposed_a ? a.Tmmult(result, b) : a.mmult(result, b);
-      return result;
-    }
-
     /** The motions of all nodes due to unit forces on all nodes of a sector @p distance lower. */
     FullMatrix<double> entries_at(const RingCompliance &ring, const unsigned int distance)
     {
@@ -74,115 +25,7 @@ namespace ringmotor
       ring.add_entries(distance, nodes, nodes, 1., 0, entries, 0, 0);
       return entries;
     }
-
-    /** The compliance between the shapes of a ring's sectors. */
-    class ShapesOfRing
-    {
-    public:
-      ShapesOfRing(const unsigned int n_sectors, const SurfaceCompliance &body,
-                   const std::function<FullMatrix<double>(unsigned int)> &through_cut)
-          : n_sectors(n_sectors), n(body.shapes.n()), n_real(body.n_real_shapes)
-      {
-        for (unsigned int k = 0; n > 0 && 2 * k <= n_sectors; ++k)
-          waves.push_back(through_cut(k));
-      }
-
-      /** A force's own sector and its neighbours. */
-      bool is_near(const unsigned int distance) const
-      {
-        return distance <= 1 || distance + 1 == n_sectors;
-      }
-
-      /** Due to forces @p distance sectors away. */
-      FullMatrix<double> at(const unsigned int distance) const
-      {
-        FullMatrix<double> kernel(n, n);
-        for (unsigned int k = 0; k < waves.size(); ++k)
-        {
-          // Waves k and N - k are conjugate to each other.
-          const double weight = (k == 0 || 2 * k == n_sectors ? 1. : 2.) / n_sectors;
-          const double angle  = 2. * numbers::PI / n_sectors * (k * distance % n_sectors);
-          const double c = weight * std::cos(angle), s = weight * std::sin(angle);
-          for (unsigned int i = 0; i < n; ++i)
-          {
-            const double by_real = i < n_real ? c : s, by_imaginary = i < n_real ? -s : c;
-            for (unsigned int j = 0; j < n_real; ++j)
-              kernel(i, j) += by_real * waves[k](i, j);
-            for (unsigned int j = n_real; j < n; ++j)
-              kernel(i, j) += by_imaginary * waves[k](i, j);
-          }
-        }
-        return kernel;
-      }
-
-      /** The combinations of shapes, by columns, through which sectors that are not near are
-       * coupled. The nearest of them are coupled most. */
-      FullMatrix<double> far_reaching() const
-      {
-        constexpr double rounding = 1e-14;
-        std::vector<unsigned int> distances;
-        for (const unsigned int d : {2u, 3u, 5u, n_sectors / 4, n_sectors / 2})
-          for (const unsigned int distance : {d, n_sectors - d})
-            if (d < n_sectors && !is_near(distance))
-              distances.push_back(distance);
-        FullMatrix<double> seen(n, n * distances.size());
-        for (unsigned int i = 0; i < distances.size() && n > 0; ++i)
-          seen.fill(at(distances[i]), 0, i * n);
-        return RankFactors(seen, rounding).columns;
-      }
-
-    private:
-      const unsigned int n_sectors, n, n_real;
-      std::vector<FullMatrix<double>> waves;
-    };
   } // namespace
-
-  RingCompliance::RingCompliance(const unsigned int n_sectors, const SurfaceCompliance &body,
-                                 const MortarCoupling &coupling,
-                                 const std::function<FullMatrix<double>(unsigned int)> &through_cut)
-      : node_count(coupling.nodes.size()), near(n_sectors)
-  {
-    const Shares shares(coupling);
-    std::vector<int> seen; // sectors to whose surface the contact points of one sector are coupled
-    for (const int sector : {-1, 0, 1})
-      if (shares.has(sector))
-        seen.push_back(sector);
-    const ShapesOfRing shapes(n_sectors, body, through_cut);
-    const FullMatrix<double> far = shapes.far_reaching();
-    const unsigned int n_far     = far.n();
-    basis.reinit(3 * node_count, seen.size() * n_far);
-    kernel.assign(n_sectors, FullMatrix<double>(basis.n(), basis.n()));
-    for (unsigned int a = 0; a < seen.size() && n_far > 0; ++a)
-      basis.fill(product(shares.of(seen[a], body.shapes), far), 0, a * n_far);
-
-    // A point of sector d, coupled to sector d + a, is moved by one of sector 0, coupled to b.
-    const bool has_shapes = body.shapes.n() > 0;
-    for (unsigned int distance = 0; distance < (has_shapes ? n_sectors : 1); ++distance)
-    {
-      const FullMatrix<double> of_shapes = shapes.at(distance);
-      const FullMatrix<double> of_far    = product(far, product(of_shapes, far), true);
-      for (unsigned int a = 0; a < seen.size(); ++a)
-        for (unsigned int b = 0; b < seen.size(); ++b)
-        {
-          const unsigned int d = (distance + n_sectors - seen[a] + seen[b]) % n_sectors;
-          if (!shapes.is_near(distance))
-          {
-            if (n_far > 0)
-              kernel[d].fill(transposed(of_far), b * n_far, a * n_far);
-            continue;
-          }
-          FullMatrix<double> by_surface(body.at_rest.m(), 3 * node_count);
-          if (has_shapes)
-            by_surface = product(body.shapes,
-                                 transposed(product(shares.of(seen[a], body.shapes), of_shapes)));
-          if (distance == 0)
-            by_surface.add(1., transposed(shares.of(seen[a], body.at_rest)));
-          if (near[d].empty())
-            near[d].reinit(3 * node_count, 3 * node_count);
-          near[d].add(1., shares.of(seen[b], by_surface));
-        }
-    }
-  }
 
   RingCompliance::RingCompliance(const unsigned int n_sectors, const FullMatrix<double> &basis,
                                  const std::vector<std::vector<std::complex<double>>> &waves)
@@ -197,6 +40,41 @@ namespace ringmotor
     near[0].Tadd(1., compliance);
     Assert(table.empty(), ExcMessage("the table is made last"));
     forget_what_follows();
+  }
+
+  std::vector<std::complex<double>> RingCompliance::of_wave(const unsigned int m) const
+  {
+    const unsigned int width = 3 * node_count;
+    FullMatrix<double> real(width, width), imaginary(width, width),
+        real_kernel(basis.n(), basis.n()), imaginary_kernel(basis.n(), basis.n());
+    for (unsigned int d = 0; d < n_sectors(); ++d)
+    {
+      const double angle =
+          -2. * numbers::PI * (static_cast<std::size_t>(m) * d % n_sectors()) / n_sectors();
+      const double c = std::cos(angle), s = std::sin(angle);
+      if (!near[d].empty())
+      {
+        real.add(c, near[d]);
+        imaginary.add(s, near[d]);
+      }
+      if (basis.n() > 0)
+      {
+        real_kernel.add(c, kernel[d]);
+        imaginary_kernel.add(s, kernel[d]);
+      }
+    }
+    if (basis.n() > 0)
+    {
+      const FullMatrix<double> by_columns = transposed(basis);
+      real.add(1., product(basis, product(real_kernel, by_columns)));
+      imaginary.add(1., product(basis, product(imaginary_kernel, by_columns)));
+    }
+    // What is stored is transposed.
+    std::vector<std::complex<double>> wave;
+    for (unsigned int column = 0; column < width; ++column)
+      for (unsigned int row = 0; row < width; ++row)
+        wave.emplace_back(real(column, row), imaginary(column, row));
+    return wave;
   }
 
   void RingCompliance::add_motions(const double *forces, double *motions,
@@ -350,7 +228,7 @@ namespace ringmotor
   const CirculantProduct &RingCompliance::ring_product() const
   {
     if (!product_by_transform)
-      product_by_transform.emplace(applies_table() ? transposed_of(table) : kernel);
+      product_by_transform.emplace(applies_table() ? transposed(table) : kernel);
     return *product_by_transform;
   }
 
@@ -382,10 +260,10 @@ namespace ringmotor
 
   std::vector<FullMatrix<double>> RingCompliance::between(const FullMatrix<double> &shapes) const
   {
-    const FullMatrix<double> of_shapes = product(basis, shapes, true);
+    const FullMatrix<double> of_shapes = product(basis, shapes, Transposed::yes);
     // The matrices of this ring are transposed.
     const auto of = [](const FullMatrix<double> &matrix, const FullMatrix<double> &of_both)
-    { return product(product(matrix, of_both), of_both, true); };
+    { return product(product(matrix, of_both), of_both, Transposed::yes); };
     std::vector<FullMatrix<double>> motions;
     for (unsigned int d = 0; d < n_sectors(); ++d)
     {

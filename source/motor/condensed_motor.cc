@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <ringmotor/motor/condensed_bodies.h>
 #include <ringmotor/motor/condensed_motor.h>
+#include <ringmotor/motor/contained_modes.h>
 #include <ringmotor/motor/motor_model.h>
 #include <ringmotor/motor/relevant.h>
 #include <ringmotor/motor/stator_modes.h>
@@ -152,7 +153,7 @@ namespace ringmotor
 
   namespace
   {
-    /** Adds the modes of its bodies to a motor. */
+    /** Adds the modes of its bodies to a motor, whose static compliance must be known. */
     void add_modes(CondensedMotor &motor, const SectorSurface &tooth_top,
                    const MortarCoupling &mortar, const ContactDiscretisation &discretisation,
                    const Parameters &parameters, const MotorModel &model,
@@ -183,12 +184,15 @@ namespace ringmotor
       motor.dynamics = {model.rotor_loss_factor > 0. ? vibration.rotor.loss_factor() : 0.,
                         InertiaScheme::second_order(parameters.time.spectral_radius),
                         model.rotor_needs_modes() && !model.rotor_vibrates};
+      const auto contained_at = [&](const VibrationSetting &setting)
+      { return contained_modes(modes_at(setting), motor.compliance, motor.dynamics); };
       motor.modes_level = modes_level;
-      motor.modes       = modes_at(vibration.rotor.setting(modes_level));
+      motor.modes       = contained_at(vibration.rotor.setting(modes_level));
       if (sets == ModeSets::own)
         return;
-      motor.coarse_modes             = modes_at(vibration.rotor.on_coarser_mesh(modes_level));
-      motor.modes_of_other_harmonics = modes_at(vibration.rotor.of_other_harmonics(modes_level));
+      motor.coarse_modes = contained_at(vibration.rotor.on_coarser_mesh(modes_level));
+      motor.modes_of_other_harmonics =
+          contained_at(vibration.rotor.of_other_harmonics(modes_level));
     }
   } // namespace
 
@@ -225,7 +229,7 @@ namespace ringmotor
       add_modes(motor, tooth.surface, rotor.mortar, discretisation, parameters, model,
                 modes_level.value_or(RotorVibration::usual_level),
                 vibration ? *vibration : MotorVibration(parameters, wave), sets);
-    motor.gap = rest_gap(parameters, motor);
+    motor.gap       = rest_gap(parameters, motor);
     return motor;
   }
 

@@ -313,6 +313,30 @@ TEST_P(RingOfSectors, MovesAsTheWholeRing)
   expect_same(motion_of(table.folded(2), repeated), expected);
 }
 
+TEST_P(RingOfSectors, HasTheComplianceOfItsWaves)
+{
+  const BlockSector body(GetParam());
+  const unsigned int n_nodes = body.surface.surface.nodes.size(), width = 3 * n_nodes;
+  const RingCompliance ring  = body.ring(same_nodes(n_nodes));
+  const auto force           = [](const unsigned int i)
+  { return std::complex<double>(std::sin(1. + 3. * i), std::cos(2. + 5. * i)); };
+  const auto phase = [](const unsigned int m, const unsigned int j)
+  { return std::polar(1., 2. * dealii::numbers::PI * m * j / n_sectors); };
+  for (unsigned int m = 0; 2 * m <= n_sectors; ++m)
+  {
+    const std::vector<std::complex<double>> of_wave = ring.of_wave(m);
+    ByComponent forces(n_sectors, std::vector<double>(width)), expected = forces;
+    for (unsigned int j = 0; j < n_sectors; ++j)
+      for (unsigned int i = 0; i < width; ++i)
+      {
+        forces[j][i] = (force(i) * phase(m, j)).real();
+        for (unsigned int f = 0; f < width; ++f)
+          expected[j][i] += (of_wave[f * width + i] * force(f) * phase(m, j)).real();
+      }
+    expect_same(motion_of(ring, forces), expected);
+  }
+}
+
 TEST_P(RingOfSectors, MovesTeethThatDoNotMatchItsMesh)
 {
   const BlockSector body(GetParam());

@@ -16,10 +16,6 @@ namespace ringmotor
   transposed_sectors_of(const std::vector<std::vector<std::complex<double>>> &waves,
                         const unsigned int n_sectors, const unsigned int width);
 
-  /** Each of some matrices transposed. */
-  std::vector<dealii::FullMatrix<double>>
-  transposed_of(const std::vector<dealii::FullMatrix<double>> &matrices);
-
   /**
    * Products with a block-circulant matrix: n sectors in a ring, and a block that depends only on
    * the distance of two sectors. The discrete Fourier transform over the sectors makes it block

@@ -55,6 +55,10 @@ namespace ringmotor
     /** Adds a compliance within each sector, three components for each node. */
     void add_within_sectors(const dealii::FullMatrix<double> &compliance);
 
+    /** C of a wave m = 0 .. n / 2 between all components of a sector's nodes, column by column:
+     * motions Re(C f exp(2 pi i m j / n)) of sector j by forces Re(f exp(2 pi i m j / n)). */
+    std::vector<std::complex<double>> of_wave(const unsigned int m) const;
+
     unsigned int n_sectors() const { return near.size(); }
     unsigned int n_nodes() const { return node_count; }
 

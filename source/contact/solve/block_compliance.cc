@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <ringmotor/algebra/dense_product.h>
 #include <ringmotor/contact/solve/block_compliance.h>
 
 namespace ringmotor
@@ -57,7 +58,7 @@ namespace ringmotor
     else
     {
       if (!product_with_whole)
-        product_with_whole.emplace(transposed_of(whole));
+        product_with_whole.emplace(transposed(whole));
       product_with_whole->add(&forces[0][0], &moved[0][0], 1);
     }
     moved = by_point(moved);

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <ringmotor/motor/ring_modes.h>
+
+namespace ringmotor
+{
+  /**
+   * The nearest modes to @p modes whose static motions the static compliance C of a ring contains:
+   * the residual compliance C - sum motion motion^H / omega^2, which has no mass, has no negative
+   * eigenvalue for any wave. With one, contact would be ill-posed: short pulses of force would gain
+   * energy. Modes from a finer mesh than that of C exceed it where forces on single nodes are
+   * rough; for smooth forces C is accurate. Frequencies do not change, nor modes that C does not
+   * contain or that respond as at rest. See contained_columns().
+   */
+  RingModes contained_modes(RingModes modes, const RingCompliance &compliance,
+                            const RingDynamics &dynamics);
+} // namespace ringmotor
