@@ -317,8 +317,8 @@ TEST_P(RingOfSectors, HasTheComplianceOfItsWaves)
 {
   const BlockSector body(GetParam());
   const unsigned int n_nodes = body.surface.surface.nodes.size(), width = 3 * n_nodes;
-  const RingCompliance ring  = body.ring(same_nodes(n_nodes));
-  const auto force           = [](const unsigned int i)
+  const RingCompliance ring = body.ring(same_nodes(n_nodes));
+  const auto force          = [](const unsigned int i)
   { return std::complex<double>(std::sin(1. + 3. * i), std::cos(2. + 5. * i)); };
   const auto phase = [](const unsigned int m, const unsigned int j)
   { return std::polar(1., 2. * dealii::numbers::PI * m * j / n_sectors); };
