@@ -86,7 +86,7 @@ class Kind:
 
 WITHOUT_INERTIA = Kind("error_bars", {}, ("0.03", "0.01"), {"Accuracy/Interface refinement": "3"}, 720, True)
 WITH_INERTIA = Kind("error_bars_inertia",
-                    {**{f"Effects/{name}": "on" for name in INERTIA}, "Accuracy/Time limit": "200"}, ("0.1", "0.03"),
+                    {**{f"Effects/{name}": "on" for name in INERTIA}, "Accuracy/Time limit": "100"}, ("0.1", "0.03"),
                     {"Accuracy/Interface refinement": "2", "Accuracy/Rotor modes": "2"}, 240, False)
 
 

@@ -37,9 +37,12 @@ namespace ringmotor
       auto next = motions.begin();
       for (RingMode &mode : modes)
         if (is_subtracted(mode, dynamics))
+        {
+          mode.of_body = mode.motion;
           for (std::array<Complex, 3> &motion : mode.motion)
             for (Complex &component : motion)
               component = std::conj(*next++) * mode.angular_frequency;
+        }
     }
   } // namespace
 
@@ -47,10 +50,15 @@ namespace ringmotor
                             const RingDynamics &dynamics)
   {
     for (unsigned int k = 0; k < modes.size(); ++k)
-      if (std::vector<Complex> motions = static_motions(modes[k], dynamics); !motions.empty())
-        set_static_motions(
-            contained_columns(3 * compliance.n_nodes(), compliance.of_wave(k), std::move(motions)),
-            dynamics, modes[k]);
+    {
+      const std::vector<Complex> motions = static_motions(modes[k], dynamics);
+      if (motions.empty())
+        continue;
+      const std::vector<Complex> contained =
+          contained_columns(3 * compliance.n_nodes(), compliance.of_wave(k), motions);
+      if (contained != motions)
+        set_static_motions(contained, dynamics, modes[k]);
+    }
     return modes;
   }
 } // namespace ringmotor

@@ -83,13 +83,14 @@ namespace ringmotor
     double relative_sign(const RingMode &found, const RingMode &known)
     {
       constexpr double tolerance = 1e-4;
+      const std::vector<std::array<Complex, 3>> &motion = known.motion_of_body();
       double product = 0., of_found = 0., of_known = 0.;
-      for (std::size_t a = 0; a < known.motion.size(); ++a)
+      for (std::size_t a = 0; a < motion.size(); ++a)
         for (unsigned int c = 0; c < 3; ++c)
         {
-          product += (std::conj(known.motion[a][c]) * found.motion[a][c]).real();
+          product += (std::conj(motion[a][c]) * found.motion[a][c]).real();
           of_found += std::norm(found.motion[a][c]);
-          of_known += std::norm(known.motion[a][c]);
+          of_known += std::norm(motion[a][c]);
         }
       if (!known.of_rotor() || std::abs(product) < (1. - tolerance) * std::max(of_found, of_known))
         return 0.;

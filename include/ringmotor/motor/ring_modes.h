@@ -47,14 +47,21 @@ namespace ringmotor
      * the energies of the mode. */
     double loss_factor = 0.;
 
+    /** #motion of the body alone, before contained_modes(); empty if it is the same. */
+    std::vector<std::array<std::complex<double>, 3>> of_body = {};
+
     bool of_rotor() const { return part == ModePart::rotor; }
+    const std::vector<std::array<std::complex<double>, 3>> &motion_of_body() const
+    {
+      return of_body.empty() ? motion : of_body;
+    }
     /** The share of its static motion that the static compliance of the motor contains. */
     double at_once() const { return part == ModePart::stator ? 0. : 1.; }
 
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
-      archive &angular_frequency &motion &part &response &loss_factor;
+      archive &angular_frequency &motion &part &response &loss_factor &of_body;
     }
   };
 
