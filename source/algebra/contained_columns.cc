@@ -11,8 +11,8 @@
 
 extern "C"
 {
-  void zpotrf_(const char *triangle, const int *n, std::complex<double> *a, const int *lda,
-               int *info);
+  void zpstrf_(const char *triangle, const int *n, std::complex<double> *a, const int *lda,
+               int *pivots, int *rank, const double *tolerance, double *work, int *info);
   void ztrtrs_(const char *triangle, const char *transpose, const char *diagonal, const int *n,
                const int *n_columns, const std::complex<double> *a, const int *lda,
                std::complex<double> *b, const int *ldb, int *info);
@@ -55,23 +55,40 @@ namespace ringmotor
       return pairs;
     }
 
-    /** L of A = L L^H in the lower triangle, zero above. */
-    std::vector<Complex> cholesky_factor(std::vector<Complex> a, const int n)
+    /** A = L L^H for a Hermitian matrix that may be singular. */
+    struct Factor
     {
-      constexpr double rounding = 1e-10; // of the largest diagonal entry
+      std::vector<int> pivots;    ///< rows by which L is lower triangular, from 0 on
+      std::vector<Complex> upper; ///< these rows of L, a square matrix
+      std::vector<Complex> l;     ///< all rows, and as many columns as the rank
+    };
+
+    Factor factor_of(std::vector<Complex> a, const int n)
+    {
+      constexpr double rounding = 1e-8; // of the largest diagonal entry
       double largest            = 0.;
       for (int i = 0; i < n; ++i)
         largest = std::max(largest, a[i * (n + 1)].real());
+      const double tolerance = rounding * largest;
+      std::vector<int> order(n);
+      std::vector<double> work(2 * n);
+      int rank = 0, info = 0;
+      zpstrf_("L", &n, a.data(), &n, order.data(), &rank, &tolerance, work.data(), &info);
+      Assert(info >= 0, dealii::ExcInternalError());
+      // What is left is not positive: zero up to rounding, or the matrix had negative eigenvalues.
+      Factor factor;
+      factor.upper.resize(static_cast<std::size_t>(rank) * rank);
+      factor.l.resize(static_cast<std::size_t>(rank) * n);
       for (int i = 0; i < n; ++i)
-        a[i * (n + 1)] += rounding * largest;
-      int info = 0;
-      zpotrf_("L", &n, a.data(), &n, &info);
-      if (info != 0)
-        throw ComputationError(
-            "a Hermitian matrix that must not have negative eigenvalues has some");
-      for (int column = 1; column < n; ++column)
-        std::fill_n(a.begin() + column * n, column, Complex());
-      return a;
+        for (int j = 0; j <= std::min(i, rank - 1); ++j)
+        {
+          factor.l[j * n + order[i] - 1] = a[j * n + i];
+          if (i < rank)
+            factor.upper[j * rank + i] = a[j * n + i];
+        }
+      for (int i = 0; i < rank; ++i)
+        factor.pivots.push_back(order[i] - 1);
+      return factor;
     }
 
     /** a b, a^H b or a b^H; matrices with these numbers of rows, "N" or "C" says which. */
@@ -95,17 +112,24 @@ namespace ringmotor
   {
     if (y.empty())
       return y;
-    const int n = n_rows, n_y = y.size() / n_rows;
-    const std::vector<Complex> l = cholesky_factor(std::move(a), n);
-    std::vector<Complex> z       = y; // L^-1 Y
-    int info                     = 0;
-    ztrtrs_("L", "N", "N", &n, &n_y, l.data(), &n, z.data(), &n, &info);
-    Assert(info == 0, dealii::ExcInternalError()); // a factor of Cholesky is regular
-    // Of the singular values above one the vectors on either side do, those on the smaller one.
+    const int n_all = n_rows, n_y = y.size() / n_rows;
+    const Factor factor = factor_of(std::move(a), n_all);
+    const int n         = factor.pivots.size();
+    if (n == 0)
+      return std::vector<Complex>(y.size());
+    std::vector<Complex> z; // Y = L Z in the rows of pivots
+    for (int column = 0; column < n_y; ++column)
+      for (const int row : factor.pivots)
+        z.push_back(y[static_cast<std::size_t>(column) * n_all + row]);
+    int info = 0;
+    ztrtrs_("L", "N", "N", &n, &n_y, factor.upper.data(), &n, z.data(), &n, &info);
+    Assert(info == 0, dealii::ExcInternalError());
+    // Z Z^H and Z^H Z have the same eigenvalues, the squares of the singular values: the smaller
+    // one is taken.
     const bool by_columns = n_y < n;
     const Pairs pairs     = by_columns ? eigenpairs_above(1., product("C", "N", n, z, n, z), n_y)
                                        : eigenpairs_above(1., product("N", "C", n, z, n, z), n);
-    if (pairs.values.empty())
+    if (pairs.values.empty() && n == n_all)
       return y;
     const int n_vectors = by_columns ? n_y : n;
     std::vector<Complex> scaled(pairs.vectors.begin(),
@@ -113,12 +137,15 @@ namespace ringmotor
     const std::vector<Complex> vectors = scaled;
     for (std::size_t i = 0; i < scaled.size(); ++i)
       scaled[i] *= 1. - 1. / std::sqrt(pairs.values[i / n_vectors]);
-    const std::vector<Complex> excess = // Y - Y'
-        by_columns ? product("N", "C", n, product("N", "N", n, y, n_y, vectors), n_y, scaled)
-                   : product("N", "N", n, product("N", "N", n, l, n, scaled), pairs.values.size(),
-                             product("C", "N", n, vectors, n, z));
-    for (std::size_t i = 0; i < y.size(); ++i)
-      y[i] -= excess[i];
-    return y;
+    if (!pairs.values.empty())
+    {
+      const std::vector<Complex> excess = // of Z
+          by_columns ? product("N", "C", n, product("N", "N", n, z, n_y, vectors), n_y, scaled)
+                     : product("N", "N", n, scaled, pairs.values.size(),
+                               product("C", "N", n, vectors, n, z));
+      for (std::size_t i = 0; i < z.size(); ++i)
+        z[i] -= excess[i];
+    }
+    return product("N", "N", n_all, factor.l, n, z);
   }
 } // namespace ringmotor

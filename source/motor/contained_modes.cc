@@ -38,7 +38,8 @@ namespace ringmotor
       for (RingMode &mode : modes)
         if (is_subtracted(mode, dynamics))
         {
-          mode.of_body = mode.motion;
+          if (mode.of_rotor()) // for pictures
+            mode.of_body = mode.motion;
           for (std::array<Complex, 3> &motion : mode.motion)
             for (Complex &component : motion)
               component = std::conj(*next++) * mode.angular_frequency;

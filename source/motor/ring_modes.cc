@@ -16,6 +16,7 @@ namespace ringmotor
   {
     RingMode interpolated = mode;
     interpolated.motion.assign(weights.size(), {});
+    interpolated.of_body.clear();
     for (std::size_t a = 0; a < weights.size(); ++a)
       for (const auto &[node, weight] : weights[a])
         for (unsigned int c = 0; c < 3; ++c)

@@ -60,8 +60,8 @@ namespace
     return motion;
   }
 
-  /** With modes of elements of the same degree, on a mesh of the lip that is no finer: nothing of
-   * them is lost. They are not yet contained_modes(), nor are there those for error bars. */
+  /** With modes of elements of the same degree, on a mesh of the lip that is no finer, before
+   * contained_modes(): nothing of them is lost. Without those for error bars. */
   CondensedMotor with_modes(const Parameters &parameters, const StatorWave &wave,
                             const ContactDiscretisation &discretisation)
   {
@@ -73,7 +73,7 @@ namespace
     };
     if (model.rotor_moves_as_whole)
     {
-      CondensedMotor motor = condense_motor(parameters, wave, discretisation, 1);
+      CondensedMotor motor = condense_motor(parameters, wave, discretisation, 1, nullptr, ModeSets::own);
       motor.modes          = modes();
       return motor;
     }
@@ -242,7 +242,8 @@ TEST(MotorBodies, VibrateCloseToTheirContactPointsWithFineModes)
 {
   // Modes are drawn as they are on their mesh, contact has those that its coarser one contains.
   Parameters parameters               = reference_motor();
-  parameters.effects["Rotor inertia"] = EffectChoice::on;
+  for (const std::string on : {"Rotor inertia", "Tooth inertia", "Tooth vibration"})
+    parameters.effects[on] = EffectChoice::on;
   const StatorWave wave               = stator_wave(parameters);
   constexpr unsigned int fine_modes   = 2;
   constexpr double nearly             = 0.01;

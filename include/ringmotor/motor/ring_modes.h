@@ -47,7 +47,8 @@ namespace ringmotor
      * the energies of the mode. */
     double loss_factor = 0.;
 
-    /** #motion of the body alone, before contained_modes(); empty if it is the same. */
+    /** Of modes of the rotor, #motion of the body alone, before contained_modes(); empty if it is
+     * the same. */
     std::vector<std::array<std::complex<double>, 3>> of_body = {};
 
     bool of_rotor() const { return part == ModePart::rotor; }
