@@ -42,8 +42,8 @@ namespace
   };
 
   /** Entries up to @p size in each part. */
-  Matrix random_matrix(std::mt19937 &random, const unsigned int n_rows, const unsigned int n_columns,
-                       const double size)
+  Matrix random_matrix(std::mt19937 &random, const unsigned int n_rows,
+                       const unsigned int n_columns, const double size)
   {
     const auto number = [&] { return size * (2. * random() / random.max() - 1.); };
     Matrix matrix{n_rows, {}};
@@ -83,8 +83,7 @@ TEST(ContainedColumns, OfADiagonalMatrix)
   // diag(1, 9, 1) does not contain diag(4, 1, 1/4): the first column is halved.
   const std::vector<Complex> y{2. * i, 0., 0., 0., 1., 0., 0., 0., 0.5},
       expected{i, 0., 0., 0., 1., 0., 0., 0., 0.5};
-  const std::vector<Complex> found =
-      contained_columns(3, {1., 0., 0., 0., 9., 0., 0., 0., 1.}, y);
+  const std::vector<Complex> found = contained_columns(3, {1., 0., 0., 0., 9., 0., 0., 0., 1.}, y);
   ASSERT_EQ(found.size(), expected.size());
   for (std::size_t j = 0; j < expected.size(); ++j)
     EXPECT_LT(std::abs(found[j] - expected[j]), 1e-12) << j;
@@ -131,8 +130,8 @@ TEST(ContainedColumns, AreTheNearest)
     for (unsigned int i = 0; i < n; ++i)
       unit.entries[i * (n + 1)] = 1.;
     const std::vector<Complex> found = contained_columns(n, unit.entries, y.entries);
-    Matrix rest = y, square{n, std::vector<Complex>(n * n)};
-    double product = 0.;
+    Matrix rest                      = y, square{n, std::vector<Complex>(n * n)};
+    double product                   = 0.;
     for (std::size_t i = 0; i < found.size(); ++i)
     {
       rest.entries[i] -= found[i];

@@ -318,8 +318,7 @@ TEST_P(RingOfSectors, HasTheComplianceOfItsWaves)
   const BlockSector body(GetParam());
   const unsigned int n_nodes = body.surface.surface.nodes.size(), width = 3 * n_nodes;
   const RingCompliance ring = body.ring(same_nodes(n_nodes));
-  const auto force          = [](const unsigned int i)
-  { return std::complex<double>(std::sin(1. + 3. * i), std::cos(2. + 5. * i)); };
+  const auto force          = [](const double i) { return std::polar(1. + std::sin(i), 5. * i); };
   for (unsigned int m = 0; 2 * m <= n_sectors; ++m)
   {
     const std::vector<std::complex<double>> of_wave = ring.of_wave(m);

@@ -73,8 +73,9 @@ namespace
     };
     if (model.rotor_moves_as_whole)
     {
-      CondensedMotor motor = condense_motor(parameters, wave, discretisation, 1, nullptr, ModeSets::own);
-      motor.modes          = modes();
+      CondensedMotor motor =
+          condense_motor(parameters, wave, discretisation, 1, nullptr, ModeSets::own);
+      motor.modes = modes();
       return motor;
     }
     Parameters without               = parameters;
@@ -241,13 +242,13 @@ TEST(MotorBodies, VibrateAsTheirContactPointsDo)
 TEST(MotorBodies, VibrateCloseToTheirContactPointsWithFineModes)
 {
   // Modes are drawn as they are on their mesh, contact has those that its coarser one contains.
-  Parameters parameters               = reference_motor();
+  Parameters parameters = reference_motor();
   for (const std::string on : {"Rotor inertia", "Tooth inertia", "Tooth vibration"})
     parameters.effects[on] = EffectChoice::on;
-  const StatorWave wave               = stator_wave(parameters);
-  constexpr unsigned int fine_modes   = 2;
-  constexpr double nearly             = 0.01;
-  const auto mesh                     = ContactDiscretisation::level(1);
+  const StatorWave wave             = stator_wave(parameters);
+  constexpr unsigned int fine_modes = 2;
+  constexpr double nearly           = 0.01;
+  const auto mesh                   = ContactDiscretisation::level(1);
   expect_bodies_follow(parameters, wave,
                        condense_motor(parameters, wave, mesh, fine_modes, nullptr, ModeSets::own),
                        {Control::torque, 0.05}, mesh, nearly);
