@@ -229,7 +229,7 @@ namespace ringmotor
       add_modes(motor, tooth.surface, rotor.mortar, discretisation, parameters, model,
                 modes_level.value_or(RotorVibration::usual_level),
                 vibration ? *vibration : MotorVibration(parameters, wave), sets);
-    motor.gap       = rest_gap(parameters, motor);
+    motor.gap = rest_gap(parameters, motor);
     return motor;
   }
 
