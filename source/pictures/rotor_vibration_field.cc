@@ -82,7 +82,7 @@ namespace ringmotor
     /** The sign of a mode that was found again relative to the known one; 0 if it is another. */
     double relative_sign(const RingMode &found, const RingMode &known)
     {
-      constexpr double tolerance = 1e-4;
+      constexpr double tolerance                        = 1e-4;
       const std::vector<std::array<Complex, 3>> &motion = known.motion_of_body();
       double product = 0., of_found = 0., of_known = 0.;
       for (std::size_t a = 0; a < motion.size(); ++a)
