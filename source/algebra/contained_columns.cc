@@ -52,43 +52,8 @@ namespace ringmotor
       if (info != 0)
         throw ComputationError("LAPACK found no eigenpairs of a Hermitian matrix");
       pairs.values.resize(n_found);
+      pairs.vectors.resize(static_cast<std::size_t>(n_found) * n);
       return pairs;
-    }
-
-    /** A = L L^H for a Hermitian matrix that may be singular. */
-    struct Factor
-    {
-      std::vector<int> pivots;    ///< rows by which L is lower triangular, from 0 on
-      std::vector<Complex> upper; ///< these rows of L, a square matrix
-      std::vector<Complex> l;     ///< all rows, and as many columns as the rank
-    };
-
-    Factor factor_of(std::vector<Complex> a, const int n)
-    {
-      constexpr double rounding = 1e-8; // of the largest diagonal entry
-      double largest            = 0.;
-      for (int i = 0; i < n; ++i)
-        largest = std::max(largest, a[i * (n + 1)].real());
-      const double tolerance = rounding * largest;
-      std::vector<int> order(n);
-      std::vector<double> work(2 * n);
-      int rank = 0, info = 0;
-      zpstrf_("L", &n, a.data(), &n, order.data(), &rank, &tolerance, work.data(), &info);
-      Assert(info >= 0, dealii::ExcInternalError());
-      // What is left is not positive: zero up to rounding, or the matrix had negative eigenvalues.
-      Factor factor;
-      factor.upper.resize(static_cast<std::size_t>(rank) * rank);
-      factor.l.resize(static_cast<std::size_t>(rank) * n);
-      for (int i = 0; i < n; ++i)
-        for (int j = 0; j <= std::min(i, rank - 1); ++j)
-        {
-          factor.l[j * n + order[i] - 1] = a[j * n + i];
-          if (i < rank)
-            factor.upper[j * rank + i] = a[j * n + i];
-        }
-      for (int i = 0; i < rank; ++i)
-        factor.pivots.push_back(order[i] - 1);
-      return factor;
     }
 
     /** a b, a^H b or a b^H; matrices with these numbers of rows, "N" or "C" says which. */
@@ -105,47 +70,77 @@ namespace ringmotor
              result.data(), &rows);
       return result;
     }
-  } // namespace
 
-  std::vector<Complex> contained_columns(const unsigned int n_rows, std::vector<Complex> a,
-                                         std::vector<Complex> y)
-  {
-    if (y.empty())
-      return y;
-    const int n_all = n_rows, n_y = y.size() / n_rows;
-    const Factor factor = factor_of(std::move(a), n_all);
-    const int n         = factor.pivots.size();
-    if (n == 0)
-      return std::vector<Complex>(y.size());
-    std::vector<Complex> z; // Y = L Z in the rows of pivots
-    for (int column = 0; column < n_y; ++column)
-      for (const int row : factor.pivots)
-        z.push_back(y[static_cast<std::size_t>(column) * n_all + row]);
-    int info = 0;
-    ztrtrs_("L", "N", "N", &n, &n_y, factor.upper.data(), &n, z.data(), &n, &info);
-    Assert(info == 0, dealii::ExcInternalError());
-    // Z Z^H and Z^H Z have the same eigenvalues, the squares of the singular values: the smaller
-    // one is taken.
-    const bool by_columns = n_y < n;
-    const Pairs pairs     = by_columns ? eigenpairs_above(1., product("C", "N", n, z, n, z), n_y)
-                                       : eigenpairs_above(1., product("N", "C", n, z, n, z), n);
-    if (pairs.values.empty() && n == n_all)
-      return y;
-    const int n_vectors = by_columns ? n_y : n;
-    std::vector<Complex> scaled(pairs.vectors.begin(),
-                                pairs.vectors.begin() + pairs.values.size() * n_vectors);
-    const std::vector<Complex> vectors = scaled;
-    for (std::size_t i = 0; i < scaled.size(); ++i)
-      scaled[i] *= 1. - 1. / std::sqrt(pairs.values[i / n_vectors]);
-    if (!pairs.values.empty())
+    /** Reduces the singular values of a matrix with @p n rows that are above one to one.
+     * @return whether there were any */
+    bool clip_singular_values(std::vector<Complex> &z, const int n)
     {
-      const std::vector<Complex> excess = // of Z
-          by_columns ? product("N", "C", n, product("N", "N", n, z, n_y, vectors), n_y, scaled)
-                     : product("N", "N", n, scaled, pairs.values.size(),
-                               product("C", "N", n, vectors, n, z));
+      // Z Z^H and Z^H Z have the same eigenvalues, the squares of the singular values: the smaller
+      // one is taken.
+      const int n_columns   = z.size() / n;
+      const bool by_columns = n_columns < n;
+      const int n_vectors   = by_columns ? n_columns : n;
+      const Pairs pairs     = eigenpairs_above(
+              1., by_columns ? product("C", "N", n, z, n, z) : product("N", "C", n, z, n, z),
+              n_vectors);
+      const int n_found = pairs.values.size();
+      if (n_found == 0)
+        return false;
+      std::vector<Complex> scaled = pairs.vectors;
+      for (std::size_t i = 0; i < scaled.size(); ++i)
+        scaled[i] *= 1. - 1. / std::sqrt(pairs.values[i / n_vectors]);
+      const std::vector<Complex> excess =
+          by_columns
+              ? product("N", "C", n, product("N", "N", n, z, n_vectors, pairs.vectors), n_vectors,
+                        scaled)
+              : product("N", "N", n, scaled, n_found, product("C", "N", n, pairs.vectors, n, z));
       for (std::size_t i = 0; i < z.size(); ++i)
         z[i] -= excess[i];
+      return true;
     }
-    return product("N", "N", n_all, factor.l, n, z);
+  } // namespace
+
+  ContainedColumns::ContainedColumns(const unsigned int n_rows, std::vector<Complex> a)
+      : n_rows(n_rows)
+  {
+    constexpr double rounding = 1e-8; // of the largest diagonal entry
+    const int n               = n_rows;
+    double largest            = 0.;
+    for (int i = 0; i < n; ++i)
+      largest = std::max(largest, a[i * (n + 1)].real());
+    const double tolerance = rounding * largest;
+    std::vector<int> order(n);
+    std::vector<double> work(2 * n);
+    int rank = 0, info = 0;
+    // It stops where what is left is not positive: zero up to rounding.
+    zpstrf_("L", &n, a.data(), &n, order.data(), &rank, &tolerance, work.data(), &info);
+    Assert(info >= 0, dealii::ExcInternalError());
+    upper.resize(static_cast<std::size_t>(rank) * rank);
+    l.resize(static_cast<std::size_t>(rank) * n);
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j <= std::min(i, rank - 1); ++j)
+      {
+        l[j * n + order[i] - 1] = a[j * n + i];
+        if (i < rank)
+          upper[j * rank + i] = a[j * n + i];
+      }
+    for (int i = 0; i < rank; ++i)
+      pivots.push_back(order[i] - 1);
+  }
+
+  std::vector<Complex> ContainedColumns::nearest_to(const std::vector<Complex> &y) const
+  {
+    const int rank = pivots.size(), n_columns = y.size() / n_rows;
+    if (rank == 0)
+      return std::vector<Complex>(y.size());
+    std::vector<Complex> z; // Y = L Z in the rows of pivots
+    for (int column = 0; column < n_columns; ++column)
+      for (const int row : pivots)
+        z.push_back(y[column * n_rows + row]);
+    int info = 0;
+    ztrtrs_("L", "N", "N", &rank, &n_columns, upper.data(), &rank, z.data(), &rank, &info);
+    Assert(info == 0, dealii::ExcInternalError());
+    const bool is_regular = pivots.size() == n_rows;
+    return clip_singular_values(z, rank) || !is_regular ? product("N", "N", n_rows, l, rank, z) : y;
   }
 } // namespace ringmotor

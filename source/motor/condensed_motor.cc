@@ -184,15 +184,15 @@ namespace ringmotor
       motor.dynamics = {model.rotor_loss_factor > 0. ? vibration.rotor.loss_factor() : 0.,
                         InertiaScheme::second_order(parameters.time.spectral_radius),
                         model.rotor_needs_modes() && !model.rotor_vibrates};
-      const auto contained_at = [&](const VibrationSetting &setting)
-      { return contained_modes(modes_at(setting), motor.compliance, motor.dynamics); };
       motor.modes_level = modes_level;
-      motor.modes       = contained_at(vibration.rotor.setting(modes_level));
-      if (sets == ModeSets::own)
-        return;
-      motor.coarse_modes = contained_at(vibration.rotor.on_coarser_mesh(modes_level));
-      motor.modes_of_other_harmonics =
-          contained_at(vibration.rotor.of_other_harmonics(modes_level));
+      motor.modes       = modes_at(vibration.rotor.setting(modes_level));
+      if (sets == ModeSets::with_compared)
+      {
+        motor.coarse_modes             = modes_at(vibration.rotor.on_coarser_mesh(modes_level));
+        motor.modes_of_other_harmonics = modes_at(vibration.rotor.of_other_harmonics(modes_level));
+      }
+      contain_modes({&motor.modes, &motor.coarse_modes, &motor.modes_of_other_harmonics},
+                    motor.compliance, motor.dynamics);
     }
   } // namespace
 

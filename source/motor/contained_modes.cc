@@ -2,6 +2,8 @@
 #include <ringmotor/algebra/contained_columns.h>
 #include <ringmotor/motor/contained_modes.h>
 
+#include <optional>
+
 namespace ringmotor
 {
   namespace
@@ -11,9 +13,8 @@ namespace ringmotor
     /** Whether the residual compliance lacks its static motion. */
     bool is_subtracted(const RingMode &mode, const RingDynamics &dynamics)
     {
-      const bool vibrates =
-          mode.response == ModeResponse::vibrates && !(mode.of_rotor() && dynamics.is_hysteretic);
-      return mode.at_once() > 0. && (vibrates || mode.response == ModeResponse::none);
+      return mode.at_once() > 0. && (dynamics.gives_inertia_to(mode.part, mode.response) ||
+                                     mode.response == ModeResponse::none);
     }
 
     /** The static motions of all that are subtracted, one after the other, for waves exp(i k j
@@ -47,19 +48,24 @@ namespace ringmotor
     }
   } // namespace
 
-  RingModes contained_modes(RingModes modes, const RingCompliance &compliance,
-                            const RingDynamics &dynamics)
+  void contain_modes(const std::vector<RingModes *> &sets, const RingCompliance &compliance,
+                     const RingDynamics &dynamics)
   {
-    for (unsigned int k = 0; k < modes.size(); ++k)
+    for (unsigned int k = 0; 2 * k <= compliance.n_sectors(); ++k)
     {
-      const std::vector<Complex> motions = static_motions(modes[k], dynamics);
-      if (motions.empty())
-        continue;
-      const std::vector<Complex> contained =
-          contained_columns(3 * compliance.n_nodes(), compliance.of_wave(k), motions);
-      if (contained != motions)
-        set_static_motions(contained, dynamics, modes[k]);
+      std::optional<const ContainedColumns> of_compliance; // for all sets, if any has modes
+      for (RingModes *const modes : sets)
+      {
+        const std::vector<Complex> motions =
+            modes->empty() ? std::vector<Complex>() : static_motions((*modes)[k], dynamics);
+        if (motions.empty())
+          continue;
+        if (!of_compliance)
+          of_compliance.emplace(3 * compliance.n_nodes(), compliance.of_wave(k));
+        const std::vector<Complex> contained = of_compliance->nearest_to(motions);
+        if (contained != motions)
+          set_static_motions(contained, dynamics, (*modes)[k]);
+      }
     }
-    return modes;
   }
 } // namespace ringmotor

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The nearest columns whose squares a Hermitian matrix contains: by hand where all is diagonal, and
-// for random matrices by the eigenvalues that remain and by the best contraction known otherwise.
+// for random ones by the eigenvalues that remain and by a condition that only the nearest ones
+// meet.
+
+#include "support/hermitian.h"
 
 #include <ringmotor/algebra/contained_columns.h>
-
-#include <deal.II/lac/lapack_full_matrix.h>
 
 #include <gtest/gtest.h>
 
@@ -14,6 +15,7 @@
 #include <random>
 
 using namespace ringmotor;
+using namespace ringmotor::tests;
 
 namespace
 {
@@ -55,41 +57,26 @@ namespace
     return matrix;
   }
 
-  /** In ascending order. */
   std::vector<double> eigenvalues(const Matrix &hermitian)
   {
-    const unsigned int n = hermitian.n_rows;
-    dealii::LAPACKFullMatrix<double> real(2 * n);
-    for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int j = 0; j < n; ++j)
-      {
-        real(i, j) = real(n + i, n + j) = hermitian(i, j).real();
-        real(n + i, j)                  = hermitian(i, j).imag();
-        real(i, n + j)                  = -hermitian(i, j).imag();
-      }
-    dealii::Vector<double> doubled;
-    dealii::FullMatrix<double> vectors;
-    real.compute_eigenvalues_symmetric(-1e9, 1e9, 0., doubled, vectors);
-    std::vector<double> values;
-    for (unsigned int i = 0; i < n; ++i)
-      values.push_back(doubled[2 * i]);
-    return values;
+    return hermitian_eigenvalues(hermitian.n_rows, hermitian.entries);
   }
 } // namespace
 
-TEST(ContainedColumns, OfADiagonalMatrix)
+TEST(ColumnsContained, OfADiagonalMatrix)
 {
   const Complex i(0., 1.);
   // diag(1, 9, 1) does not contain diag(4, 1, 1/4): the first column is halved.
   const std::vector<Complex> y{2. * i, 0., 0., 0., 1., 0., 0., 0., 0.5},
       expected{i, 0., 0., 0., 1., 0., 0., 0., 0.5};
-  const std::vector<Complex> found = contained_columns(3, {1., 0., 0., 0., 9., 0., 0., 0., 1.}, y);
+  const std::vector<Complex> found =
+      ContainedColumns(3, {1., 0., 0., 0., 9., 0., 0., 0., 1.}).nearest_to(y);
   ASSERT_EQ(found.size(), expected.size());
   for (std::size_t j = 0; j < expected.size(); ++j)
     EXPECT_LT(std::abs(found[j] - expected[j]), 1e-12) << j;
 }
 
-TEST(ContainedColumns, LeaveNoNegativeEigenvalue)
+TEST(ColumnsContained, LeaveNoNegativeEigenvalue)
 {
   std::mt19937 random;
   constexpr unsigned int n = 7;
@@ -101,7 +88,7 @@ TEST(ContainedColumns, LeaveNoNegativeEigenvalue)
         a.add_square(1., random_matrix(random, n, rank, 1.));
         const double largest = eigenvalues(a).back();
         const Matrix y       = random_matrix(random, n, n_y, size);
-        const Matrix contained{n, contained_columns(n, a.entries, y.entries)};
+        const Matrix contained{n, ContainedColumns(n, a.entries).nearest_to(y.entries)};
         const auto residual_of = [&](const Matrix &columns)
         {
           Matrix residual = a;
@@ -117,7 +104,7 @@ TEST(ContainedColumns, LeaveNoNegativeEigenvalue)
       }
 }
 
-TEST(ContainedColumns, AreTheNearest)
+TEST(ColumnsContained, AreTheNearest)
 {
   // To a set of singular values of at most one the nearest F of Y is the one for which no other F'
   // has a larger Re tr F'^H (Y - F): that maximum is the sum of the singular values of Y - F.
@@ -129,7 +116,7 @@ TEST(ContainedColumns, AreTheNearest)
     Matrix unit{n, std::vector<Complex>(n * n)};
     for (unsigned int i = 0; i < n; ++i)
       unit.entries[i * (n + 1)] = 1.;
-    const std::vector<Complex> found = contained_columns(n, unit.entries, y.entries);
+    const std::vector<Complex> found = ContainedColumns(n, unit.entries).nearest_to(y.entries);
     Matrix rest                      = y, square{n, std::vector<Complex>(n * n)};
     double product                   = 0.;
     for (std::size_t i = 0; i < found.size(); ++i)
@@ -146,13 +133,13 @@ TEST(ContainedColumns, AreTheNearest)
   }
 }
 
-TEST(ContainedColumns, LieInTheRangeOfASingularMatrix)
+TEST(ColumnsContained, LieInTheRangeOfASingularMatrix)
 {
   // Of diag(4, 0) and of [1, 1; 1, 1], with columns outside of the range
   const auto expect = [](const std::vector<Complex> &a, const std::vector<Complex> &y,
                          const std::vector<Complex> &expected)
   {
-    const std::vector<Complex> found = contained_columns(2, a, y);
+    const std::vector<Complex> found = ContainedColumns(2, a).nearest_to(y);
     ASSERT_EQ(found.size(), expected.size());
     for (std::size_t i = 0; i < found.size(); ++i)
       EXPECT_LT(std::abs(found[i] - expected[i]), 1e-12) << i;

@@ -3,6 +3,7 @@
 // The static compliance of a motor whose bodies vibrate contains the static motions of their modes,
 // also where these come from finer meshes.
 
+#include "support/hermitian.h"
 #include "support/motor_model.h"
 
 #include <ringmotor/contact/ring_compliance.h>
@@ -10,12 +11,9 @@
 #include <ringmotor/motor/contact_bodies.h>
 #include <ringmotor/motor/rotor_modes.h>
 
-#include <deal.II/lac/lapack_full_matrix.h>
-
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 using namespace ringmotor;
 using namespace ringmotor::tests;
@@ -24,7 +22,7 @@ namespace
 {
   using Complex = std::complex<double>;
 
-  const ContactDiscretisation on = ContactDiscretisation::level(1);
+  const ContactDiscretisation mesh = ContactDiscretisation::level(1);
 
   constexpr unsigned int fine_modes = 2; ///< on elements of a higher degree than those in contact
 
@@ -41,26 +39,9 @@ namespace
   double least_residual(const RingCompliance &compliance, const std::vector<RingMode> &modes,
                         const unsigned int k)
   {
-    const unsigned int n           = 3 * compliance.n_nodes();
-    std::vector<Complex> of_wave   = compliance.of_wave(k);
-    const auto extreme_eigenvalues = [&]
-    {
-      dealii::LAPACKFullMatrix<double> real(2 * n);
-      for (unsigned int i = 0; i < n; ++i)
-        for (unsigned int j = 0; j < n; ++j)
-        {
-          const Complex entry = 0.5 * (of_wave[j * n + i] + std::conj(of_wave[i * n + j]));
-          real(i, j) = real(n + i, n + j) = entry.real();
-          real(n + i, j)                  = entry.imag();
-          real(i, n + j)                  = -entry.imag();
-        }
-      dealii::Vector<double> values;
-      dealii::FullMatrix<double> vectors;
-      constexpr double all = std::numeric_limits<double>::max();
-      real.compute_eigenvalues_symmetric(-all, all, 0., values, vectors);
-      return std::make_pair(values[0], values[values.size() - 1]);
-    };
-    const double largest = extreme_eigenvalues().second;
+    const unsigned int n         = 3 * compliance.n_nodes();
+    std::vector<Complex> of_wave = compliance.of_wave(k);
+    const double largest         = hermitian_eigenvalues(n, of_wave).back();
     for (const RingMode &mode : modes)
     {
       std::vector<Complex> motion; // modes turn the other way
@@ -71,8 +52,9 @@ namespace
         for (unsigned int j = 0; j < n; ++j)
           of_wave[j * n + i] -= motion[i] * std::conj(motion[j]);
     }
-    return extreme_eigenvalues().first / largest;
+    return hermitian_eigenvalues(n, of_wave).front() / largest;
   }
+
   /** Of a motion under a traction in direction @p component with k waves around the ring. */
   Complex response(const CondensedMotor &motor, const std::vector<std::array<Complex, 3>> &motion,
                    const unsigned int k, const unsigned int component)
@@ -89,11 +71,10 @@ TEST(ContainedModes, LeaveNoNegativeResidualCompliance)
 {
   const Parameters parameters = vibrating_motor();
   const StatorWave wave       = stator_wave(parameters);
-  const CondensedMotor motor  = condense_motor(parameters, wave, on, fine_modes);
-  const RingModes of_rotor =
-      RotorVibration(parameters, wave.angular_frequency)
-          .at(RotorVibration(parameters, wave.angular_frequency).setting(fine_modes),
-              ToothBody(parameters, on).whole_top.surface, on.lip_turn);
+  const CondensedMotor motor  = condense_motor(parameters, wave, mesh, fine_modes);
+  const RotorVibration vibration(parameters, wave.angular_frequency);
+  const RingModes of_rotor = vibration.at(
+      vibration.setting(fine_modes), ToothBody(parameters, mesh).whole_top.surface, mesh.lip_turn);
   for (const unsigned int k : {0u, 1u, 6u, 7u, 13u, 22u, 40u, 45u})
   {
     for (const RingModes *modes :
@@ -125,7 +106,7 @@ TEST(ContainedModes, ChangeLittleUnderSmoothForces)
     for (const std::string &name : off)
       without.effects[name] = EffectChoice::off;
     const CondensedMotor motor =
-        condense_motor(without, wave, on, fine_modes, nullptr, ModeSets::own);
+        condense_motor(without, wave, mesh, fine_modes, nullptr, ModeSets::own);
     double changed_most = 0.;
     for (const unsigned int k : {6u, 7u, 13u, 22u, 40u, 45u})
     {

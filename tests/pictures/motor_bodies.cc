@@ -61,7 +61,7 @@ namespace
   }
 
   /** With modes of elements of the same degree, on a mesh of the lip that is no finer, before
-   * contained_modes(): nothing of them is lost. Without those for error bars. */
+   * contain_modes(): nothing of them is lost. Without those for error bars. */
   CondensedMotor with_modes(const Parameters &parameters, const StatorWave &wave,
                             const ContactDiscretisation &discretisation)
   {

@@ -88,8 +88,7 @@ namespace ringmotor
 
       bool has_inertia(const RingDynamics &dynamics) const
       {
-        return response == ModeResponse::vibrates &&
-               (part != ModePart::rotor || !dynamics.is_hysteretic);
+        return dynamics.gives_inertia_to(part, response);
       }
 
       /** Motion in a wave relative to the static motion. */

@@ -47,7 +47,7 @@ namespace ringmotor
      * the energies of the mode. */
     double loss_factor = 0.;
 
-    /** Of modes of the rotor, #motion of the body alone, before contained_modes(); empty if it is
+    /** Of modes of the rotor, #motion of the body alone, before contain_modes(); empty if it is
      * the same. */
     std::vector<std::array<std::complex<double>, 3>> of_body = {};
 
@@ -88,6 +88,12 @@ namespace ringmotor
     /** Of all that modes add to the static compliance; less than one only in states on the way to
      * another one. */
     double share = 1.;
+
+    /** Whether a mode moves with its inertia. */
+    bool gives_inertia_to(const ModePart part, const ModeResponse response) const
+    {
+      return response == ModeResponse::vibrates && (part != ModePart::rotor || !is_hysteretic);
+    }
 
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
