@@ -18,8 +18,6 @@ namespace ringmotor
 {
   namespace
   {
-    constexpr unsigned int most_rounds = 60; ///< of an update of the memory
-
     /** Dynamics between two others. @param share of the way from one to the other */
     RingDynamics between(const RingDynamics &one, const RingDynamics &other, const double share)
     {
@@ -127,16 +125,16 @@ namespace ringmotor
       solution.memory = memory.assumed();
       return solution;
     };
-    for (unsigned int round = 0; round < most_rounds; ++round)
+    for (unsigned int round = 0; round < SteadyMemory::most_solutions; ++round)
     {
       ContactSolution solution = solved();
       if (memory.settled(solution))
         return operating_state(contact, std::move(solution));
-      const unsigned int period = memory.period();
-      if (period <= 1)
+      const unsigned int n_states = memory.n_alternating();
+      if (n_states <= 1)
         continue;
       OperatingState state = operating_state(contact, std::move(solution));
-      for (unsigned int other = 1; other < period; ++other)
+      for (unsigned int other = 1; other < n_states; ++other)
       {
         state.others.push_back(operating_state(contact, solved()));
         memory.settled(state.others.back().solution);
@@ -144,7 +142,7 @@ namespace ringmotor
       return state;
     }
     throw ComputationError("the memory of the friction law did not settle in " +
-                           std::to_string(most_rounds) + " iterations");
+                           std::to_string(SteadyMemory::most_solutions) + " iterations");
   }
   catch (const ComputationError &error)
   {

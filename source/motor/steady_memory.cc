@@ -60,21 +60,23 @@ namespace ringmotor
     return order;
   }
 
-  unsigned int SteadyMemory::period() const
+  unsigned int SteadyMemory::n_alternating() const
   {
     const FrictionLawBase &law = law_of(friction);
-    const auto is_same         = [&](const FrictionMemory &one, const FrictionMemory &other)
-    { return law.may_alternate(friction, one, other); };
+    if (!law.may_wander())
+      return 0;
+    const auto is_same = [&](const FrictionMemory &one, const FrictionMemory &other)
+    { return law.agree(friction, one, other); };
     for (unsigned int period = 1; period <= earlier.size(); ++period)
       if (std::equal(memory.begin(), memory.end(), earlier[earlier.size() - period].begin(),
                      is_same))
         return period;
-    return 0;
+    return n_solutions == most_solutions ? longest_period : 0;
   }
 
   bool SteadyMemory::settled(const StepState &solution)
   {
-    constexpr std::size_t longest_period = 6;
+    ++n_solutions;
     earlier.push_back(memory);
     if (earlier.size() > longest_period)
       earlier.erase(earlier.begin());

@@ -213,9 +213,9 @@ namespace ringmotor
     for (const OperatingState &other : found.others)
       point.unsettled.raise(change(point, point_of(other)));
     if (!found.others.empty())
-      point.remark = "friction that falls with the slip alternates between " +
-                     std::to_string(found.others.size() + 1) +
-                     " states; the error bars contain their range";
+      point.remark = "friction that falls with the slip leads from one state to another without "
+                     "end; the error bars contain the range of " +
+                     std::to_string(found.others.size() + 1);
     return point;
   }
 

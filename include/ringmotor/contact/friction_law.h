@@ -69,14 +69,16 @@ namespace ringmotor
       return true;
     }
 
-    /** Whether two memories are the same as far as this law depends on them, and may alternate
-     * without end: then the state is taken that has been found, and its error is the range of all
-     * of them. */
-    virtual bool may_alternate(const Friction & /*friction*/, const FrictionMemory & /*one*/,
-                               const FrictionMemory & /*other*/) const
+    /** Whether two memories are the same as far as this law depends on them. */
+    virtual bool agree(const Friction & /*friction*/, const FrictionMemory &one,
+                       const FrictionMemory &other) const
     {
-      return false;
+      return one.stuck == other.stuck;
     }
+
+    /** Whether memories may alternate or wander without end: then the state is taken that has been
+     * found, and its error is the range of those that follow. */
+    virtual bool may_wander() const { return false; }
 
     /** Whether the search for a steady state starts with a chain of states with given coefficients,
      * which follow from the slip and memory of the previous state; see GivenCoefficients. */

@@ -21,6 +21,9 @@ namespace ringmotor
   class SteadyMemory
   {
   public:
+    /** After so many solutions without agreement the search ends. */
+    static constexpr unsigned int most_solutions = 60;
+
     /** @param start the memory assumed first */
     SteadyMemory(const RingContact &contact, const Friction &friction,
                  std::vector<FrictionMemory> start);
@@ -35,11 +38,14 @@ namespace ringmotor
      * whether all agreed. */
     bool settled(const StepState &solution);
 
-    /** Whether the memory is one that was assumed before, and so alternates with it: the number of
-     * solutions since, else zero. See FrictionLawBase::may_alternate(). */
-    unsigned int period() const;
+    /** How many solutions in a row show what it does that does not settle: those since it was last
+     * assumed as it is now; where it wanders for long without coming back, the last ones. Zero
+     * while it may still settle. See FrictionLawBase::may_wander(). */
+    unsigned int n_alternating() const;
 
   private:
+    static constexpr unsigned int longest_period = 24; ///< that is recognised
+
     /** Points in the order of time: each after its earlier one, if that one touches; then the open
      * ones. */
     std::vector<unsigned int> along_paths(const StepState &solution) const;
@@ -51,5 +57,6 @@ namespace ringmotor
     std::vector<unsigned char> n_gains; ///< how often a point got the static limit
     unsigned int reach = 1;             ///< how many points in a row may get it on trust
     std::vector<std::vector<FrictionMemory>> earlier; ///< assumed in the last solutions
+    unsigned int n_solutions = 0;
   };
 } // namespace ringmotor

@@ -38,15 +38,17 @@ namespace ringmotor::laws
       bool settle(const Friction &friction, const FrictionMemory &found, const PointStatus,
                   const bool, FrictionMemory &memory) const override
       {
-        const bool agreed = may_alternate(friction, found, memory);
+        const bool agreed = agree(friction, found, memory);
         memory            = found;
         return agreed;
       }
 
       /** A point that just sticks forgets how far it has slipped, those behind it get a larger
        * coefficient, and it slips: such a passage has no memory that agrees with itself. */
-      bool may_alternate(const Friction &friction, const FrictionMemory &one,
-                         const FrictionMemory &other) const override
+      bool may_wander() const override { return true; }
+
+      bool agree(const Friction &friction, const FrictionMemory &one,
+                 const FrictionMemory &other) const override
       {
         const double length = *friction.weakening_length;
         return std::abs(std::min(one.slipped, length) - std::min(other.slipped, length)) <=
