@@ -36,12 +36,12 @@ namespace ringmotor
         }
       }
 
-      /** The number of far shapes of each. The first shapes are the most significant. With three
-       * the Krylov method takes some 40 steps along chains, with eight 10; without chains six do as
-       * well as more. */
+      /** The number of far shapes of each. The first shapes are the most significant. Along chains
+       * the Krylov method takes some 10 steps with three to six of them, which take less time than
+       * the larger small system of more; without chains six do as well as more. */
       unsigned int n_shapes(const BlockStructure &structure) const
       {
-        constexpr unsigned int fewest = 3, affordable = 1500, without_chains = 6;
+        constexpr unsigned int fewest = 3, affordable = 600, without_chains = 6;
         return std::min(structure.n_far_shapes(),
                         has_chains ? std::max<unsigned int>(fewest, affordable / felt.size())
                                    : without_chains);

@@ -20,11 +20,11 @@ namespace ringmotor
     constexpr unsigned int fewest_for_kept_factors = 300;
     /** What GMRES with chains of blocks takes longer than with dense factors, for more steps:
      * operations, and in proportion to those of its factors. */
-    constexpr double steps_by_blocks = 1e8, longer_by_blocks = 2.;
+    constexpr double steps_by_blocks = 1e8, longer_by_blocks = 6.;
     /** Steps of GMRES with chains of blocks: so many take as long as new blocks, or as dense
      * factors; so many for each unknown of their small system; near a solution at most so many. */
     constexpr unsigned int many_steps = 12, most_by_blocks = 60;
-    constexpr double many_per_unknown = 1. / 40.;
+    constexpr double many_per_unknown = 1. / 20.;
     /** Steps of GMRES with the factors of the system itself, in single precision. */
     constexpr unsigned int enough_for_rounding = 12;
     /** Unknowns up to which a dense matrix is made where GMRES fails, in a second or two. More
@@ -109,8 +109,8 @@ namespace ringmotor
     if (rows.contact_problem().structure().n_blocks() <= 1)
       return false;
     const ChainOfBlocks::Cost cost = ChainOfBlocks::cost_of(rows);
-    const bool are_slow =
-        !cost.has_chains && blocks.steps_with_new().value_or(most_by_blocks) > many_steps;
+    const unsigned int enough = cost.has_chains ? most_by_blocks : many_steps;
+    const bool are_slow       = blocks.steps_with_new().value_or(most_by_blocks + 1) > enough;
     const double of_blocks =
         are_slow ? infinity : steps_by_blocks + longer_by_blocks * cost.n_operations;
     const auto many = std::max<unsigned int>(many_steps, many_per_unknown * cost.n_small);
