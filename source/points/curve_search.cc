@@ -318,9 +318,9 @@ namespace ringmotor
       return middle.control == Control::torque ? to.result.speed - from.result.speed
                                                : to.result.torque - from.result.torque;
     };
-    return {table.at(own(middle), middle),
+    return {table.at(own(middle), middle), plain.steps.are_compared_with_longer(),
             signed_change(before, table.at(plain.with(dynamic_friction_alone), middle)),
-            signed_change(before, table.at(plain.with(plain.steps.halved()), middle)),
+            signed_change(before, table.at(plain.with(plain.steps.to_compare_with()), middle)),
             signed_change(table.at(scene.plain(ErrorScene::compared_with(scene.level)), middle),
                           table.at(scene.plain(), middle))};
   }

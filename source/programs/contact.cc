@@ -214,8 +214,9 @@ namespace ringmotor
       { return of_torque ? text(value / rpm, 3) + " rpm" : text(1e3 * value, 3) + " mN m"; };
       log.line("static friction: at " + text(1e3 * effect.middle.result.torque, 1) +
                " mN m the dynamic coefficient alone changes the result by " +
-               change(effect.dynamic_alone) + ", half the step by " + change(effect.half_step) +
-               ", the finer mesh by " + change(effect.finer_mesh));
+               change(effect.dynamic_alone) + (effect.is_step_longer ? ", twice" : ", half") +
+               " the step by " + change(effect.other_step) + ", the finer mesh by " +
+               change(effect.finer_mesh));
     }
 
     void ContactProgram::find_responses(const CurveSearch &search)

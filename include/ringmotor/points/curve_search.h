@@ -59,8 +59,9 @@ namespace ringmotor
     struct StaticFrictionEffect
     {
       CurvePoint middle;
+      bool is_step_longer;  ///< the other one: twice, not half as long
       double dynamic_alone; ///< with the dynamic coefficient alone
-      double half_step, finer_mesh;
+      double other_step, finer_mesh;
     };
     StaticFrictionEffect static_friction_effect();
 

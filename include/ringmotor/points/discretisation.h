@@ -27,6 +27,12 @@ namespace ringmotor
     /** Those of twice the length; time samples must be even in number, or a single one. */
     Steps doubled() const;
 
+    /** Whether those that show the influence of these are twice as long, which is cheap, not half
+     * as long: where a step is undivided, longer ones may miss the contact of a tooth. */
+    bool are_compared_with_longer() const { return n_parts % 2 == 0; }
+    /** Those. */
+    Steps to_compare_with() const { return are_compared_with_longer() ? doubled() : halved(); }
+
     bool operator==(const Steps &other) const
     {
       return n_parts == other.n_parts && n_joined == other.n_joined;

@@ -12,10 +12,7 @@ namespace ringmotor
     /** With what steps of a point are compared. */
     Steps compared_steps(const Steps &own, const Steps &plain)
     {
-      if (!(own == plain))
-        return plain;
-      // Longer steps are cheap, but where a step is undivided they may miss the contact of a tooth.
-      return plain.n_parts % 2 == 0 ? plain.doubled() : plain.halved();
+      return own == plain ? plain.to_compare_with() : plain;
     }
 
     /** How finely numbers that are counted are resolved: a tooth touches for whole steps, and a
