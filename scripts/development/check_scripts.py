@@ -3,11 +3,12 @@
 """Checks that Python scripts do not depend on the surroundings of their user.
 
 Usage: scripts/development/check_scripts.py [root of the project]
-Prints file:line of each first line that is not #!/usr/bin/python3 -sE and, in scripts/ and its folders, of each script that
-does not begin with the module surroundings, and of each text that is read or written without its encoding; and then exits
-with 1.
+Prints file:line of each first line that is not #!/usr/bin/python3 -sE, of each script that is not executable and, in scripts/
+and its folders, of each script that does not begin with the module surroundings, and of each text that is read or written
+without its encoding; and then exits with 1.
 """
 import ast
+import os
 import sys
 from pathlib import Path
 
@@ -58,6 +59,8 @@ def violations(root):
         is_script = text.startswith("#!")
         if is_script and text.splitlines()[0] != FIRST_LINE:
             yield f"{place}:1: a script begins with {FIRST_LINE}"
+        if is_script and not os.access(path, os.X_OK):
+            yield f"{place}:1: a script is executable"
         if not path.is_relative_to(root / "scripts"):
             continue
         tree = ast.parse(text)
