@@ -95,7 +95,8 @@ namespace ringmotor
 
   OperatingState SteadyDriver::find(const RotorLoad &load, StepState from) const
   {
-    return find(load, std::move(from), dynamics);
+    return find(load, std::move(from), dynamics,
+                dynamics ? last_resort : Fallback::proximal_points);
   }
 
   OperatingState SteadyDriver::find(const RotorLoad &load, StepState from,
@@ -186,8 +187,9 @@ namespace ringmotor
     if (step.n_samples > 1)
       try
       {
-        const OperatingState coarse = SteadyDriver(motor, friction, SteadyStep()).at(load);
-        return start_from(RingContact(motor, load, step), load, coarse.solution);
+        SteadyDriver coarse(motor, friction, SteadyStep());
+        coarse.last_resort = last_resort;
+        return start_from(RingContact(motor, load, step), load, coarse.at(load).solution);
       }
       catch (const ComputationError &)
       {
@@ -245,7 +247,7 @@ namespace ringmotor
       {
         length *= 0.5;
         if (length < shortest)
-          return by(end, Fallback::proximal_points);
+          return by(end, last_resort);
       }
     return from;
   }

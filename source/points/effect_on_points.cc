@@ -126,8 +126,10 @@ namespace ringmotor
     {
       try
       {
-        return {
-            OperatingPointFinder(one.of->parameters, one.of->bodies).find(one.request, one.start)};
+        OperatingPointFinder finder(one.of->parameters, one.of->bodies);
+        if (!one.is_needed) // an effect with which there is hardly a state is included
+          finder.search_briefly();
+        return {finder.find(one.request, one.start)};
       }
       catch (const ComputationError &)
       {

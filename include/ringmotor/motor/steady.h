@@ -37,6 +37,10 @@ namespace ringmotor
     /** The bodies of @p motor must outlive this object and all its states. */
     SteadyDriver(const MotorInUse &motor, const Friction &friction, const SteadyStep &step);
 
+    /** From now on gives up a state with inertia for which a dozen proximal points do not suffice,
+     * since a long chain of them takes a minute. */
+    void search_briefly() { last_resort = Fallback::few_proximal_points; }
+
     /** Changes the wave; the next search starts from the last state. */
     void set_wave(const WaveAtNodes &wave);
 
@@ -92,7 +96,7 @@ namespace ringmotor
     StepState by_damping(const RotorLoad &load, StepState start,
                          const RingDynamics &of_start) const;
     /** From a state with the dynamics @p begin to that with @p end: by Newton's method alone, in
-     * as few steps between them as it can; if even short ones fail, by proximal points. */
+     * as few steps between them as it can; if even short ones fail, by #last_resort. */
     StepState follow(const RotorLoad &load, StepState start, const RingDynamics &begin,
                      const RingDynamics &end) const;
     /** A start near the state under a law that decreases with the distance slipped: the last of a
@@ -118,6 +122,7 @@ namespace ringmotor
     const std::shared_ptr<const ModesByShapes> modes; ///< null without inertia
     std::shared_ptr<const SteadyDynamics> dynamics;   ///< of a motor with inertia
     std::optional<StepState> next, other;             ///< to start from, and if that fails
+    Fallback last_resort = Fallback::proximal_points; ///< for states with inertia
   };
 
   /** The distance that each contact point has slipped (m) since it stuck or came into contact, at

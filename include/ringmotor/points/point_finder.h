@@ -31,6 +31,9 @@ namespace ringmotor
                          const std::optional<VoltageDrive> &drive = {},
                          PointMemory *memory                      = nullptr);
 
+    /** From now on gives up points that are found with inertia after long searches only. */
+    void search_briefly() { steady.search_briefly(); }
+
     /**
      * Looks in the memory first. The search for a steady state starts from that of @p start, of the
      * same or a similar request, or else from the previous point; from rest if @p start is a point

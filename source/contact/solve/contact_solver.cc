@@ -59,8 +59,9 @@ namespace ringmotor
       {
         if (solve_alone(bound_of, start, seen, enough))
           return true;
-        return fallback == Fallback::proximal_points &&
-               takes(proximal_points(problem, bound_of, constants, start, solver),
+        const unsigned int most_points = fallback == Fallback::proximal_points ? 80 : 12;
+        return fallback != Fallback::none &&
+               takes(proximal_points(problem, bound_of, constants, start, solver, most_points),
                      "the proximal point algorithm", enough);
       }
 

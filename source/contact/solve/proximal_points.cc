@@ -64,9 +64,9 @@ namespace ringmotor
 
   ContactIterate proximal_points(const ContactProblem &problem, const FrictionBoundOf &bound_of,
                                  const ComplementarityConstants &constants,
-                                 const ContactState &start, RowSolver &solver)
+                                 const ContactState &start, RowSolver &solver,
+                                 const unsigned int most_points)
   {
-    constexpr unsigned int most_steps = 80;
     constexpr double weakest = 1e-8, strongest = 1e5, nearly = 0.05, fulfilled = 1e-10;
     constexpr NewtonLimits finishing;
     const RigidStiffness rigid_stiffness(problem, constants);
@@ -84,7 +84,7 @@ namespace ringmotor
     ContactIterate found = judged(start);
     // Of the springs, relative to the bodies themselves.
     double strength = start.n_pressed() > 0 ? 1. / 16. : 1.;
-    for (unsigned int step = 0; step < most_steps && strength < strongest; ++step)
+    for (unsigned int step = 0; step < most_points && strength < strongest; ++step)
     {
       // Errors of the links must add up to little (Rockafellar 1976): a link that is not solved
       // better than its start does not lead on.

@@ -109,8 +109,8 @@ namespace ringmotor
     if (rows.contact_problem().structure().n_blocks() <= 1)
       return false;
     const ChainOfBlocks::Cost cost = ChainOfBlocks::cost_of(rows);
-    const unsigned int enough = cost.has_chains ? most_by_blocks : many_steps;
-    const bool are_slow       = blocks.steps_with_new().value_or(most_by_blocks + 1) > enough;
+    const unsigned int enough      = cost.has_chains ? most_by_blocks : many_steps;
+    const bool are_slow            = blocks.steps_with_new().value_or(most_by_blocks + 1) > enough;
     const double of_blocks =
         are_slow ? infinity : steps_by_blocks + longer_by_blocks * cost.n_operations;
     const auto many = std::max<unsigned int>(many_steps, many_per_unknown * cost.n_small);

@@ -32,6 +32,7 @@ namespace ringmotor
   enum class Fallback
   {
     proximal_points,
+    few_proximal_points, ///< a chain of a dozen at most
     none
   };
 
