@@ -126,7 +126,7 @@ namespace ringmotor
       solution.memory = memory.assumed();
       return solution;
     };
-    for (unsigned int round = 0; round < SteadyMemory::most_solutions; ++round)
+    while (memory.n_solutions_so_far() < SteadyMemory::most_solutions)
     {
       ContactSolution solution = solved();
       if (memory.settled(solution))

@@ -111,7 +111,7 @@ namespace ringmotor
     if (is_fixed)
       return n_snapshots;
     const Steps compared = plain();
-    if (compared.n_parts % 2 == 0) // twice as long ones show the error
+    if (compared.are_compared_with_longer())
       return std::max(compared.n_parts, n_snapshots);
     return std::max({compared.n_joined > 1 ? 1 : compared.n_parts + 1,
                      at_least(2 * few_steps).n_parts, n_snapshots});

@@ -215,7 +215,7 @@ namespace ringmotor
     if (!found.others.empty())
       point.remark = "friction that falls with the slip leads from one state to another without "
                      "end; the error bars contain the range of " +
-                     std::to_string(found.others.size() + 1);
+                     std::to_string(found.others.size() + 1) + " of them";
     return point;
   }
 

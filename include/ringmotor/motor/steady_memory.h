@@ -38,6 +38,9 @@ namespace ringmotor
      * whether all agreed. */
     bool settled(const StepState &solution);
 
+    /** Those that settled() has seen. */
+    unsigned int n_solutions_so_far() const { return n_solutions; }
+
     /** How many solutions in a row show what it does that does not settle: those since it was last
      * assumed as it is now; where it wanders for long without coming back, the last ones. Zero
      * while it may still settle. See FrictionLawBase::may_wander(). */

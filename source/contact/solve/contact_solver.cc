@@ -59,7 +59,8 @@ namespace ringmotor
       {
         if (solve_alone(bound_of, start, seen, enough))
           return true;
-        const unsigned int most_points = fallback == Fallback::proximal_points ? 80 : 12;
+        constexpr unsigned int many = 80, few = 12;
+        const unsigned int most_points = fallback == Fallback::few_proximal_points ? few : many;
         return fallback != Fallback::none &&
                takes(proximal_points(problem, bound_of, constants, start, solver, most_points),
                      "the proximal point algorithm", enough);
