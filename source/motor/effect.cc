@@ -82,10 +82,11 @@ namespace ringmotor
   {
     static const PartList<Effect> list = made_by<Effect>(
         {effects::tooth_shear, effects::rotor_tangential_compliance, effects::initial_deformation,
-         effects::static_friction_excess, effects::rotor_inertia, effects::tooth_inertia,
-         effects::stator_compliance, effects::tooth_vibration, effects::damping,
-         effects::stator_back_reaction, effects::spin_convection, effects::target_plates,
-         effects::felt_support, effects::piezoelectric_coupling, effects::friction_lining});
+         effects::rotor_inertia, effects::tooth_inertia, effects::stator_compliance,
+         effects::tooth_vibration, effects::damping, effects::stator_back_reaction,
+         effects::spin_convection, effects::target_plates, effects::felt_support,
+         effects::piezoelectric_coupling, effects::friction_lining,
+         effects::static_friction_excess});
     return list;
   }
 

@@ -5,11 +5,12 @@
 #include <ringmotor/points/effect_on_points.h>
 #include <ringmotor/points/point_finder.h>
 #include <ringmotor/points/point_quantities.h>
+#include <ringmotor/points/quantity_scales.h>
 #include <ringmotor/structure/shared_work.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <iterator>
 
 namespace ringmotor
 {
@@ -18,12 +19,12 @@ namespace ringmotor
     /** The motor in its steady state with or without an effect, as it is compared. */
     Parameters compared(const Parameters &given, const Effect &effect, const EffectChoice choice)
     {
-      Parameters parameters           = given;
-      parameters.time.scheme          = TimeScheme::steady;
-      parameters.effects[effect.name] = choice;
+      Parameters parameters  = given;
+      parameters.time.scheme = TimeScheme::steady;
       // Friction that falls is an effect of its own. Without it, which hardly changes what another
       // effect does, there is a state, and it is found sooner.
       parameters.effects["Static friction excess"] = EffectChoice::off;
+      parameters.effects[effect.name]              = choice;
       // It shall be cheap, and the same whatever the steps.
       parameters.time.n_snapshots = effect.n_snapshots_to_measure();
       return parameters;
@@ -147,33 +148,96 @@ namespace ringmotor
     return result;
   }
 
+  namespace
+  {
+    constexpr double no_load = 0., stall = 1.; // shares of the stall torque
+
+    bool is_missing(const std::vector<std::vector<CurvePoint>> &points)
+    {
+      return std::any_of(points.begin(), points.end(),
+                         [](const std::vector<CurvePoint> &found) { return found.empty(); });
+    }
+
+    /** Changes of prescribed numbers, which are zero, give way to those at a neighbouring load. */
+    void complete(std::map<double, PointError> &changes)
+    {
+      const double torque     = changes.at(stall)["torque"];
+      changes[stall]["speed"] = std::prev(changes.end(), 2)->second["speed"];
+      for (auto &[load, change] : changes)
+        change["torque"] = std::max(change["torque"], torque);
+    }
+  } // namespace
+
   EffectOnPoints EffectsOnPoints::of(const Effect &effect, const Parameters &parameters)
   {
     const std::vector<Motor *> both = condensed({compared(parameters, effect, EffectChoice::on),
                                                  compared(parameters, effect, EffectChoice::off)});
     Motor *const with = both[0], *const without = both[1];
-    const PointRequest stall{Control::speed, 0.}, no_load{Control::torque, 0.};
+    const bool is_needed = !is_marched(parameters); // that one without the effect has a state
+    const std::vector<PointRequest> ends{{Control::torque, 0.}, {Control::speed, 0.}};
+    const auto on =
+        [&](Motor *motor, const std::vector<PointRequest> &requests, const CurvePoint *start)
+    {
+      std::vector<Wanted> all;
+      for (const PointRequest &request : requests)
+        all.push_back({motor, request, start, motor == without && is_needed});
+      return found(all);
+    };
+    const auto ends_with = on(with, ends, nullptr);
+    if (is_missing(ends_with))
+      return {};
+    const auto ends_without = on(without, ends, nullptr);
+    if (is_missing(ends_without))
+      return {};
     EffectOnPoints effect_on;
-    effect_on.relative = std::numeric_limits<double>::infinity();
-    const auto ends    = found({{with, stall, nullptr, false}, {with, no_load, nullptr, false}});
-    if (ends[0].empty() || ends[1].empty())
-      return effect_on;
-    const auto before = found({{without, stall, nullptr, true}, {without, no_load, nullptr, true}});
-    const CurvePoint &at_stall = before[0].front(), &at_no_load = before[1].front();
-    const PointRequest half_load{Control::torque, 0.5 * at_stall.result.torque};
-    const CurvePoint middle = found({{without, half_load, &at_no_load, true}}).front().front();
-    const bool is_of_speed  = parameters.loading.control == Control::speed;
-    const PointRequest same =
-        is_of_speed ? PointRequest{Control::speed, middle.result.speed} : half_load;
-    const auto after = found({{with, same, &ends[1].front(), false}}).front();
-    if (after.empty())
-      return effect_on;
-    effect_on.change.raise(change(at_stall, ends[0].front()));
-    effect_on.change.raise(change(at_no_load, ends[1].front()));
-    effect_on.change.raise(change(middle, after.front()));
-    effect_on.relative = std::max(effect_on.change["speed"] / at_no_load.result.speed,
-                                  effect_on.change["torque"] / at_stall.result.torque);
+    effect_on.stall_torque = ends_without[1].front().result.torque;
+    // Half of it, and about the largest torque that a curve prescribes.
+    const std::vector<double> loads{0.5, 0.85};
+    std::vector<PointRequest> loaded;
+    for (const double load : loads)
+      loaded.push_back({Control::torque, load * effect_on.stall_torque});
+    const auto before = on(without, loaded, &ends_without[0].front());
+    if (is_missing(before))
+      return {};
+    if (parameters.loading.control == Control::speed)
+      for (std::size_t i = 0; i < loads.size(); ++i)
+        loaded[i] = {Control::speed, before[i].front().result.speed};
+    const auto after = on(with, loaded, &ends_with[0].front());
+    if (is_missing(after))
+      return {};
+    for (std::size_t i = 0; i < loads.size(); ++i)
+      effect_on.changes[loads[i]] = change(before[i].front(), after[i].front());
+    for (const auto &[load, i] : {std::pair(no_load, 0u), std::pair(stall, 1u)})
+      effect_on.changes[load] = change(ends_without[i].front(), ends_with[i].front());
+    const PointError largest = effect_on.largest();
+    const QuantityScales scales =
+        scales_of(parameters, without->bodies, wave.amplitude, effect_on.stall_torque);
+    effect_on.relative =
+        std::max(largest["speed"] / scales.of("speed", ends_without[0].front().result.speed),
+                 largest["torque"] / scales.of("torque", 0.));
+    complete(effect_on.changes);
     return effect_on;
+  }
+
+  PointError EffectOnPoints::at(const double torque) const
+  {
+    const double load =
+        stall_torque == 0. ? no_load : std::clamp(torque / stall_torque, no_load, stall);
+    const auto above = changes.lower_bound(load);
+    Assert(above != changes.end(), dealii::ExcInternalError());
+    if (above == changes.begin())
+      return above->second;
+    const auto below   = std::prev(above);
+    const double share = (load - below->first) / (above->first - below->first);
+    return (1. - share) * below->second + share * above->second;
+  }
+
+  PointError EffectOnPoints::largest() const
+  {
+    PointError largest;
+    for (const auto &[load, change] : changes)
+      largest.raise(change);
+    return largest;
   }
 
   LeftOut::LeftOut(const std::vector<EffectRow> &rows,
@@ -188,14 +252,15 @@ namespace ringmotor
           relative = std::hypot(relative, *row.indicator);
           continue;
         }
-        others.add_independent(of_points->second.change);
+        others.push_back(of_points->second);
       }
   }
 
   PointError LeftOut::of(const CurvePoint &point) const
   {
     PointError error = relative * sizes_of(point);
-    error.add_independent(others);
+    for (const EffectOnPoints &effect : others)
+      error.add_independent(effect.at(point.result.torque));
     error[prescribed(point.request).name] = 0.; // does not change
     return error;
   }

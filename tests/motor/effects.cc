@@ -117,22 +117,32 @@ TEST(Effects, DampAStaticRotorOnlyIfThatWasChosen)
   EXPECT_GT(motor_model(vibrating).rotor_loss_factor, 0.);
 }
 
-TEST(Effects, AreChosenByAThirdOfTheTarget)
+TEST(Effects, AreChosenByAThirdOfTheTargetOrHalfOfItIfTheyAreCostly)
 {
-  const auto choice_of = [](const double indicator, const double target)
+  const StatorWave wave = stator_wave(reference_motor());
+  const auto choice_of  = [&](const std::string &name, const double indicator)
   {
-    Parameters parameters = with("Rotor inertia", EffectChoice::automatic);
-    const Scene scene{parameters, nullptr, [&](const Effect &) { return indicator; }};
-    for (const EffectRow &row : choose_effects(parameters, EffectStage::contact, scene, target))
-      if (row.name == "Rotor inertia")
+    Parameters parameters                  = with(name, EffectChoice::automatic);
+    parameters.effects["Tooth inertia"]    = EffectChoice::on;
+    parameters.friction.law                = FrictionLaw("static-dynamic");
+    parameters.friction.static_coefficient = 1.2 * parameters.friction.dynamic_coefficient;
+    const Scene scene{parameters, &wave, [&](const Effect &) { return indicator; }};
+    for (const EffectRow &row : choose_effects(parameters, EffectStage::contact, scene, 0.03))
+      if (row.name == name)
       {
-        EXPECT_EQ(row.choice == "on", parameters.effects["Rotor inertia"] == EffectChoice::on);
+        EXPECT_EQ(row.choice == "on", parameters.effects[name] == EffectChoice::on);
+        EXPECT_EQ(row.indicator, indicator) << name;
       }
-    return parameters.effects["Rotor inertia"];
+    return parameters.effects[name];
   };
-  EXPECT_EQ(choice_of(0.011, 0.03), EffectChoice::on);
-  EXPECT_EQ(choice_of(0.009, 0.03), EffectChoice::off);
-  EXPECT_EQ(choice_of(-0.011, 0.03), EffectChoice::on);
+  EXPECT_EQ(choice_of("Tooth vibration", 0.011), EffectChoice::on);
+  EXPECT_EQ(choice_of("Tooth vibration", 0.009), EffectChoice::off);
+  EXPECT_EQ(choice_of("Tooth vibration", -0.011), EffectChoice::on);
+  for (const std::string costly : {"Rotor inertia", "Static friction excess"})
+  {
+    EXPECT_EQ(choice_of(costly, 0.016), EffectChoice::on) << costly;
+    EXPECT_EQ(choice_of(costly, 0.014), EffectChoice::off) << costly;
+  }
 }
 
 TEST(Effects, ThatAreNeededButNotAvailableStopTheProgram)
@@ -167,25 +177,43 @@ TEST(Effects, ThatAreNeededButNotAvailableStopTheProgram)
 
 TEST(Effects, ThatAreLeftOutWidenTheErrorBars)
 {
+  EffectOnPoints inertia;
+  inertia.changes      = {{0., PointError({{"speed", 0.2}, {"friction_loss", 0.01}})},
+                          {0.5, PointError({{"speed", 0.3},
+                                            {"torque", 0.004},
+                                            {"friction_loss", 0.03},
+                                            {"rotor_power_per_loss_factor", 2.}})},
+                          {1., PointError({{"speed", 0.7}, {"torque", 0.008}})}};
+  inertia.stall_torque = 0.2;
+  inertia.relative     = 0.03;
   const LeftOut left_out({{"Tooth inertia", 0.02, "off", true},
                           {"Rotor inertia", 0.03, "off", true},
                           {"Stator back-reaction", 0.5, "off", false}, // as set by the user
-                          {"Static friction excess", 0.2, "on", true}},
-                         {{"Rotor inertia",
-                           {PointError({{"speed", 0.25},
-                                        {"torque", 0.004},
-                                        {"friction_loss", 0.03},
-                                        {"rotor_power_per_loss_factor", 2.}}),
-                            0.03}}});
+                          {"Tooth vibration", 0.2, "on", true}},
+                         {{"Rotor inertia", inertia}});
   CurvePoint point;
-  point.request                = {Control::torque, 0.05};
+  point.request                = {Control::torque, 0.1};
   point.result.speed           = 8.;
+  point.result.torque          = 0.1;
   point.result.tangential_loss = 0.1;
   const PointError error       = left_out.of(point);
-  EXPECT_NEAR(error["speed"], std::hypot(0.02 * 8., 0.25), 1e-12);
+  EXPECT_NEAR(error["speed"], std::hypot(0.02 * 8., 0.3), 1e-12);
   EXPECT_EQ(error["torque"], 0.);
   EXPECT_NEAR(error["friction_loss"], std::hypot(0.02 * 0.1, 0.03), 1e-12);
   EXPECT_NEAR(error["rotor_power_per_loss_factor"], 2., 1e-12);
+  // Between loads changes are interpolated; beyond them they are those at the ends.
+  for (const auto &[torque, change] :
+       {std::pair(-0.1, 0.2), std::pair(0., 0.2), std::pair(0.025, 0.225), std::pair(0.15, 0.5),
+        std::pair(0.2, 0.7), std::pair(0.3, 0.7)})
+  {
+    point.request.value = point.result.torque = torque;
+    EXPECT_NEAR(left_out.of(point)["speed"], std::hypot(0.02 * 8., change), 1e-12) << torque;
+  }
+  // At a given speed it is the torque that changes.
+  point.request       = {Control::speed, 8.};
+  point.result.torque = 0.15;
+  EXPECT_EQ(left_out.of(point)["speed"], 0.);
+  EXPECT_NEAR(left_out.of(point)["torque"], std::hypot(0.02 * 0.15, 0.006), 1e-12);
 }
 
 TEST(Effects, ThatAreOffCostNothing)
@@ -325,8 +353,8 @@ TEST(EffectRanks, ChangesPointsAlikeOnTwo)
   EXPECT_GT(one.relative, 0.01);
   EXPECT_NEAR(two.relative, one.relative, 1e-7);
   for (const PointQuantity &quantity : point_quantities())
-    EXPECT_NEAR(two.change[quantity.name], one.change[quantity.name],
-                1e-6 * one.change[quantity.name])
+    EXPECT_NEAR(two.largest()[quantity.name], one.largest()[quantity.name],
+                1e-6 * one.largest()[quantity.name])
         << quantity.name;
 }
 

@@ -75,8 +75,10 @@ TEST_P(StatorComplianceLong, ChangesPointsAsItsIndicatorSays)
   const EffectOnPoints says =
       EffectsOnPoints(wave, *vibration, MPI_COMM_SELF).of(effect(name), parameters);
   const CurvePoint stall = points(EffectChoice::off, {{Control::speed, 0.}}).front();
-  const std::vector<PointRequest> requests{
-      {Control::speed, 0.}, {Control::torque, 0.5 * stall.result.torque}, {Control::torque, 0.}};
+  const std::vector<PointRequest> requests{{Control::speed, 0.},
+                                           {Control::torque, 0.85 * stall.result.torque},
+                                           {Control::torque, 0.5 * stall.result.torque},
+                                           {Control::torque, 0.}};
   const std::vector<CurvePoint> without = points(EffectChoice::off, requests),
                                 with    = points(EffectChoice::on, requests);
   PointError changes;
@@ -93,8 +95,8 @@ TEST_P(StatorComplianceLong, ChangesPointsAsItsIndicatorSays)
   record("friction loss without load changes by", with.back().result.friction_loss() / loss - 1.);
   EXPECT_GT(says.relative, relative / 3.);
   EXPECT_LT(says.relative, relative * 3.);
-  EXPECT_GT(says.change["friction_loss"], changes["friction_loss"] / 3.);
-  EXPECT_LT(says.change["friction_loss"], changes["friction_loss"] * 3.);
+  EXPECT_GT(says.largest()["friction_loss"], changes["friction_loss"] / 3.);
+  EXPECT_LT(says.largest()["friction_loss"], changes["friction_loss"] * 3.);
 }
 
 INSTANTIATE_TEST_SUITE_P(Motors, StatorComplianceLong,

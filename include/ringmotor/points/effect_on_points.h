@@ -5,6 +5,7 @@
 #include <ringmotor/motor/rotor_modes.h>
 #include <ringmotor/points/curve_point.h>
 
+#include <limits>
 #include <map>
 #include <memory>
 #include <string>
@@ -15,9 +16,17 @@ namespace ringmotor
   /** The approximate influence of an effect on a motor. */
   struct EffectOnPoints
   {
-    /** The largest of the changes at no load, at half the stall torque and at stall. */
-    PointError change;
-    double relative = 0.; ///< of speed and torque, relative to no load and stall
+    /** By what it changes operating points, by their loads as shares of the stall torque. */
+    std::map<double, PointError> changes;
+    double stall_torque = 0.; ///< N m, without it
+    /** Of speed and torque, with respect to QuantityScales. */
+    double relative = std::numeric_limits<double>::infinity();
+
+    /** The change of an operating point at a load (N m), interpolated linearly: changes grow ever
+     * faster towards stall. */
+    PointError at(const double torque) const;
+    /** The largest of all of them. */
+    PointError largest() const;
   };
 
   /**
@@ -34,7 +43,7 @@ namespace ringmotor
     ~EffectsOnPoints();
 
     /** Compares the motor with an effect with the one without it. EffectOnPoints::relative is
-     * infinite if there is no state with it. Collective.
+     * infinite if there is no state with it or, of a marched motor, without it. Collective.
      * @throws ComputationError if there is one, but none is found without the effect */
     EffectOnPoints of(const Effect &effect, const Parameters &parameters);
 
@@ -70,6 +79,6 @@ namespace ringmotor
 
   private:
     double relative = 0.; ///< of effects that change all results alike
-    PointError others;
+    std::vector<EffectOnPoints> others;
   };
 } // namespace ringmotor

@@ -65,6 +65,8 @@ namespace ringmotor::effects
         return measured ? measured : rough;
       }
 
+      bool is_costly() const override { return true; }
+
       void add_cost(const CondensedMotor &motor, EffectRow &row) const override
       {
         add_modes_to(row, motor, ModePart::rotor);

@@ -22,13 +22,16 @@ namespace ringmotor::effects
         model.friction.static_coefficient = parameters.friction.static_coefficient;
       }
 
-      /** Zero without an excess; otherwise determined in the run, see
-       * CurveSearch::static_friction_effect(). */
+      /** By operating points; zero without an excess. A jump from static to dynamic friction hardly
+       * matters, least on fine meshes. */
       std::optional<double> indicator(const Scene &scene) const override
       {
-        return has_static_excess(scene.parameters.friction) ? std::nullopt
+        return has_static_excess(scene.parameters.friction) ? measured_in(scene)
                                                             : std::optional<double>(0.);
       }
+
+      /** What sticks and what slips is found by repeated solutions. */
+      bool is_costly() const override { return true; }
     };
   } // namespace
 
