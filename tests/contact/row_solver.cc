@@ -102,6 +102,19 @@ TEST(RowSolver, SolvesRingsOfParts)
     }
 }
 
+TEST(RowSolver, SolvesRingsOfPartsThatAreOpen)
+{
+  // A part to which the previous one contributes nothing, wherever the elimination begins.
+  constexpr unsigned int n_parts = 4;
+  for (unsigned int apart = 0; apart < n_parts; ++apart)
+    for (const unsigned int n_rigid : {n_parts, n_parts + 1})
+    {
+      const RandomProblem problem(14 * n_parts, n_parts, n_rigid, 1., apart);
+      RowSolver solver;
+      System(problem, all_but_some(14 * n_parts)).expect_solved_by(solver);
+    }
+}
+
 TEST(RowSolver, SolvesSystemsThatAreNearlyTheSameAndOthers)
 {
   // Enough unknowns for cached factors in single precision.

@@ -22,13 +22,15 @@ namespace ringmotor::tests
     return std::uniform_real_distribution<double>(-1., 1.)(random_numbers);
   }
 
-  /** A problem with random entries, whose contact nodes form a ring of parts of equal size. If
-   * there are several parts, the last rigid motion belongs to none of them. */
+  /** A problem with random entries, whose contact nodes form a ring of parts of equal size, each of
+   * which is moved by the previous one but for @p apart. If there are several parts, the last rigid
+   * motion belongs to none of them. */
   class RandomProblem : public DenseContact, public BlockStructure
   {
   public:
     RandomProblem(const unsigned int n_points, const unsigned int n_parts,
-                  const unsigned int n_rigid, const double rigid_unit = 1.)
+                  const unsigned int n_rigid, const double rigid_unit = 1.,
+                  const unsigned int apart = dealii::numbers::invalid_unsigned_int)
         : DenseContact(n_points, n_rigid), n_parts(n_parts)
     {
       for (unsigned int i = 0; i < 3 * n_points; ++i)
@@ -36,7 +38,7 @@ namespace ringmotor::tests
         for (unsigned int j = 0; j < 3 * n_points; ++j)
         {
           const unsigned int p = part_of_point(i / 3), before = part_of_point(j / 3);
-          if (p == before || p == (before + 1) % n_parts)
+          if (p == before || (p == (before + 1) % n_parts && p != apart))
             compliance(i, j) = 2. * (i == j) + random_number() / n_points;
         }
         for (unsigned int r = 0; r < n_rigid; ++r)

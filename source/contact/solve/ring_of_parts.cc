@@ -125,9 +125,10 @@ namespace ringmotor
 
   bool RingOfParts::close(FullMatrix<double> &shared) const
   {
-    const unsigned int n = shared.m();
-    if (n == 0)
+    // Where one part has no rows with contributions of the previous one, nothing goes around.
+    if (std::any_of(steps.begin(), steps.end(), [](const Step &step) { return step.rows.empty(); }))
       return true;
+    const unsigned int n = shared.m();
     FullMatrix<double> around(IdentityMatrix{n});
     for (unsigned int p = 0; p < parts.size(); ++p)
       around = next_shared(p, solved(p, around, nullptr));
