@@ -32,10 +32,12 @@ namespace ringmotor
                size > (effect.is_costly() ? AccuracyBudget::costly_effect(target)
                                           : AccuracyBudget::effect(target));
       if (size > target)
-        throw ComputationError("Effects/" + effect.name +
-                               " = auto: it would change the results by " + per_cent(indicator) +
-                               ", more than the target, " + per_cent(target) + ", but " +
-                               effect.switched_on() + obstacle + ", or a larger target");
+        throw ComputationError(
+            "Effects/" + effect.name + " = auto: it would change the results by " +
+            (std::isfinite(indicator)
+                 ? per_cent(indicator) + ", more than the target, " + per_cent(target)
+                 : "an amount that is not known, as no state of the motor was found") +
+            ", but " + effect.switched_on() + obstacle + ", or a larger target");
       return false;
     }
 
