@@ -14,9 +14,8 @@ namespace ringmotor
   {
     unsigned int first_modes_level(const Accuracy &accuracy)
     {
-      return accuracy.mode == AccuracyMode::fixed  ? accuracy.rotor_modes
-             : AccuracyBudget(accuracy).is_loose() ? 1
-                                                   : RotorVibration::usual_level;
+      return accuracy.mode == AccuracyMode::fixed ? accuracy.rotor_modes
+                                                  : AccuracyBudget(accuracy).modes_level();
     }
 
     const Variation dynamic_friction_alone{"dynamic friction alone", [](Parameters &parameters) {
@@ -241,29 +240,19 @@ namespace ringmotor
     std::set<Cure> needed;
     for (const CurvePoint &point : results)
     {
-      double expected = std::pow(errors->relative(point.error()), 2);
-      if (expected <= target)
+      double incurable = std::pow(errors->relative(point.error()), 2);
+      if (incurable <= target)
         continue;
-      std::vector<std::pair<double, Cure>> cures; // of the largest error first
-      double incurable = expected;
-      for (const auto &[cure, error] : curable_errors(point))
-        if (error > 0.)
-        {
-          cures.emplace_back(error, cure);
-          incurable -= error;
-        }
-      std::sort(cures.rbegin(), cures.rend());
-      if (cures.empty() || incurable > target)
+      const std::map<Cure, double> curable = curable_errors(point);
+      for (const auto &[cure, square] : curable)
+        incurable -= square;
+      const std::set<Cure> cures = cheapest_cures(curable, incurable, target);
+      if (cures.empty())
         errors->refuse(errors->worst_of(results),
                        "with the finest meshes, modes and steps that reduce it");
-      for (const auto &[error, cure] : cures)
-        if (expected > target)
-        {
-          expected -= (1. - std::pow(remaining_part(cure), 2)) * error;
-          needed.insert(cure);
-          if (cure == Cure::steps)
-            shorten_steps(point.request, 2 * n_parts.at(point.request));
-        }
+      if (cures.count(Cure::steps) > 0)
+        shorten_steps(point.request, 2 * n_parts.at(point.request));
+      needed.insert(cures.begin(), cures.end());
     }
     take(needed);
   }

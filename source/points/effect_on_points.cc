@@ -223,13 +223,13 @@ namespace ringmotor
   {
     const double load =
         stall_torque == 0. ? no_load : std::clamp(torque / stall_torque, no_load, stall);
-    const auto above = changes.lower_bound(load);
+    constexpr double nearly = 1e-3;
+    const auto above        = changes.lower_bound(load - nearly);
     Assert(above != changes.end(), dealii::ExcInternalError());
-    if (above == changes.begin())
+    if (above->first <= load + nearly)
       return above->second;
-    const auto below   = std::prev(above);
-    const double share = (load - below->first) / (above->first - below->first);
-    return (1. - share) * below->second + share * above->second;
+    PointError larger = above->second;
+    return larger.raise(std::prev(above)->second);
   }
 
   PointError EffectOnPoints::largest() const

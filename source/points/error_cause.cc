@@ -15,11 +15,6 @@ namespace ringmotor
     return list;
   }
 
-  double remaining_part(const Cure cure)
-  {
-    return cure == Cure::meshes ? 0.35 : 0.5;
-  }
-
   PointError ErrorScene::change_by(const Variation &variation, const PointRequest &request) const
   {
     return change(table.at(for_variations(), request),

@@ -105,7 +105,7 @@ class Table(InAFolder):
         try:
             shells += [subprocess.Popen(["dask-worker", "--scheduler-file", address, "--nthreads", "1", "--no-dashboard",
                                          "--local-directory", self.folder / "scratch"], **quiet) for _ in range(2)]
-            while not address.exists():
+            while not address.exists() or not address.read_text().endswith("\n}"):  # it is being written
                 time.sleep(0.1)
             found = json.loads(address.read_text())["address"]
             self.sweep(*TWO_BY_TWO, "--scheduler", found)
@@ -188,7 +188,7 @@ class Workers(InAFolder):
         shells = [subprocess.Popen(["dask-scheduler", "--scheduler-file", address, "--port", "0", "--no-dashboard",
                                     "--interface", "lo"], **quiet)]
         try:
-            while not address.exists():
+            while not address.exists() or not address.read_text().endswith("\n}"):  # it is being written
                 time.sleep(0.1)
             found = json.loads(address.read_text())["address"]
             with open(said, "w", encoding="utf-8") as file:

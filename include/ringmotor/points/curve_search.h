@@ -91,7 +91,7 @@ namespace ringmotor
     /** Whether powers balance at the evaluated points; shortens the steps where they do not. */
     bool powers_balance();
     /** Measures the errors of points that miss the target by those of their neighbours. Without
-     * such points takes, for each one that misses it, the fewest cures that are expected to
+     * such points takes, for each one that misses it, the cheapest cures that are expected to
      * suffice.
      * @throws ComputationError if a point has none */
     void refine();

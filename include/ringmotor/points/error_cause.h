@@ -3,6 +3,7 @@
 
 #include <ringmotor/motor/motor_model.h>
 #include <ringmotor/parameters/part_list.h>
+#include <ringmotor/points/cures.h>
 #include <ringmotor/points/effect_on_points.h>
 #include <ringmotor/points/point_table.h>
 
@@ -13,17 +14,6 @@
 
 namespace ringmotor
 {
-  /** What makes an error smaller. */
-  enum class Cure
-  {
-    meshes, ///< finer ones
-    modes,  ///< more, on a finer mesh
-    steps   ///< shorter ones
-  };
-
-  /** Which part of an error is expected to remain after a cure. */
-  double remaining_part(const Cure cure);
-
   /** What causes of errors see of a search: how far it has come, and the points in all
    * discretisations. */
   struct ErrorScene
