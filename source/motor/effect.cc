@@ -28,9 +28,7 @@ namespace ringmotor
       const double size          = std::abs(indicator);
       const std::string obstacle = effect.obstacle(parameters);
       if (obstacle.empty())
-        return effect.is_free() ||
-               size > (effect.is_costly() ? AccuracyBudget::costly_effect(target)
-                                          : AccuracyBudget::effect(target));
+        return effect.is_free() || size > AccuracyBudget::effect(target, effect.times_as_long());
       if (size > target)
         throw ComputationError(
             "Effects/" + effect.name + " = auto: it would change the results by " +

@@ -223,13 +223,9 @@ namespace ringmotor
   {
     const double load =
         stall_torque == 0. ? no_load : std::clamp(torque / stall_torque, no_load, stall);
-    constexpr double nearly = 1e-3;
-    const auto above        = changes.lower_bound(load - nearly);
-    Assert(above != changes.end(), dealii::ExcInternalError());
-    if (above->first <= load + nearly)
-      return above->second;
-    PointError larger = above->second;
-    return larger.raise(std::prev(above)->second);
+    const auto above  = changes.upper_bound(load);
+    PointError larger = std::prev(above)->second;
+    return above == changes.end() ? larger : larger.raise(above->second);
   }
 
   PointError EffectOnPoints::largest() const

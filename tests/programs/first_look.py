@@ -61,10 +61,9 @@ class FirstLook(unittest.TestCase):
         quick, reference = self.effects("quick"), self.effects("reference")
         self.assertEqual(list(quick), list(reference))
         self.assertEqual(self.effects("moving")["Rotor inertia"]["choice"], "on")
-        for name, effect in quick.items():  # but for what is small against its larger target
+        for name, effect in quick.items():  # but for what is small against its larger targets
             if effect["choice"] != reference[name]["choice"]:
-                self.assertEqual(effect["choice"], "off", name)
-                self.assertLess(abs(effect["indicator"]), 0.1 / 3, name)
+                self.assertLess(abs(effect["indicator"]), 1e-2 / 3, name)
 
     def test_judges_what_is_switched_off(self):
         """A third of the change of the lip's motion is a rough estimate: within a factor of two."""

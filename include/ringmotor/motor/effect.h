@@ -77,9 +77,9 @@ namespace ringmotor
     /** Whether it adds no work: then `auto` includes it, however small it is. */
     virtual bool is_free() const { return false; }
 
-    /** Whether it multiplies the time of each point: then `auto` leaves it to the error bars up to
-     * AccuracyBudget::costly_effect(). */
-    virtual bool is_costly() const { return false; }
+    /** By what it multiplies the time of each point, about: the more, the more of it `auto` leaves
+     * to the error bars, see AccuracyBudget::effect(). */
+    virtual double times_as_long() const { return 1.; }
 
     /** Time/Snapshots of the operating points by which it is measured. */
     virtual unsigned int n_snapshots_to_measure() const { return 1; }
@@ -139,8 +139,8 @@ namespace ringmotor
 
   /**
    * Switches effects of a stage that are `auto` on or off: on where they are free, or the indicator
-   * exceeds a third of @p target, half of it if they are costly; one that the motor cannot have is
-   * off up to the whole target. The largest of those left out follow as long as all of them
+   * exceeds AccuracyBudget::effect() of @p target; one that the motor cannot have is off up to the
+   * whole target. The largest of those left out follow as long as all of them
    * together exceed AccuracyBudget::left_out().
    * @return a row for each effect of the stage
    * @throws ComputationError if one is not available that changes more

@@ -21,13 +21,15 @@ namespace ringmotor
     double whole() const { return contact; }
     /** The error of the stator's wave, which changes all results. */
     double wave() const { return 0.2 * strictest; }
-    /** An effect that is left out, of the @p target of its program. */
-    static double effect(const double target) { return target / 3.; }
-    /** The same where including it would multiply the time of each point. */
-    static double costly_effect(const double target) { return target / 2.; }
+    /** An effect that is left out, of the @p target of its program: the more, the more it costs.
+     * @param times by which it would multiply the time of each point */
+    static double effect(const double target, const double times = 1.)
+    {
+      return times / (times + 2.) * target;
+    }
     /** All effects together that are left out: everything else, which is independent of them, may
-     * have 0.8 of the target. */
-    static double left_out(const double target) { return 0.6 * target; }
+     * have two thirds of the target. */
+    static double left_out(const double target) { return 0.75 * target; }
     /** The meshes alone, on which short steps and varied motors are worth their cost. */
     double meshes() const { return 0.9 * contact; }
     /** How closely the means of a marched motor must settle. */

@@ -22,8 +22,8 @@ namespace ringmotor
     /** Of speed and torque, with respect to QuantityScales. */
     double relative = std::numeric_limits<double>::infinity();
 
-    /** The change of an operating point at a load (N m): the larger one of the loads on both sides.
-     */
+    /** The change of an operating point at a load (N m): the larger one of the loads on both sides,
+     * as small changes at a single load may be by chance. */
     PointError at(const double torque) const;
     /** The largest of all of them. */
     PointError largest() const;

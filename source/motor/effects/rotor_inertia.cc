@@ -65,7 +65,7 @@ namespace ringmotor::effects
         return measured ? measured : rough;
       }
 
-      bool is_costly() const override { return true; }
+      double times_as_long() const override { return 5.; }
 
       void add_cost(const CondensedMotor &motor, EffectRow &row) const override
       {

@@ -31,7 +31,7 @@ namespace ringmotor::effects
       }
 
       /** What sticks and what slips is found by repeated solutions. */
-      bool is_costly() const override { return true; }
+      double times_as_long() const override { return 2.; }
     };
   } // namespace
 

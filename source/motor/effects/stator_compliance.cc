@@ -36,7 +36,7 @@ namespace ringmotor::effects
         return measured_in(scene);
       }
 
-      bool is_costly() const override { return true; }
+      double times_as_long() const override { return 2.; }
 
       /** Many of its modes are so high that with one snapshot, half of the change is missing. */
       unsigned int n_snapshots_to_measure() const override { return 2; }
