@@ -82,11 +82,10 @@ namespace ringmotor
   {
     static const PartList<Effect> list = made_by<Effect>(
         {effects::tooth_shear, effects::rotor_tangential_compliance, effects::initial_deformation,
-         effects::rotor_inertia, effects::tooth_inertia, effects::stator_compliance,
-         effects::tooth_vibration, effects::damping, effects::stator_back_reaction,
-         effects::spin_convection, effects::target_plates, effects::felt_support,
-         effects::piezoelectric_coupling, effects::friction_lining,
-         effects::static_friction_excess});
+         effects::static_friction_excess, effects::rotor_inertia, effects::tooth_inertia,
+         effects::stator_compliance, effects::tooth_vibration, effects::damping,
+         effects::stator_back_reaction, effects::spin_convection, effects::target_plates,
+         effects::felt_support, effects::piezoelectric_coupling, effects::friction_lining});
     return list;
   }
 
@@ -215,6 +214,19 @@ namespace ringmotor
     }
   } // namespace
 
+  namespace
+  {
+    std::vector<const Effect *> in_order_of_choice(const EffectStage stage)
+    {
+      std::vector<const Effect *> effects;
+      for (const bool last : {false, true})
+        for (const auto &effect : all_effects())
+          if (effect->stage == stage && effect->is_chosen_last() == last)
+            effects.push_back(effect.get());
+      return effects;
+    }
+  } // namespace
+
   std::vector<EffectRow> choose_effects(Parameters &parameters, const EffectStage stage,
                                         const Scene &scene, const double target)
   {
@@ -225,10 +237,8 @@ namespace ringmotor
     if (stage != EffectStage::stator)
       cheap.measure = {};
     std::vector<EffectRow> rows;
-    for (const auto &effect : all_effects())
+    for (const Effect *effect : in_order_of_choice(stage))
     {
-      if (effect->stage != stage)
-        continue;
       const auto begin          = std::chrono::steady_clock::now();
       const EffectChoice choice = effect->choice(parameters);
       EffectRow row{effect->name, {}, choice == EffectChoice::off ? "off" : "on"};

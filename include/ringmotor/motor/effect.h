@@ -81,6 +81,9 @@ namespace ringmotor
      * to the error bars, see AccuracyBudget::effect(). */
     virtual double times_as_long() const { return 1.; }
 
+    /** Whether it is measured with all others as they have been chosen. */
+    virtual bool is_chosen_last() const { return false; }
+
     /** Time/Snapshots of the operating points by which it is measured. */
     virtual unsigned int n_snapshots_to_measure() const { return 1; }
 

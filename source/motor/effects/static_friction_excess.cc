@@ -30,6 +30,8 @@ namespace ringmotor::effects
                                                             : std::optional<double>(0.);
       }
 
+      bool is_chosen_last() const override { return true; }
+
       /** What sticks and what slips is found by repeated solutions. */
       double times_as_long() const override { return 2.; }
     };
