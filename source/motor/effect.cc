@@ -212,10 +212,7 @@ namespace ringmotor
         largest->choice                   = "on";
       }
     }
-  } // namespace
 
-  namespace
-  {
     std::vector<const Effect *> in_order_of_choice(const EffectStage stage)
     {
       std::vector<const Effect *> effects;

@@ -5,8 +5,8 @@
 Usage: tests/programs/inertia.py STATOR CONTACT LOSSES [unittest arguments]
 
 What is compared: an independent model of the motor with the stiff spring finds that inertia changes speeds at half of the
-stall torque by 2.6 % of the speed without load (see tests/points/inertia.cc), which is below a third of a
-target of 0.1 and above a third of one of 0.01; results on one rank and on two; the power balance.
+stall torque by 2.6 % of the speed without load (see tests/points/inertia.cc), near stall by more; that is below what a
+target of 0.4 leaves to the error bars, and above that of 0.01; results on one rank and on two; the power balance.
 """
 import json
 import math
@@ -60,9 +60,11 @@ class StiffSpring(unittest.TestCase):
                      for a, b in zip(without, with_inertia))
         self.assertLess(effect["indicator"], 3 * change)
         self.assertGreater(effect["indicator"], change / 3)
-        for a, b in zip(without, with_inertia):  # what is left out is in the error bars
-            self.assertLess(abs(float(a["speed_rpm"]) - float(b["speed_rpm"])),
-                            math.hypot(*(float(row["speed_error_rpm"]) for row in (a, b))))
+        differences = [abs(float(a["speed_rpm"]) - float(b["speed_rpm"])) for a, b in zip(without, with_inertia)]
+        for difference, row in zip(differences[:-1], without):  # what is left out is in the error bars
+            self.assertLess(difference, float(row["speed_error_rpm"]))
+        # Near stall the speed with inertia is itself hardly known better.
+        self.assertLess(differences[-1], math.hypot(*(float(rows[-1]["speed_error_rpm"]) for rows in (without, with_inertia))))
 
     def test_ranks_agree_and_losses_close(self):
         one, _, _ = self.contact("Effects/Rotor inertia = on")
