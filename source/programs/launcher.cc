@@ -56,10 +56,15 @@ namespace ringmotor
     // srun starts processes of Open MPI with PMIX alone.
     if (std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr || std::getenv("PMIX_RANK") != nullptr)
     {
-      // On one computer. Open MPI 5 complains of each network that does not lead back to it.
+      // On one computer. Open MPI 5 complains of each network that does not lead back to it; that
+      // of libfabric (ofi) sleeps for a second before it ends, and UCX takes a quarter to start.
       const std::string size = value_of("OMPI_COMM_WORLD_SIZE");
       if (!size.empty() && size == value_of("OMPI_COMM_WORLD_LOCAL_SIZE"))
-        setenv("OMPI_MCA_btl", "^tcp", 0);
+      {
+        setenv("OMPI_MCA_pml", "ob1", 0);
+        setenv("OMPI_MCA_osc", "^ucx", 0);
+        setenv("OMPI_MCA_btl", "^tcp,ofi", 0);
+      }
       return;
     }
     setenv("OMPI_MCA_ess_singleton_isolated", "1", /*overwrite =*/0);

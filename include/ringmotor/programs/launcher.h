@@ -10,7 +10,7 @@ namespace ringmotor
    * To be called before MPI starts: a program started without mpirun needs no network, and not
    * looking for one saves a third of a second; nor does it need a folder for its session, which
    * it would share with others that run at the same time. Ranks of one computer need no network
-   * either.
+   * either, which saves more than a second.
    */
   void spare_the_network_search();
 
