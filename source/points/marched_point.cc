@@ -305,6 +305,7 @@ namespace ringmotor
       advance(*time.n_steps - *time.average_to_step);
       CurvePoint point = settling.point_of(std::move(window));
       point.fields     = std::move(all);
+      point.end        = run.state(); // from which the motor goes on until it has settled
       return point;
     }
   } // namespace

@@ -63,7 +63,7 @@ namespace ringmotor
     double seconds            = 0.;
     double largest_share      = 0.; ///< see ContactFields::largest_share()
     std::string remark;             ///< how it was found, if not by Newton's method alone
-    MarchedState end;               ///< of a marched motor, once its mean is known
+    MarchedState end;               ///< of a marched motor, after its last step
     ContactFields fields; ///< without values where nothing needs them any more, see PointTable
 
     /** Of all causes, which are independent. */

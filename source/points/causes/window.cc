@@ -14,12 +14,6 @@ namespace ringmotor
                                     parameters.time.average_to_step   = {};
                                   }};
 
-    /** With steps of the length that the user has given. */
-    Discretisation undivided(const ErrorScene &scene)
-    {
-      return scene.for_variations().with(Steps());
-    }
-
     bool has_window(const ErrorScene &scene)
     {
       return is_marched(scene.parameters) && scene.parameters.time.n_steps;
@@ -36,7 +30,7 @@ namespace ringmotor
       {
         if (!has_window(scene))
           return {};
-        return {undivided(scene), undivided(scene).with(settled_means)};
+        return {scene.for_variations(), scene.for_variations().with(settled_means)};
       }
 
       PointError of(const PointRequest &request, const Discretisation &own,
@@ -44,9 +38,9 @@ namespace ringmotor
       {
         if (!has_window(scene))
           return scene.table.at(own, request).unsettled_means;
-        // What a window misses hardly depends on the steps, if they are those that it counts.
-        const CurvePoint &settled = scene.table.at(undivided(scene).with(settled_means), request);
-        return change(settled, scene.table.at(undivided(scene), request)) + settled.unsettled_means;
+        // What a window misses hardly depends on mesh and steps.
+        return scene.change_by(settled_means, request) +
+               scene.table.at(scene.for_variations().with(settled_means), request).unsettled_means;
       }
     };
   } // namespace
