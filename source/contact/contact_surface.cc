@@ -6,13 +6,26 @@
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/fe/fe_q.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 namespace ringmotor
 {
   using namespace dealii;
+
+  namespace
+  {
+    /** The place of a unit point between corners, bilinear in r and theta. */
+    Point<2> place_of(const std::array<Point<2>, 4> &corner, const Point<2> &unit)
+    {
+      const double u = unit[0], v = unit[1];
+      return Point<2>((1. - u) * (1. - v) * corner[0] + u * (1. - v) * corner[1] +
+                      (1. - u) * v * corner[2] + u * v * corner[3]);
+    }
+  } // namespace
 
   Point<2> unit_point(const std::array<Point<2>, 4> &corner, const Point<2> &x)
   {
@@ -20,8 +33,7 @@ namespace ringmotor
     for (unsigned int step = 0; step < 20; ++step)
     {
       const double u = unit[0], v = unit[1];
-      const Tensor<1, 2> miss = (1. - u) * (1. - v) * corner[0] + u * (1. - v) * corner[1] +
-                                (1. - u) * v * corner[2] + u * v * corner[3] - x;
+      const Tensor<1, 2> miss  = place_of(corner, unit) - x;
       const Tensor<1, 2> by_u  = (1. - v) * (corner[1] - corner[0]) + v * (corner[3] - corner[2]),
                          by_v  = (1. - u) * (corner[2] - corner[0]) + u * (corner[3] - corner[1]);
       const double determinant = by_u[0] * by_v[1] - by_u[1] * by_v[0];
@@ -74,13 +86,24 @@ namespace ringmotor
       return axes;
     }
 
-    /** Corners that run around the quadrilateral as in deal.II, counterclockwise in (r, theta). */
-    std::array<Point<2>, 4> oriented(std::array<Point<2>, 4> corner)
+    /** A node of a face, known by a key, and where it is on the unit face. */
+    struct FaceNode
     {
-      const Tensor<1, 2> a = corner[1] - corner[0], b = corner[2] - corner[0];
-      if (a[0] * b[1] - a[1] * b[0] < 0.)
-        std::swap(corner[1], corner[2]);
-      return corner;
+      unsigned int key;
+      Point<2> unit;
+      SurfaceNode node;
+    };
+
+    /** How far a node is from where the corners of its face have it, in units of the longest side.
+     */
+    double bulge(const std::array<Point<2>, 4> &corner, const FaceNode &node)
+    {
+      const auto distance = [&](const Point<2> &a, const Point<2> &b)
+      { return std::hypot(a[0] - b[0], a[0] * (a[1] - b[1])); };
+      double longest = 0.;
+      for (const auto &[a, b] : {std::pair(0, 1), {0, 2}, {1, 3}, {2, 3}})
+        longest = std::max(longest, distance(corner[a], corner[b]));
+      return distance(place_of(corner, node.unit), node.node.place) / longest;
     }
 
     /** Collects faces, each node once. */
@@ -92,26 +115,31 @@ namespace ringmotor
         surface.degree = degree;
       }
 
-      /** @p face_nodes are those of one face in any order, known by @p keys. */
-      void add_face(const std::array<Point<2>, 4> &vertices, const std::vector<unsigned int> &keys,
-                    const std::vector<SurfaceNode> &face_nodes)
+      /** @param corner in (r, theta), by vertices of the unit face */
+      void add_face(std::array<Point<2>, 4> corner, std::vector<FaceNode> nodes)
       {
-        const std::array<Point<2>, 4> corner = oriented(vertices);
-        std::vector<unsigned int> face(element.n_dofs_per_cell(), numbers::invalid_unsigned_int);
-        for (unsigned int i = 0; i < keys.size(); ++i)
+        // The local axes shall be a right-handed system in (r, theta).
+        const Tensor<1, 2> a = corner[1] - corner[0], b = corner[2] - corner[0];
+        if (a[0] * b[1] - a[1] * b[0] < 0.)
         {
-          const auto [entry, is_new] = number.emplace(keys[i], surface.nodes.size());
-          if (is_new)
-            surface.nodes.push_back(face_nodes[i]);
-          const Point<2> unit = unit_point(corner, face_nodes[i].place);
-          for (unsigned int j = 0; j < face.size(); ++j)
-            if (element.unit_support_point(j).distance(unit) < 0.1 / surface.degree)
-              face[j] = entry->second;
+          std::swap(corner[1], corner[2]);
+          for (FaceNode &node : nodes)
+            node.unit = Point<2>(node.unit[1], node.unit[0]);
         }
-        for (const unsigned int node : face)
-          if (node == numbers::invalid_unsigned_int)
+        std::vector<unsigned int> face(element.n_dofs_per_cell(), numbers::invalid_unsigned_int);
+        for (const FaceNode &node : nodes)
+        {
+          constexpr double most = 0.1;
+          if (bulge(corner, node) > most)
             throw UserError("a face that can touch is too distorted for contact; make it more like "
                             "a rectangle in r and theta (Stator/Mesh file, Rotor/Mesh file)");
+          const auto [entry, is_new] = number.emplace(node.key, surface.nodes.size());
+          if (is_new)
+            surface.nodes.push_back(node.node);
+          for (unsigned int j = 0; j < face.size(); ++j)
+            if (element.unit_support_point(j).distance(node.unit) < 1e-10)
+              face[j] = entry->second;
+        }
         surface.corners.push_back(corner);
         surface.faces.push_back(face);
       }
@@ -133,26 +161,33 @@ namespace ringmotor
       for (const unsigned int f : cell->face_indices())
         if (cell->at_boundary(f) && cell->face(f)->boundary_id() == faces)
         {
+          std::array<Point<3>, 4> unit_vertices;
+          std::array<Point<2>, 4> vertices;
+          for (unsigned int v = 0; v < 4; ++v)
+          {
+            const unsigned int vertex = GeometryInfo<3>::face_to_cell_vertices(f, v);
+            unit_vertices[v]          = GeometryInfo<3>::unit_cell_vertex(vertex);
+            vertices[v]               = in_plane(cell->vertex(vertex));
+          }
           const std::vector<SectorNodes::Dof> dofs = sector.dofs_of(cell);
-          std::vector<unsigned int> keys;
-          std::vector<SurfaceNode> found;
+          std::vector<FaceNode> found;
           for (unsigned int i = 0; i < dofs.size(); ++i)
             if (fe.system_to_component_index(i).first == 0 && fe.has_support_on_face(i, f))
             {
-              const unsigned int node = nodes.node(dofs[i]);
-              const auto axes         = directions(nodes.position(node));
-              SurfaceNode surface_node{in_plane(nodes.position(node)), {}};
+              const unsigned int node   = nodes.node(dofs[i]);
+              const auto axes           = directions(nodes.position(node));
+              const Tensor<1, 3> inside = fe.unit_support_point(i) - unit_vertices[0];
+              FaceNode face_node{node,
+                                 Point<2>(inside * (unit_vertices[1] - unit_vertices[0]),
+                                          inside * (unit_vertices[2] - unit_vertices[0])),
+                                 {in_plane(nodes.position(node)), {}}};
               for (unsigned int c = 0; c < 3; ++c)
                 for (unsigned int d = 0; d < 3; ++d)
-                  surface_node.displacement[c].emplace_back(
+                  face_node.node.displacement[c].emplace_back(
                       nodes.dof(node, d), axes[c] * nodes.direction(nodes.dof(node, d)));
-              keys.push_back(node);
-              found.push_back(surface_node);
+              found.push_back(face_node);
             }
-          std::array<Point<2>, 4> vertices;
-          for (unsigned int v = 0; v < 4; ++v)
-            vertices[v] = in_plane(cell->face(f)->vertex(v));
-          builder.add_face(vertices, keys, found);
+          builder.add_face(vertices, found);
         }
     return builder.surface;
   }
@@ -167,8 +202,7 @@ namespace ringmotor
       {
         const double height = sector.sector_mesh().sections.at(cells).lower_face();
         const std::vector<SectorNodes::Dof> dofs = sector.dofs_of(cell);
-        std::vector<unsigned int> keys;
-        std::vector<SurfaceNode> found;
+        std::vector<FaceNode> found;
         // A scalar shape function belongs to six degrees of freedom.
         for (unsigned int i = 0; i < dofs.size(); ++i)
           if (fe.system_to_component_index(i).first == 0)
@@ -177,24 +211,25 @@ namespace ringmotor
             const unsigned int node  = nodes.node(dofs[i]);
             const unsigned int turn  = nodes.node(dofs[fe.component_to_system_index(3, shape)]);
             const auto axes          = directions(nodes.position(node));
-            SurfaceNode surface_node{in_plane(nodes.position(node)), {}};
+            FaceNode face_node{
+                node, fe.unit_support_point(i), {in_plane(nodes.position(node)), {}}};
             // The face moves by u + theta x (height z): the shell is level where it can touch.
             const Tensor<1, 3> arm = height * axes[0];
             for (unsigned int c = 0; c < 3; ++c)
               for (unsigned int d = 0; d < 3; ++d)
               {
                 const SectorNodes::Dof moves = nodes.dof(node, d), turns = nodes.dof(turn, d);
-                surface_node.displacement[c].emplace_back(moves, axes[c] * nodes.direction(moves));
-                surface_node.displacement[c].emplace_back(
+                face_node.node.displacement[c].emplace_back(moves,
+                                                            axes[c] * nodes.direction(moves));
+                face_node.node.displacement[c].emplace_back(
                     turns, axes[c] * cross_product_3d(nodes.direction(turns), arm));
               }
-            keys.push_back(node);
-            found.push_back(surface_node);
+            found.push_back(face_node);
           }
         std::array<Point<2>, 4> vertices;
         for (unsigned int v = 0; v < 4; ++v)
           vertices[v] = in_plane(cell->vertex(v));
-        builder.add_face(vertices, keys, found);
+        builder.add_face(vertices, found);
       }
     return builder.surface;
   }
