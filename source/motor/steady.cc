@@ -318,6 +318,9 @@ namespace ringmotor
   {
     const unsigned int n_coarse = coarse.n_time_samples(), n_fine = fine.n_time_samples(),
                        n_points = coarse.n_points() / n_coarse, n_rigid = coarse.n_rigid_motions();
+    Assert(known.state.force.size() == coarse.n_points() &&
+               known.state.rigid.size() >= n_coarse * n_rigid,
+           dealii::ExcMessage("a state on another mesh"));
     const std::vector<FrictionMemory> memory = travelled(coarse, known);
     StepState start{
         {std::vector<PointVector>(fine.n_points()), std::vector<double>(fine.n_rigid())},

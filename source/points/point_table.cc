@@ -92,7 +92,8 @@ namespace ringmotor
     points.clear();
     for (const CurvePoint &point : curve)
       insert(discretisation, point);
-    first_curve = points[discretisation];
+    first_curve          = points[discretisation];
+    level_of_first_curve = discretisation.level;
   }
 
   void PointTable::drop_other_fields(const Needs &needs)
@@ -199,15 +200,11 @@ namespace ringmotor
       return starts_with_longer_steps(discretisation, requests, start);
     if (const std::optional<Points> other = starts_on_other_mesh(discretisation, requests))
       return *other;
-    Points starts;
     if (start == Start::rest)
-      starts.resize(requests.size());
-    else if (!first_curve.empty())
-      for (const PointRequest &request : requests)
-        starts.push_back(similar_point(first_curve, request));
-    else if (first_curve_is_left)
-      starts = similar_points(discretisation, requests);
-    return starts;
+      return Points(requests.size());
+    if (!first_curve.empty())
+      return starts_from_first_curve(discretisation, requests);
+    return first_curve_is_left ? similar_points(discretisation, requests) : Points();
   }
 
   PointTable::Points PointTable::marched_starts(const Discretisation &discretisation,
@@ -306,12 +303,30 @@ namespace ringmotor
       std::optional<Points> starts = known({level, modes_level, steps.longest()}, requests);
       if (!starts)
         continue;
-      const MeshTransfer transfer(timed->motor, motor(discretisation.level, modes_level));
-      for (CurvePoint &point : *starts)
-        point.fields = transfer.fields(point.fields);
-      return starts;
+      return transferred(std::move(*starts), level, discretisation);
     }
     return {};
+  }
+
+  PointTable::Points PointTable::starts_from_first_curve(const Discretisation &discretisation,
+                                                         const std::vector<PointRequest> &requests)
+  {
+    Points starts;
+    for (const PointRequest &request : requests)
+      starts.push_back(similar_point(first_curve, request));
+    return transferred(std::move(starts), level_of_first_curve, discretisation);
+  }
+
+  PointTable::Points PointTable::transferred(Points starts, const unsigned int from_level,
+                                             const Discretisation &discretisation)
+  {
+    if (from_level == discretisation.level)
+      return starts;
+    const MeshTransfer transfer(motor(from_level, discretisation.modes_level),
+                                motor(discretisation.level, discretisation.modes_level));
+    for (CurvePoint &point : starts)
+      point.fields = transfer.fields(point.fields);
+    return starts;
   }
 
   const CurvePoint &PointTable::similar_point(const ByRequest &points, const PointRequest &request)

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Fields of operating points, which are kept only where something needs them.
+// Fields of operating points, which are kept only where something needs them; from which points
+// others start.
+
+#include "support/made_up_points.h"
 
 #include <ringmotor/points/point_table.h>
 
@@ -53,6 +56,35 @@ namespace
     std::size_t n_values = 1;
   };
 } // namespace
+
+TEST(PointTable, StartsFromTheFirstCurveOnTheMeshOfEachPoint)
+{
+  using tests::MadeUpPoints;
+  /** Remembers the sizes of the fields from which points start. */
+  class Starts : public MadeUpPoints
+  {
+  public:
+    Starts() : MadeUpPoints(0.2, 0.1) {}
+    std::vector<std::vector<CurvePoint>> points(const std::vector<PointSet> &sets) override
+    {
+      for (const PointSet &set : sets)
+        for (const CurvePoint &start : set.starts)
+          n_points.push_back(start.fields.state.force.size());
+      return MadeUpPoints::points(sets);
+    }
+    std::vector<std::size_t> n_points;
+  };
+  const Parameters parameters;
+  const StepChoice steps(parameters, tests::period);
+  Starts source;
+  PointTable table(parameters, steps, source);
+  const Discretisation on_first_mesh{1, 0, steps.plain()}, on_other_mesh{0, 0, steps.longest()};
+  const PointRequest known{Control::torque, 0.}, similar{Control::torque, 1.};
+  table.begin_with(on_first_mesh, {table.at(on_first_mesh, known)});
+  source.n_points.clear();
+  table.fill({{on_other_mesh, {similar}}});
+  EXPECT_EQ(source.n_points, std::vector<std::size_t>{4});
+}
 
 TEST(ContactFields, TellTheLargestShareOfForce)
 {

@@ -3,6 +3,8 @@
 
 #include "support/paper_motor.h"
 
+#include <gtest/gtest.h>
+
 #include <ringmotor/points/curve_search.h>
 #include <ringmotor/points/point_quantities.h>
 
@@ -43,14 +45,30 @@ namespace ringmotor::tests
       if (vibrates)
         motor.modes = {{{1e5, {}}}};
       motor.modes_level = modes_level;
-      return std::vector<TimedMotor>(levels.size(), {motor, 0.});
+      std::vector<TimedMotor> motors(levels.size(), {motor, 0.});
+      for (std::size_t i = 0; i < levels.size(); ++i)
+        if (levels[i] > 0) // two faces instead of one
+        {
+          motors[i].motor.nodes.insert(motors[i].motor.nodes.end(), {{3., 0., 1.}, {3., 0.1, 1.}});
+          motors[i].motor.faces.push_back({1, 4, 3, 5});
+          motors[i].motor.wave.free_motion.resize(6);
+        }
+      return motors;
     }
 
     std::vector<std::vector<CurvePoint>> points(const std::vector<PointSet> &sets) override
     {
       std::vector<std::vector<CurvePoint>> all;
       for (const PointSet &set : sets)
+      {
+        for (const CurvePoint &start : set.starts)
+        {
+          const std::size_t n_known = start.fields.state.force.size();
+          EXPECT_TRUE(n_known == 0 || n_known == set.motor.nodes.size())
+              << set.discretisation.text() << " starts on another mesh";
+        }
         all.push_back(points_of(set.discretisation, set.motor, set.requests));
+      }
       return all;
     }
 
@@ -73,12 +91,15 @@ namespace ringmotor::tests
                 ? exact + a * std::pow(0.25, discretisation.level) * (1. + point.result.torque) +
                       b / steps.number()
                 : request.value;
-        point.result.amplitude        = 2e-6;
-        point.result.input_power      = 1.;
-        point.result.gross_power      = 1.;
-        point.result.output_work      = 0.5;
-        point.result.tangential_loss  = steps.n_parts < 4 ? 0.49 : 0.5;
-        point.fields.time_step        = 1e-7;
+        point.result.amplitude       = 2e-6;
+        point.result.input_power     = 1.;
+        point.result.gross_power     = 1.;
+        point.result.output_work     = 0.5;
+        point.result.tangential_loss = steps.n_parts < 4 ? 0.49 : 0.5;
+        point.fields.time_step       = 1e-7;
+        point.fields.state.force.resize(motor.nodes.size());
+        point.fields.motion.resize(motor.nodes.size());
+        point.fields.status.resize(motor.nodes.size(), PointStatus::open);
         point.result.teeth_in_contact = 3.;
         if (change)
           change(point, discretisation, motor);

@@ -98,6 +98,12 @@ namespace ringmotor
                                               const PointRequest &request) const;
     std::optional<Points> starts_on_other_mesh(const Discretisation &discretisation,
                                                const std::vector<PointRequest> &requests);
+    /** The points of the first curve with the most similar loads, on this mesh. */
+    Points starts_from_first_curve(const Discretisation &discretisation,
+                                   const std::vector<PointRequest> &requests);
+    /** Points found on the mesh of a level, with their fields on that of a discretisation. */
+    Points transferred(Points starts, const unsigned int from_level,
+                       const Discretisation &discretisation);
     /** Whether fields are small enough for the folder of kept points. */
     static bool may_be_kept(const std::size_t n_bytes);
     /** The one of some points with the most similar load. */
@@ -112,6 +118,7 @@ namespace ringmotor
     std::map<std::pair<unsigned int, unsigned int>, std::unique_ptr<const TimedMotor>> motors;
     std::map<Discretisation, ByRequest> points;
     ByRequest first_curve;
-    bool first_curve_is_left = false;
+    unsigned int level_of_first_curve = 0; ///< of its mesh
+    bool first_curve_is_left          = false;
   };
 } // namespace ringmotor
