@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <vector>
 
 namespace ringmotor
 {
@@ -32,6 +33,34 @@ namespace ringmotor
     constexpr unsigned int most_dense = 4000;
     constexpr double infinity         = std::numeric_limits<double>::infinity();
 
+    /** Ends GMRES as soon as its pace shows that it will not converge in time. */
+    class PaceControl : public SolverControl
+    {
+    public:
+      PaceControl(const unsigned int most_steps, const double tolerance)
+          : SolverControl(most_steps, tolerance, false, false)
+      {
+      }
+
+      State check(const unsigned int step, const double residual) override
+      {
+        // Later steps gain more than earlier ones, at best about twice as much.
+        constexpr unsigned int of_pace = 4;
+        constexpr double later         = 2.;
+        const State state              = SolverControl::check(step, residual);
+        residuals.push_back(residual);
+        if (state != iterate || residuals.size() <= of_pace)
+          return state;
+        const double before = residuals[residuals.size() - 1 - of_pace],
+                     gain   = std::log(before / residual) / of_pace,
+                     wanted = std::log(residual / tolerance()) / (max_steps() - step);
+        return wanted > later * gain ? failure : iterate;
+      }
+
+    private:
+      std::vector<double> residuals; ///< by step
+    };
+
     /** @param solution also the start
      * @return the number of steps in which the residual was reduced, at most @p most_steps without
      * restarts, which would make it stagnate; nothing if it was not */
@@ -45,7 +74,7 @@ namespace ringmotor
         solution = 0.;
         return 0;
       }
-      SolverControl control(most_steps, reduction * right_hand_side.l2_norm(), false, false);
+      PaceControl control(most_steps, reduction * right_hand_side.l2_norm());
       // Flexible, since a preconditioner in single precision is not quite linear: plain GMRES ends
       // with residuals a hundred times as large as it estimates.
       SolverFGMRES<Vector<double>> solver(
