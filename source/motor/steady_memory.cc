@@ -71,7 +71,7 @@ namespace ringmotor
       if (std::equal(memory.begin(), memory.end(), earlier[earlier.size() - period].begin(),
                      is_same))
         return period;
-    return n_solutions == most_solutions ? longest_period : 0;
+    return n_solutions >= enough_to_wander ? longest_period : 0;
   }
 
   bool SteadyMemory::settled(const StepState &solution)

@@ -47,7 +47,10 @@ namespace ringmotor
     unsigned int n_alternating() const;
 
   private:
-    static constexpr unsigned int longest_period = 24; ///< that is recognised
+    /** After so many solutions a memory that may wander is taken to do so: those that settle do it
+     * in half of them, apart from a few. */
+    static constexpr unsigned int enough_to_wander = 32;
+    static constexpr unsigned int longest_period   = 12; ///< that is recognised
 
     /** Points in the order of time: each after its earlier one, if that one touches; then the open
      * ones. */
