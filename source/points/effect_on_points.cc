@@ -148,15 +148,24 @@ namespace ringmotor
     return result;
   }
 
+  std::vector<CurvePoint> EffectsOnPoints::all_found(Motor &of,
+                                                     const std::vector<PointRequest> &requests,
+                                                     const CurvePoint *start, const bool are_needed)
+  {
+    std::vector<Wanted> wanted;
+    for (const PointRequest &request : requests)
+      wanted.push_back({&of, request, start, are_needed});
+    std::vector<CurvePoint> points;
+    for (const std::vector<CurvePoint> &point : found(wanted))
+      points.insert(points.end(), point.begin(), point.end());
+    return points.size() == requests.size() ? points : std::vector<CurvePoint>();
+  }
+
   namespace
   {
     constexpr double no_load = 0., stall = 1.; // shares of the stall torque
-
-    bool is_missing(const std::vector<std::vector<CurvePoint>> &points)
-    {
-      return std::any_of(points.begin(), points.end(),
-                         [](const std::vector<CurvePoint> &found) { return found.empty(); });
-    }
+    /** Between them: half of it, and about the largest torque that a curve prescribes. */
+    constexpr double under_load[] = {0.5, 0.85};
 
     /** Changes of prescribed numbers, which are zero, give way to those at a neighbouring load. */
     void complete(std::map<double, PointError> &changes)
@@ -166,57 +175,60 @@ namespace ringmotor
       for (auto &[load, change] : changes)
         change["torque"] = std::max(change["torque"], torque);
     }
+
+    /** At the same loads of a motor, or at its speeds there. */
+    std::vector<PointRequest> requests_of(const std::vector<CurvePoint> &points,
+                                          const Control control)
+    {
+      std::vector<PointRequest> requests;
+      for (const CurvePoint &point : points)
+        requests.push_back(
+            {control, control == Control::speed ? point.result.speed : point.request.value});
+      return requests;
+    }
   } // namespace
 
   EffectOnPoints EffectsOnPoints::of(const Effect &effect, const Parameters &parameters)
   {
     const std::vector<Motor *> both = condensed({compared(parameters, effect, EffectChoice::on),
                                                  compared(parameters, effect, EffectChoice::off)});
-    Motor *const with = both[0], *const without = both[1];
+    Motor &with = *both[0], &without = *both[1];
     const bool is_needed = !is_marched(parameters); // that one without the effect has a state
     const std::vector<PointRequest> ends{{Control::torque, 0.}, {Control::speed, 0.}};
-    const auto on =
-        [&](Motor *motor, const std::vector<PointRequest> &requests, const CurvePoint *start)
-    {
-      std::vector<Wanted> all;
-      for (const PointRequest &request : requests)
-        all.push_back({motor, request, start, motor == without && is_needed});
-      return found(all);
-    };
-    const auto ends_with = on(with, ends, nullptr);
-    if (is_missing(ends_with))
+    const std::vector<CurvePoint> ends_with = all_found(with, ends, nullptr, false);
+    if (ends_with.empty())
       return {};
-    const auto ends_without = on(without, ends, nullptr);
-    if (is_missing(ends_without))
+    const std::vector<CurvePoint> ends_without = all_found(without, ends, nullptr, is_needed);
+    if (ends_without.empty())
       return {};
     EffectOnPoints effect_on;
-    effect_on.stall_torque = ends_without[1].front().result.torque;
-    // Half of it, and about the largest torque that a curve prescribes.
-    const std::vector<double> loads{0.5, 0.85};
+    effect_on.stall_torque = ends_without[1].result.torque;
     std::vector<PointRequest> loaded;
-    for (const double load : loads)
+    for (const double load : under_load)
       loaded.push_back({Control::torque, load * effect_on.stall_torque});
-    const auto before = on(without, loaded, &ends_without[0].front());
-    if (is_missing(before))
+    const std::vector<CurvePoint> before = all_found(without, loaded, &ends_without[0], is_needed);
+    if (before.empty())
       return {};
-    if (parameters.loading.control == Control::speed)
-      for (std::size_t i = 0; i < loads.size(); ++i)
-        loaded[i] = {Control::speed, before[i].front().result.speed};
-    const auto after = on(with, loaded, &ends_with[0].front());
-    if (is_missing(after))
+    const std::vector<CurvePoint> after =
+        all_found(with, requests_of(before, parameters.loading.control), &ends_with[0], false);
+    if (after.empty())
       return {};
-    for (std::size_t i = 0; i < loads.size(); ++i)
-      effect_on.changes[loads[i]] = change(before[i].front(), after[i].front());
+    for (std::size_t i = 0; i < before.size(); ++i)
+      effect_on.changes[under_load[i]] = change(before[i], after[i]);
     for (const auto &[load, i] : {std::pair(no_load, 0u), std::pair(stall, 1u)})
-      effect_on.changes[load] = change(ends_without[i].front(), ends_with[i].front());
-    const PointError largest = effect_on.largest();
-    const QuantityScales scales =
-        scales_of(parameters, without->bodies, wave.amplitude, effect_on.stall_torque);
-    effect_on.relative =
-        std::max(largest["speed"] / scales.of("speed", ends_without[0].front().result.speed),
-                 largest["torque"] / scales.of("torque", 0.));
+      effect_on.changes[load] = change(ends_without[i], ends_with[i]);
+    effect_on.relate_to(
+        scales_of(parameters, without.bodies, wave.amplitude, effect_on.stall_torque),
+        ends_without[0].result.speed);
     complete(effect_on.changes);
     return effect_on;
+  }
+
+  void EffectOnPoints::relate_to(const QuantityScales &scales, const double fastest)
+  {
+    const PointError largest_change = largest();
+    relative = std::max(largest_change["speed"] / scales.of("speed", fastest),
+                        largest_change["torque"] / scales.of("torque", 0.));
   }
 
   PointError EffectOnPoints::at(const double torque) const

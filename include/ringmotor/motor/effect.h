@@ -143,8 +143,8 @@ namespace ringmotor
   /**
    * Switches effects of a stage that are `auto` on or off: on where they are free, or the indicator
    * exceeds AccuracyBudget::effect() of @p target; one that the motor cannot have is off up to the
-   * whole target. The largest of those left out follow as long as all of them
-   * together exceed AccuracyBudget::left_out().
+   * whole target. The largest of those left out follow as long as all of them together exceed
+   * AccuracyBudget::left_out().
    * @return a row for each effect of the stage
    * @throws ComputationError if one is not available that changes more
    */

@@ -4,6 +4,7 @@
 #include <ringmotor/motor/effect.h>
 #include <ringmotor/motor/rotor_modes.h>
 #include <ringmotor/points/curve_point.h>
+#include <ringmotor/points/quantity_scales.h>
 
 #include <limits>
 #include <map>
@@ -27,6 +28,8 @@ namespace ringmotor
     PointError at(const double torque) const;
     /** The largest of all of them. */
     PointError largest() const;
+    /** Sets #relative. @param fastest rad/s, the speed without load */
+    void relate_to(const QuantityScales &scales, const double fastest);
   };
 
   /**
@@ -58,6 +61,9 @@ namespace ringmotor
     const CurvePoint *known_to_similar(const Wanted &wanted) const;
     /** Points of motors, new ones found by ranks that share them: empty if there is none. */
     std::vector<std::vector<CurvePoint>> found(const std::vector<Wanted> &all);
+    /** Those of one motor; none if one of them is missing. @param start of all of them */
+    std::vector<CurvePoint> all_found(Motor &of, const std::vector<PointRequest> &requests,
+                                      const CurvePoint *start, const bool are_needed);
 
     const StatorWave &wave;
     const MotorVibration &vibration;
