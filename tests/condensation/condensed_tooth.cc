@@ -165,19 +165,20 @@ TEST(ContactSurface, TakesTheWideFacesOfLongTeeth)
   StatorGeometry geometry;
   geometry.base_inner_radius = geometry.tip_inner_radius = 33.88e-3;
   geometry.base_outer_radius = geometry.tip_outer_radius = 45.15e-3;
-  geometry.slot_width                                    = 0.96e-3;
+  geometry.slot_width                                    = 1.2e-3;
   const SectorMesh mesh =
       make_contact_tooth(stator_body(geometry, 87), 42.98e-3, 45.15e-3, {2, 2}, MPI_COMM_WORLD);
   const CyclicSector sector{mesh, {{ids::tooth, aluminium}}, 3};
   const ContactSurface foot = solid_surface(sector, ids::tooth_foot);
   for (const std::vector<unsigned int> &face : foot.faces)
     EXPECT_EQ(std::set<unsigned int>(face.begin(), face.end()).size(), 16u);
-  // What interpolates between nodes is one at each of them, within that difference.
+  // At the place of each node, which differs from that on the unit face by 4 %, it has nearly all
+  // of the weight.
   for (unsigned int node = 0; node < foot.nodes.size(); ++node)
   {
     double own = 0.;
     for (const auto &[other, weight] : interpolation(foot, foot.nodes[node].place))
       own += other == node ? weight : 0.;
-    EXPECT_NEAR(own, 1., 0.1) << node;
+    EXPECT_NEAR(own, 1., 0.25) << node;
   }
 }
