@@ -156,12 +156,12 @@ namespace ringmotor
   {
     for (const auto &effect : all_effects())
       if (effect->stage <= last && effect->choice(parameters) != EffectChoice::off)
-      {
         effect->check(parameters);
-        const std::string obstacle = effect->obstacle(parameters);
-        if (effect->choice(parameters) == EffectChoice::on && !obstacle.empty())
+    // Obstacles are those of a whole model, in which the entries of all effects are used.
+    for (const auto &effect : all_effects())
+      if (effect->stage <= last && effect->choice(parameters) == EffectChoice::on)
+        if (const std::string obstacle = effect->obstacle(parameters); !obstacle.empty())
           throw UserError(effect->given(parameters) + obstacle);
-      }
     if (last == EffectStage::stator)
       return;
     check_drive(parameters, motor_model(parameters));
