@@ -94,16 +94,18 @@ namespace ringmotor
       SurfaceNode node;
     };
 
-    /** How far a node is from where the corners of its face have it, in units of the longest side.
-     */
-    double bulge(const std::array<Point<2>, 4> &corner, const FaceNode &node)
+    /** Between places in (r, theta), m. */
+    double distance(const Point<2> &a, const Point<2> &b)
     {
-      const auto distance = [&](const Point<2> &a, const Point<2> &b)
-      { return std::hypot(a[0] - b[0], a[0] * (a[1] - b[1])); };
+      return std::hypot(a[0] - b[0], a[0] * (a[1] - b[1]));
+    }
+
+    double longest_side(const std::array<Point<2>, 4> &corner)
+    {
       double longest = 0.;
       for (const auto &[a, b] : {std::pair(0, 1), {0, 2}, {1, 3}, {2, 3}})
         longest = std::max(longest, distance(corner[a], corner[b]));
-      return distance(place_of(corner, node.unit), node.node.place) / longest;
+      return longest;
     }
 
     /** Collects faces, each node once. */
@@ -127,10 +129,11 @@ namespace ringmotor
             node.unit = Point<2>(node.unit[1], node.unit[0]);
         }
         std::vector<unsigned int> face(element.n_dofs_per_cell(), numbers::invalid_unsigned_int);
+        constexpr double most = 0.1; // of the longest side, from where the corners have a node
+        const double farthest = most * longest_side(corner);
         for (const FaceNode &node : nodes)
         {
-          constexpr double most = 0.1;
-          if (bulge(corner, node) > most)
+          if (distance(place_of(corner, node.unit), node.node.place) > farthest)
             throw UserError("a face that can touch is too distorted for contact; make it more like "
                             "a rectangle in r and theta (Stator/Mesh file, Rotor/Mesh file)");
           const auto [entry, is_new] = number.emplace(node.key, surface.nodes.size());
