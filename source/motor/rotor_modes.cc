@@ -115,12 +115,13 @@ namespace ringmotor
     std::vector<double> frequencies;
     for (const unsigned int harmonic : harmonics)
       frequencies.push_back(harmonic * frequency);
+    const double highest = std::max(harmonics.back(), least_harmonic) * frequency;
+    if (revolved)
+      return revolved->responses(k, smooth_loads_in_section(body.lip, 1), frequencies, highest);
     return without_fast_vectors(
-        revolved ? revolved->responses(k, smooth_loads_in_section(body.lip, 1), frequencies)
-                 : responses->at(
-                       k, smooth_loads(body.sector, body.lip, k, {1, 4, /*vanish_at_cut =*/true}),
-                       frequencies),
-        std::max(harmonics.back(), least_harmonic) * frequency);
+        responses->at(k, smooth_loads(body.sector, body.lip, k, {1, 4, /*vanish_at_cut =*/true}),
+                      frequencies),
+        highest);
   }
 
   LipModes::LipModes(const Parameters &parameters, const unsigned int level, const double frequency,

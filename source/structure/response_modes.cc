@@ -211,12 +211,17 @@ namespace ringmotor
     return modes;
   }
 
-  std::vector<Mode> without_fast_vectors(std::vector<Mode> modes, const double frequency)
+  bool is_fast(const double eigenvalue, const double frequency)
   {
     constexpr double far = 3.;
+    return eigenvalue > std::pow(far * frequency, 2);
+  }
+
+  std::vector<Mode> without_fast_vectors(std::vector<Mode> modes, const double frequency)
+  {
     modes.erase(std::remove_if(modes.begin(), modes.end(),
                                [&](const Mode &mode)
-                               { return mode.eigenvalue > std::pow(far * frequency, 2); }),
+                               { return is_fast(mode.eigenvalue, frequency); }),
                 modes.end());
     return modes;
   }

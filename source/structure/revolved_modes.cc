@@ -70,7 +70,8 @@ namespace ringmotor
 
   std::vector<Mode> RevolvedModes::responses(const unsigned int k,
                                              const std::vector<LinearForm> &loads,
-                                             const std::vector<double> &frequencies)
+                                             const std::vector<double> &frequencies,
+                                             const double highest)
   {
     std::vector<std::vector<double>> on_unknowns;
     for (const LinearForm &load : loads)
@@ -88,7 +89,7 @@ namespace ringmotor
                             [&](const std::vector<double> &motions, std::vector<double> &inertia)
                             { section.multiply_mass(motions, inertia); }},
                            on_unknowns, frequencies);
-      for (std::size_t r = 0; r < ritz.values.size(); ++r)
+      for (std::size_t r = 0; r < ritz.values.size() && !is_fast(ritz.values[r], highest); ++r)
         add(k, order, ritz.values[r], ritz.vectors.data() + r * section.size(), modes);
     }
     sort_by_frequency(modes);

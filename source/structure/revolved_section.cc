@@ -135,6 +135,7 @@ namespace ringmotor
   {
     Assert(describes(sector), ExcMessage("Not one layer of cells of a body of revolution."));
     find_sources();
+    find_copies();
     if (sector.dofs().has_active_dofs())
     {
       add_solids();
@@ -164,6 +165,32 @@ namespace ringmotor
     if (sector.shell_dofs().has_active_dofs())
       for (const auto &cell : sector.shell_dofs().active_cell_iterators())
         find_sources(sector.shell_dofs().get_fe(), face_on_mirror(cell), sector.dofs_of(cell));
+  }
+
+  void RevolvedSection::find_copies()
+  {
+    const SectorNodes &nodes = sector.nodes();
+    for (unsigned int node = 0; node < source.size(); ++node)
+    {
+      const Point<3> &x        = nodes.position(node);
+      const double angle       = std::atan2(x[1], x[0]);
+      const auto known         = std::find_if(angles.begin(), angles.end(),
+                                              [&](const double other)
+                                              { return is_same_place(angle, other, meshed_angle); });
+      const unsigned int place = known - angles.begin();
+      if (known == angles.end())
+        angles.push_back(angle);
+      const std::array<Tensor<1, 3>, 3> axes{{Tensor<1, 3>({std::cos(angle), std::sin(angle), 0.}),
+                                              Tensor<1, 3>({-std::sin(angle), std::cos(angle), 0.}),
+                                              Tensor<1, 3>({0., 0., 1.})}};
+      for (unsigned int c = 0; c < 3; ++c)
+        for (unsigned int d = 0; d < 3; ++d)
+        {
+          const Dof to = nodes.dof(node, d), from = nodes.dof(source[node], c);
+          if (const double weight = nodes.direction(to) * axes[c]; weight != 0.)
+            copies.push_back({to, from, place, nodes.turned_by_mirror(from), weight});
+        }
+    }
   }
 
   void RevolvedSection::add_solids()
@@ -303,33 +330,23 @@ namespace ringmotor
 
   SectorMotion RevolvedSection::expand(const int order, const double *const unknowns) const
   {
-    const SectorNodes &nodes = sector.nodes();
     Vector<double> in_section(sector.n_dofs());
     for (Dof dof = 0; dof < row.size(); ++dof)
       if (row[dof] != none)
         in_section[dof] = unknowns[row[dof]];
     sector.dependent().distribute(in_section);
+    std::vector<std::array<double, 2>> turns; // cosine and sine
+    for (const double angle : angles)
+      turns.push_back({{std::cos(order * angle), std::sin(order * angle)}});
     std::array<Vector<double>, 2> fields{
         {Vector<double>(sector.n_dofs()), Vector<double>(sector.n_dofs())}};
-    for (unsigned int node = 0; node < source.size(); ++node)
+    for (const Copy &copy : copies)
     {
-      const Point<3> &x  = nodes.position(node);
-      const double angle = std::atan2(x[1], x[0]), cosine = std::cos(order * angle),
-                   sine = std::sin(order * angle);
-      const std::array<Tensor<1, 3>, 3> axes{{Tensor<1, 3>({std::cos(angle), std::sin(angle), 0.}),
-                                              Tensor<1, 3>({-std::sin(angle), std::cos(angle), 0.}),
-                                              Tensor<1, 3>({0., 0., 1.})}};
-      for (unsigned int c = 0; c < 3; ++c)
-      {
-        const Dof dof     = nodes.dof(source[node], c);
-        const bool turned = nodes.turned_by_mirror(dof);
-        const std::array<double, 2> parts{
-            {turned ? sine : cosine, turned ? cosine : -sine}}; // of i^turned exp(-i n theta)
-        for (unsigned int d = 0; d < 3; ++d)
-          for (const unsigned int part : {0u, 1u})
-            fields[part][nodes.dof(node, d)] +=
-                in_section[dof] * parts[part] * (nodes.direction(nodes.dof(node, d)) * axes[c]);
-      }
+      const auto &[cosine, sine] = turns[copy.angle];
+      const double moved         = copy.weight * in_section[copy.from];
+      // i^is_turned exp(-i n theta)
+      fields[0][copy.to] += moved * (copy.is_turned ? sine : cosine);
+      fields[1][copy.to] += moved * (copy.is_turned ? cosine : -sine);
     }
     return sector.to_motion(std::move(fields));
   }

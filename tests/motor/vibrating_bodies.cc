@@ -95,6 +95,30 @@ TEST(RotorModes, MakeUpTheDynamicCompliance)
   }
 }
 
+TEST(ToothModes, AreItsNaturalModesNextToTheFirstHarmonics)
+{
+  const Parameters parameters = reference_motor();
+  const double drive          = 2. * M_PI * 30e3;
+  const unsigned int level    = 1;
+  const ToothBody tooth(parameters, tooth_modes_discretisation(level), /*is_clamped =*/true);
+  const std::vector<Mode> natural = ModeSolver(tooth.sector).below(0, std::pow(20. * drive, 2));
+  ASSERT_GE(natural.size(), 3u);
+  MortarCoupling all; // all nodes of the top are contact points
+  for (unsigned int i = 0; i < tooth.whole_top.surface.nodes.size(); ++i)
+    all.nodes.push_back({i, 1., {}});
+  // Whatever the number of harmonics: a loss factor of 0.001 makes resonances that narrow.
+  for (const unsigned int n_harmonics : {20u, 30u, 45u, 60u, 67u, 90u})
+  {
+    const std::vector<RingMode> modes =
+        tooth_modes(parameters, level, n_harmonics * drive, tooth.whole_top.surface, all);
+    ASSERT_GT(modes.size(), natural.size());
+    for (unsigned int i = 0; i < 3; ++i)
+      EXPECT_NEAR(modes[i].angular_frequency, std::sqrt(natural[i].eigenvalue),
+                  1e-4 * modes[i].angular_frequency)
+          << n_harmonics << " " << i;
+  }
+}
+
 TEST(ToothModes, GiveTheDynamicComplianceThatTheToothHasWithoutThem)
 {
   const Parameters parameters = reference_motor();

@@ -66,4 +66,6 @@ namespace ringmotor
    * with inertia they would be little more than masses of the loaded surface, and colliding masses
    * lose energy in finite steps. */
   std::vector<Mode> without_fast_vectors(std::vector<Mode> modes, const double frequency);
+  /** Whether one with a stiffness (rad^2/s^2, for unit mass) would be left out there. */
+  bool is_fast(const double eigenvalue, const double frequency);
 } // namespace ringmotor

@@ -25,9 +25,9 @@ namespace ringmotor
     std::vector<int> orders(const unsigned int k) const;
 
     /** See response_vectors(). @param loads in the half plane theta = 0, each of them as the wave
-     * of each order */
+     * of each order @param highest see without_fast_vectors() */
     std::vector<Mode> responses(const unsigned int k, const std::vector<LinearForm> &loads,
-                                const std::vector<double> &frequencies);
+                                const std::vector<double> &frequencies, const double highest);
 
     /** All modes of nodal diameter @p k below a shift (rad^2/s^2), see ModeSolver::below(). Of a
      * body without rigid motions of that nodal diameter. */

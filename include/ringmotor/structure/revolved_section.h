@@ -57,6 +57,15 @@ namespace ringmotor
       WaveMatrices matrices;
     };
 
+    /** A displacement of a node to which one in the half plane contributes. */
+    struct Copy
+    {
+      Dof to, from;
+      unsigned int angle; ///< of the node, in #angles
+      bool is_turned;     ///< see SectorNodes::turned_by_mirror()
+      double weight;      ///< of the direction of one in that of the other
+    };
+
     void add_solids();
     void add_shells();
     void add_foundations();
@@ -68,6 +77,8 @@ namespace ringmotor
     template <int dim>
     void find_sources(const dealii::FiniteElement<dim, 3> &fe, const unsigned int face,
                       const std::vector<Dof> &dofs);
+    /** How waves continue from the half plane to all nodes. */
+    void find_copies();
     /** Of a degree of freedom in the half plane that depends on no others. */
     unsigned int row_of(const Dof dof) const;
 
@@ -76,6 +87,8 @@ namespace ringmotor
     const std::vector<unsigned int> row; ///< by degree of freedom; none if elsewhere or dependent
     const unsigned int n_unknowns;
     std::vector<unsigned int> source; ///< by node: that at the same place in the half plane
+    std::vector<double> angles;       ///< rad, at which there are nodes
+    std::vector<Copy> copies;
     std::vector<Element> elements;
     SparseLDLT factors;
   };
