@@ -40,6 +40,15 @@ namespace
     }
     return result;
   }
+
+  /** All nodes of the top are contact points. */
+  MortarCoupling all_nodes_of(const ToothBody &tooth)
+  {
+    MortarCoupling all;
+    for (unsigned int i = 0; i < tooth.whole_top.surface.nodes.size(); ++i)
+      all.nodes.push_back({i, 1., {}});
+    return all;
+  }
 } // namespace
 
 TEST(RotorModes, MakeUpTheDynamicCompliance)
@@ -103,14 +112,11 @@ TEST(ToothModes, AreItsNaturalModesNextToTheFirstHarmonics)
   const ToothBody tooth(parameters, tooth_modes_discretisation(level), /*is_clamped =*/true);
   const std::vector<Mode> natural = ModeSolver(tooth.sector).below(0, std::pow(20. * drive, 2));
   ASSERT_GE(natural.size(), 3u);
-  MortarCoupling all; // all nodes of the top are contact points
-  for (unsigned int i = 0; i < tooth.whole_top.surface.nodes.size(); ++i)
-    all.nodes.push_back({i, 1., {}});
   // Whatever the number of harmonics: a loss factor of 0.001 makes resonances that narrow.
   for (const unsigned int n_harmonics : {20u, 30u, 45u, 60u, 67u, 90u})
   {
-    const std::vector<RingMode> modes =
-        tooth_modes(parameters, level, n_harmonics * drive, tooth.whole_top.surface, all);
+    const std::vector<RingMode> modes = tooth_modes(parameters, level, n_harmonics * drive,
+                                                    tooth.whole_top.surface, all_nodes_of(tooth));
     ASSERT_GT(modes.size(), natural.size());
     for (unsigned int i = 0; i < 3; ++i)
       EXPECT_NEAR(modes[i].angular_frequency, std::sqrt(natural[i].eigenvalue),
@@ -123,11 +129,8 @@ TEST(ToothModes, GiveTheDynamicComplianceThatTheToothHasWithoutThem)
 {
   const Parameters parameters = reference_motor();
   const ToothBody tooth(parameters, tooth_modes_discretisation(2));
-  MortarCoupling all; // all nodes of the top are contact points
-  for (unsigned int i = 0; i < tooth.whole_top.surface.nodes.size(); ++i)
-    all.nodes.push_back({i, 1., {}});
-  const std::vector<RingMode> modes =
-      tooth_modes(parameters, 2, 30. * 2. * M_PI * 30e3, tooth.whole_top.surface, all);
+  const std::vector<RingMode> modes = tooth_modes(parameters, 2, 30. * 2. * M_PI * 30e3,
+                                                  tooth.whole_top.surface, all_nodes_of(tooth));
   ASSERT_GT(modes.size(), 10u);
   const auto compliance = [&](const double frequency)
   {
